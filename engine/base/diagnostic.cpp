@@ -1,0 +1,31 @@
+#include "engine/base/diagnostic.h"
+
+namespace glissade {
+
+int exitCode(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::NoPath: return 1;
+    case ErrorKind::Usage: return 2;
+    case ErrorKind::MalformedInput: return 3;
+    case ErrorKind::InCollision: return 4;
+    case ErrorKind::LimitReached: return 5;
+    case ErrorKind::Interrupted: return 130;
+    case ErrorKind::Internal: return 70;
+  }
+  return 70;
+}
+
+std::string toString(const Diagnostic& diagnostic) {
+  std::string text;
+  for (const std::string* part : {&diagnostic.file, &diagnostic.place}) {
+    if (!part->empty()) text += *part + ": ";
+  }
+  text += diagnostic.reason;
+  if (!diagnostic.advice.empty()) {
+    if (!text.empty() && text.back() != '.') text += ".";
+    text += " " + diagnostic.advice;
+  }
+  return text;
+}
+
+}  // namespace glissade

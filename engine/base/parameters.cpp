@@ -1,0 +1,92 @@
+#include "engine/base/parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "engine/base/tolerances.h"
+
+namespace glissade {
+namespace {
+
+using Id = ParameterId;
+using Scale = ParameterScale;
+
+// The defaults of alpha, N and d are the ones the first paper uses where it varies the others
+// (sections III.E and III.F); d = 0.1 r is its 0.15 m on the L.
+constexpr std::array<ParameterSpec, kParameterCount> kTable{{
+    {Id::Alpha, "alpha", "--alpha", "α", "Authority", "", 0.0, 1.0, 0.2, Scale::Absolute, false, true,
+     "The computer's share of the iterations: 1 is the automatic planner alone, 0 the operator alone."},
+    {Id::ContactSamples, "contact_samples", "--contact-samples", "N", "Contact samples", "", 1, 500, 10,
+     Scale::Absolute, true, true, "Samples shot on the tangent plane each time contact mode is entered."},
+    {Id::ContactDistance, "contact_distance", "--contact-distance", "d", "Contact distance", "m", 0.0, 1.0, 0.1,
+     Scale::ObjectRadius, false, true, "Closer than this to the nearest obstacle, contact mode begins."},
+    {Id::ContactRadius, "contact_radius", "--contact-radius", "", "Contact disc", "m", 0.01, 10.0, 1.3,
+     Scale::ObjectRadius, false, true, "Radius of the disc on the tangent plane in which contact samples are shot."},
+    {Id::ContactGap, "contact_gap", "--contact-gap", "", "Contact gap", "m", 1e-4, 0.1, tolerance::kContactGap,
+     Scale::ObjectRadius, false, false,
+     "Gap that contact samples keep to the surface, so that they touch without penetrating."},
+    {Id::RequiredClearance, "required_clearance", "--required-clearance", "", "Required clearance", "m", 1e-7, 0.1,
+     tolerance::kRequiredClearance, Scale::ObjectRadius, false, false,
+     "Clearance that a delivered path is proved to keep."},
+    {Id::GrowthStep, "growth_step", "--growth-step", "", "Growth step", "m", 1e-4, 0.1, tolerance::kGrowthStep,
+     Scale::ObjectRadius, false, false, "Sampling step of edges while the trees grow (delivered edges are certified)."},
+    {Id::StepsPerSecond, "steps_per_second", "--steps-per-second", "", "Steps per second", "1/s", 1.0, 10000.0, 40.0,
+     Scale::Absolute, false, false,
+     "Lockstep clock: planner steps in one second of the simulated or recorded operator."},
+    {Id::MaxSteps, "max_steps", "--max-steps", "", "Step limit", "", 0.0, 1e9, 0.0, Scale::Absolute, true, false,
+     "Stop after this many planner steps; 0 is no limit."},
+    {Id::MaxSamples, "max_samples", "--max-samples", "", "Sample limit", "", 0.0, 1e9, 0.0, Scale::Absolute, true,
+     false, "Stop after this many random configurations; 0 is no limit."},
+    {Id::TimeLimit, "time_limit", "--time-limit", "", "Time limit", "s", 0.0, 1e7, 0.0, Scale::Absolute, false, false,
+     "Stop after this many seconds of planning; 0 is no limit."},
+}};
+
+Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {
+  std::ostringstream reason;
+  reason << spec.label << " is " << value << (spec.integer ? ", which is not a whole number" : "")
+         << ", outside what is allowed";
+  std::ostringstream advice;
+  advice << "Give a " << (spec.integer ? "whole number" : "number") << " from " << range.minimum << " to "
+         << range.maximum << (spec.unit.empty() ? "" : " ") << spec.unit << ".";
+  return {ErrorKind::Usage, "", std::string(spec.key), reason.str(), advice.str()};
+}
+
+}  // namespace
+
+const std::array<ParameterSpec, kParameterCount>& parameterTable() { return kTable; }
+
+const ParameterSpec& specOf(ParameterId id) { return kTable[static_cast<std::size_t>(id)]; }
+
+std::optional<ParameterId> parameterByKey(std::string_view key) {
+  const auto found = std::find_if(kTable.begin(), kTable.end(), [&](const auto& spec) { return spec.key == key; });
+  if (found == kTable.end()) return std::nullopt;
+  return found->id;
+}
+
+ParameterRange rangeOf(ParameterId id, double objectRadius) {
+  const ParameterSpec& spec = specOf(id);
+  const double unit = spec.scale == Scale::ObjectRadius ? objectRadius : 1.0;
+  return {spec.minimum * unit, spec.maximum * unit};
+}
+
+ParameterValues::ParameterValues(double objectRadius) : radius_(objectRadius) {
+  for (const ParameterSpec& spec : kTable) {
+    const double unit = spec.scale == Scale::ObjectRadius ? objectRadius : 1.0;
+    values_[static_cast<std::size_t>(spec.id)] = spec.defaultValue * unit;
+  }
+}
+
+int ParameterValues::integer(ParameterId id) const { return static_cast<int>(std::lround((*this)[id])); }
+
+Outcome ParameterValues::set(ParameterId id, double value) {
+  const ParameterSpec& spec = specOf(id);
+  const ParameterRange range = rangeOf(id, radius_);
+  const bool inRange = std::isfinite(value) && value >= range.minimum && value <= range.maximum;
+  const bool whole = !spec.integer || value == std::floor(value);
+  if (!inRange || !whole) return outOfRange(spec, value, range);
+  values_[static_cast<std::size_t>(id)] = value;
+  return Done{};
+}
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#pragma once
+
+/// Every tolerance of the engine, with its scale and its reason. Lengths are multiples of the
+/// object's radius r (largest distance of a point of the object from its reference point), so that
+/// a watch and a ship behave alike.
+namespace glissade::tolerance {
+
+/// Contact samples keep this gap to the surface they slide on: large enough that conservative
+/// advancement (steps of clearance / speed) gets through, small enough to look like contact.
+/// 1.5 mm on the L of environment 1.
+inline constexpr double kContactGap = 1e-3;
+
+/// Clearance that every delivered motion is proved to keep, unless the user asks for more.
+/// 15 micrometres on the L: above the error of double distances (1e-9 relative), below any gap.
+inline constexpr double kRequiredClearance = 1e-5;
+
+/// Sampling step of edges while trees grow, in the metric. The paper's software used 0.05 m, which
+/// let penetrations of 3-5 mm through; this is 0.019 m on the L.
+inline constexpr double kGrowthStep = 0.0125;
+
+/// An extension shorter than this adds nothing but a near-duplicate and is not kept.
+inline constexpr double kShortestExtension = 0.01;
+
+/// Two operator or contact samples nearer than this are one: an operator who rests must not flood
+/// the roadmap.
+inline constexpr double kDuplicate = 0.02;
+
+/// A unit quaternion read from a file may be off by this much before it is refused (absolute).
+inline constexpr double kQuaternionNorm = 1e-3;
+
+}  // namespace glissade::tolerance

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// Static bodies belong to the building; mobile ones may be moved by somebody (paper 2, section
+/// 4.1). Both are obstacles to the object.
+enum class Mobility { Static, Mobile };
+
+/// sRGB, each 0...1.
+using Colour = std::array<double, 3>;
+
+/// A named rigid body placed in the world.
+struct RigidBody {
+  std::string id;    ///< stable, unique in the scenario
+  std::string name;  ///< for people
+  Mobility mobility = Mobility::Static;
+  MeshPtr mesh;  ///< in the body's frame B
+  Pose X_WB;
+  Colour colour{0.6, 0.6, 0.6};
+};
+
+}  // namespace glissade

@@ -1,0 +1,109 @@
+#include "engine/geometry/mesh_audit.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace glissade {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Union-find over vertex indices with path halving.
+class Components {
+ public:
+  explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
+
+  std::uint32_t find(std::uint32_t item) {
+    while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
+    return item;
+  }
+  void unite(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+Components connectedVertices(const TriangleMesh& mesh) {
+  Components components(mesh.vertices.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    components.unite(a, b);
+    components.unite(b, c);
+  }
+  return components;
+}
+
+struct EdgeUse {
+  int forward = 0;
+  int backward = 0;
+};
+
+std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> edgeUses(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> uses;
+  for (const auto& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i];
+      const std::uint32_t to = triangle[(i + 1) % 3];
+      EdgeUse& use = uses[std::minmax(from, to)];
+      ++(from < to ? use.forward : use.backward);
+    }
+  }
+  return uses;
+}
+
+double solidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const double la = a.norm();
+  const double lb = b.norm();
+  const double lc = c.norm();
+  const double numerator = a.dot(b.cross(c));
+  const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  return 2.0 * std::atan2(numerator, denominator);
+}
+
+}  // namespace
+
+MeshAudit audit(const TriangleMesh& input) {
+  const TriangleMesh mesh = welded(input);
+  MeshAudit result;
+  result.triangles = input.triangles.size();
+  result.degenerateTriangles = input.triangles.size() - mesh.triangles.size();
+  result.components = componentRepresentatives(mesh).size();
+  result.box = boundingBox(input);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vector3& pa = mesh.vertices[a];
+    const Vector3& pb = mesh.vertices[b];
+    const Vector3& pc = mesh.vertices[c];
+    if ((pb - pa).cross(pc - pa).norm() == 0.0) ++result.degenerateTriangles;
+    result.volume += pa.dot(pb.cross(pc)) / 6.0;
+  }
+  for (const auto& [edge, use] : edgeUses(mesh)) {
+    if ((use.forward + use.backward) % 2 != 0) ++result.openEdges;
+    if (use.forward != use.backward) result.consistentlyOriented = false;
+  }
+  return result;
+}
+
+std::vector<Vector3> componentRepresentatives(const TriangleMesh& input) {
+  const TriangleMesh mesh = welded(input);
+  Components components = connectedVertices(mesh);
+  std::vector<Vector3> representatives;
+  for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    if (components.find(vertex) == vertex) representatives.push_back(mesh.vertices[vertex]);
+  }
+  return representatives;
+}
+
+double windingNumber(const TriangleMesh& mesh, const Vector3& p) {
+  double total = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    total += solidAngle(mesh.vertices[a] - p, mesh.vertices[b] - p, mesh.vertices[c] - p);
+  }
+  return total / (4.0 * kPi);
+}
+
+bool containsPoint(const TriangleMesh& closedMesh, const Vector3& p) {
+  return std::abs(windingNumber(closedMesh, p)) > 0.5;
+}
+
+}  // namespace glissade

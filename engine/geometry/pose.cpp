@@ -1,0 +1,59 @@
+#include "engine/geometry/pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/tolerances.h"
+
+namespace glissade {
+
+bool operator==(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
+Vector3 operator*(const Pose& X_AB, const Vector3& p_B) { return X_AB.orientation * p_B + X_AB.position; }
+
+Pose operator*(const Pose& X_AB, const Pose& X_BC) {
+  return {X_AB * X_BC.position, (X_AB.orientation * X_BC.orientation).normalized()};
+}
+
+Pose inverse(const Pose& X_AB) {
+  const Quaternion inverted = X_AB.orientation.conjugate();
+  return {inverted * (-X_AB.position), inverted};
+}
+
+Eigen::Isometry3d toIsometry(const Pose& X_AB) {
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  transform.linear() = X_AB.orientation.toRotationMatrix();
+  transform.translation() = X_AB.position;
+  return transform;
+}
+
+Pose fromIsometry(const Eigen::Isometry3d& X_AB) {
+  return {X_AB.translation(), Quaternion(X_AB.linear()).normalized()};
+}
+
+Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
+  return Quaternion(Eigen::AngleAxisd(yaw, Vector3::UnitZ()) * Eigen::AngleAxisd(pitch, Vector3::UnitY()) *
+                    Eigen::AngleAxisd(roll, Vector3::UnitX()))
+      .normalized();
+}
+
+bool isValid(const Pose& pose) {
+  return pose.position.allFinite() && pose.orientation.coeffs().allFinite() &&
+         std::abs(pose.orientation.norm() - 1.0) <= tolerance::kQuaternionNorm;
+}
+
+double angleBetween(const Quaternion& a, const Quaternion& b) {
+  // atan2 of the relative rotation: exact zero for equal orientations, where acos loses half the digits.
+  const Quaternion relative = a.conjugate() * b;
+  return 2.0 * std::atan2(relative.vec().norm(), std::abs(relative.w()));
+}
+
+Pose interpolate(const Pose& a, const Pose& b, double t) {
+  if (t <= 0.0) return a;
+  if (t >= 1.0) return b;
+  return {a.position + t * (b.position - a.position), a.orientation.slerp(t, b.orientation).normalized()};
+}
+
+}  // namespace glissade

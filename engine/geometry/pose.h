@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace glissade {
+
+using Vector3 = Eigen::Vector3d;
+using Quaternion = Eigen::Quaterniond;
+using Box3 = Eigen::AlignedBox3d;
+
+/// A rigid transform X_AB: takes coordinates in frame B to coordinates in frame A (Drake's
+/// notation). Metres; the quaternion is unit. A configuration q of the object is X_WB.
+struct Pose {
+  Vector3 position = Vector3::Zero();
+  Quaternion orientation = Quaternion::Identity();
+
+  static Pose identity() { return {}; }
+  static Pose translation(const Vector3& p) { return {p, Quaternion::Identity()}; }
+};
+
+/// Exact equality of every coordinate (q and -q differ): for determinism tests.
+bool operator==(const Pose& a, const Pose& b);
+inline bool operator!=(const Pose& a, const Pose& b) { return !(a == b); }
+
+/// p_A = X_AB * p_B.
+Vector3 operator*(const Pose& X_AB, const Vector3& p_B);
+/// X_AC = X_AB * X_BC.
+Pose operator*(const Pose& X_AB, const Pose& X_BC);
+Pose inverse(const Pose& X_AB);
+Eigen::Isometry3d toIsometry(const Pose& X_AB);
+Pose fromIsometry(const Eigen::Isometry3d& X_AB);
+
+/// Intrinsic URDF convention: fixed-axis roll, pitch, yaw in radians.
+Quaternion fromRollPitchYaw(double roll, double pitch, double yaw);
+
+/// All coordinates finite and the quaternion's norm within tolerance::kQuaternionNorm of one.
+bool isValid(const Pose& pose);
+
+/// Angle between two orientations, in [0, pi], radians.
+double angleBetween(const Quaternion& a, const Quaternion& b);
+
+/// The straight motion of the papers' planners: linear in position, shortest great arc in
+/// orientation; t in [0, 1].
+Pose interpolate(const Pose& a, const Pose& b, double t);
+
+}  // namespace glissade

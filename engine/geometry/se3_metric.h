@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// Distance between configurations, in metres: sqrt(|dp|^2 + (r * angle)^2), where r is the
+/// object's radius, so that a rotation counts as much as it moves the object's farthest point
+/// (the metric of the first paper's software).
+class Se3Metric {
+ public:
+  explicit Se3Metric(double objectRadius) : radius_(objectRadius) {}
+
+  double radius() const { return radius_; }
+
+  double distance(const Pose& a, const Pose& b) const {
+    const double rotation = radius_ * angleBetween(a.orientation, b.orientation);
+    return std::sqrt((a.position - b.position).squaredNorm() + rotation * rotation);
+  }
+
+ private:
+  double radius_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "engine/collision/collision_query.h"
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// Deflection of a device on its six axes, each in [-1, 1]: translation x y z, rotation x y z, in
+/// the device's own frame (x right, y up, z towards the person). A rate command, as a 6D mouse gives.
+struct Deflection {
+  Vector3 translation = Vector3::Zero();
+  Vector3 rotation = Vector3::Zero();
+
+  bool atRest() const { return translation.isZero() && rotation.isZero(); }
+};
+
+/// Velocity of the object about its reference point, world frame.
+struct Twist {
+  Vector3 linear_W = Vector3::Zero();   ///< m/s
+  Vector3 angular_W = Vector3::Zero();  ///< rad/s
+
+  bool atRest() const { return linear_W.isZero() && angular_W.isZero(); }
+};
+
+/// Speeds at full deflection.
+struct OperatorSpeed {
+  double linear = 1.0;   ///< m/s
+  double angular = 1.5;  ///< rad/s
+};
+
+/// How deflections become motion: set by the window, latest wins.
+struct OperatorFrame {
+  Quaternion R_WV = Quaternion::Identity();  ///< orientation of the view V (x right, y up, z to the eye)
+  OperatorSpeed speed;                       ///< at full deflection; scales with the object's size
+};
+
+/// The twist of a view-relative deflection.
+Twist toTwist(const Deflection& deflection, const OperatorFrame& frame);
+
+/// What an operator can see when he decides how to move.
+struct OperatorView {
+  Pose q_device;  ///< where the object is in his hand
+  OperatorFrame frame;
+  /// Distance in the metric from q to the nearest node of the start tree; never empty.
+  std::function<double(const Pose& q)> distanceToStartTree;
+};
+
+/// A person, or whatever stands in for one: turns time into motion. Not thread-safe: owned and
+/// called by the operator thread (or by the lockstep loop), and must return at once.
+class OperatorDevice {
+ public:
+  virtual ~OperatorDevice() = default;
+
+  /// q_device after the next dt seconds (integrated in our own clock; clamped to `bounds` and to
+  /// nothing else: the device is never blocked by obstacles). Equal to view.q_device when at rest.
+  virtual Pose advance(double dt, const OperatorView& view, const Box3& bounds) = 0;
+  /// False while the device is away (daemon dead, cable out); it may come back.
+  virtual bool connected() const { return true; }
+};
+
+/// q_device after dt seconds of the twist; exactly X_WB when the twist is at rest. The position is
+/// clamped to the bounds.
+Pose integrate(const Pose& X_WB, const Twist& twist, const Box3& bounds, double dt);
+
+}  // namespace glissade

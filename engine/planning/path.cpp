@@ -1,0 +1,26 @@
+#include "engine/planning/path.h"
+
+namespace glissade {
+
+std::vector<Pose> Path::configurations() const {
+  std::vector<Pose> result;
+  result.reserve(points.size());
+  for (const PathPoint& point : points) result.push_back(point.q);
+  return result;
+}
+
+double Path::length() const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) sum += (points[i].q.position - points[i - 1].q.position).norm();
+  return sum;
+}
+
+double Path::rotation() const {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sum += angleBetween(points[i - 1].q.orientation, points[i].q.orientation);
+  }
+  return sum;
+}
+
+}  // namespace glissade

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/parameters.h"
+#include "engine/base/stop_token.h"
+#include "engine/planning/operator_sample.h"
+#include "engine/planning/path.h"
+#include "engine/planning/problem.h"
+#include "engine/planning/roadmap.h"
+
+namespace glissade {
+
+/// What a run has cost so far. "Random configurations" are the papers' measure: every configuration
+/// a sampler drew, kept or not.
+struct PlannerCounts {
+  std::uint64_t iterations = 0;  ///< passes of the paper's loop (Algorithm 1, lines 1-15)
+  std::uint64_t steps = 0;       ///< configurations handed to Add_Tree: the lockstep clock's tick
+  std::uint64_t randomConfigurations = 0;
+  std::uint64_t operatorConfigurations = 0;
+  std::uint64_t contactConfigurations = 0;
+  std::uint64_t nodes = 0;
+  std::uint64_t edges = 0;         ///< both directions, as the papers count
+  std::uint64_t droppedEdges = 0;  ///< removed because a candidate path failed its certificate there
+  QueryCounts queries;
+};
+
+/// What a planner needs from the world around it while it runs. Called on the planner's thread.
+class PlannerHost {
+ public:
+  virtual ~PlannerHost() = default;
+
+  /// The operator's latest sample; nothing where there is no operator (all authority is the computer's).
+  virtual std::optional<OperatorSample> operatorSample() = 0;
+  /// Parameters in force from this iteration on.
+  virtual const ParameterValues& parameters() const = 0;
+  /// Called after every Add_Tree (one step): lets time pass, publishes, waits while paused. Returns
+  /// false to end the run (stopped, or a limit reached).
+  virtual bool afterStep() = 0;
+  virtual const StopToken& stopToken() const = 0;
+};
+
+/// A growing, single-threaded planner. Created for one problem and seed; `solve` runs until solved
+/// or until the host ends it, and may be called again to go on.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+
+  /// True when a certified path was found. Precondition: start and a given goal are collision-free.
+  virtual bool solve(PlannerHost& host) = 0;
+
+  virtual const std::vector<RoadmapNode>& nodes() const = 0;
+  /// Appended while growing; an edge that failed its certificate is removed from the search but stays
+  /// listed here, and its index is in droppedEdges().
+  virtual const std::vector<RoadmapEdge>& edges() const = 0;
+  virtual const std::vector<std::uint32_t>& droppedEdges() const = 0;
+  virtual const PlannerCounts& counts() const = 0;
+  /// The certified solution, once solved.
+  virtual const Path* path() const = 0;
+  /// Whose configuration was tried last.
+  virtual Author authority() const = 0;
+  /// Contact mode is on: contact samples are being shot.
+  virtual bool inContactMode() const = 0;
+};
+
+/// How a planner is known and made. Registered by explicit calls (no static initialisers).
+struct PlannerEntry {
+  std::string id;           ///< "birrt", on the command line and in files
+  std::string label;        ///< in the window
+  std::string description;  ///< one sentence with the source
+  bool usesOperator = false;
+  std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;
+};
+
+class PlannerRegistry {
+ public:
+  void add(PlannerEntry entry);
+  /// Null where the id is unknown.
+  const PlannerEntry* find(std::string_view id) const;
+  const std::vector<PlannerEntry>& entries() const { return entries_; }
+
+ private:
+  std::vector<PlannerEntry> entries_;
+};
+
+/// Every planner of the engine.
+PlannerRegistry makePlannerRegistry();
+
+}  // namespace glissade

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// Who shot the configuration that a node comes from.
+enum class Author : std::uint8_t { Computer, Operator, Contact };
+
+/// Which root a node first grew from; colours the trees.
+enum class TreeSide : std::uint8_t { Start, Goal };
+
+struct RoadmapNode {
+  Pose q;
+  Author author = Author::Computer;
+  TreeSide side = TreeSide::Start;
+};
+
+/// An undirected edge between node indices; the papers count it twice.
+struct RoadmapEdge {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+};
+
+/// Nodes and edges appended since the chunk before; never changed once published. Node indices in
+/// edges are global: chunk k's nodes follow those of the chunks before it.
+struct RoadmapChunk {
+  std::vector<RoadmapNode> nodes;
+  std::vector<RoadmapEdge> edges;
+};
+using RoadmapChunks = std::vector<std::shared_ptr<const RoadmapChunk>>;
+
+}  // namespace glissade

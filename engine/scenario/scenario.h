@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/base/parameters.h"
+#include "engine/environment/rigid_body.h"
+#include "engine/planning/problem.h"
+
+namespace glissade {
+
+enum class UpAxis { Y, Z };
+
+/// A file that geometry comes from.
+struct Asset {
+  std::string id;
+  std::string path;    ///< relative to the scenario's folder, '/' separated, never leaving the folder
+  std::string sha256;  ///< of the content when the scenario was saved; empty: unknown
+  double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
+  UpAxis up = UpAxis::Z;
+};
+
+struct MeshGeometry {
+  std::string asset;
+};
+/// All links (fixed joints) of a URDF file: bodies "<body id>/<link>", or the one compound object.
+struct UrdfGeometry {
+  std::string asset;
+};
+struct BoxGeometry {
+  Vector3 size;
+};
+struct CylinderGeometry {
+  double radius;
+  double length;
+};
+struct SphereGeometry {
+  double radius;
+};
+using Geometry = std::variant<MeshGeometry, UrdfGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
+
+/// A semantic attribute as stored in a file; typed meaning comes with the semantic layer.
+using AttributeValue = std::variant<bool, double, std::string>;
+
+struct BodyDescription {
+  std::string id;
+  std::string name;
+  Mobility mobility = Mobility::Static;
+  Geometry geometry;
+  Pose pose;  ///< X_WB; for URDF the pose of its root
+  std::optional<Colour> colour;
+  std::map<std::string, AttributeValue> attributes;
+};
+
+struct ObjectDescription {
+  std::string id = "object";
+  std::string name;
+  Geometry geometry;
+  /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point.
+  bool centreOnVertexMean = false;
+  std::optional<Colour> colour;
+  std::map<std::string, AttributeValue> attributes;
+};
+
+/// A person's plan for the simulated operator: free configurations to pass through in order.
+using WayPoints = std::vector<Pose>;
+
+/// One scenario file as a value: what is asked, not yet loaded geometry (DESIGN section 5).
+struct Scenario {
+  std::string name;
+  std::string description;
+  std::vector<Asset> assets;
+  std::vector<BodyDescription> bodies;
+  ObjectDescription object;
+  Pose start;
+  Goal goal;
+  Box3 workspace;
+  WayPoints wayPoints;
+  std::string planner = "contact-birrt";
+  std::map<ParameterId, double> parameters;  ///< only what differs from the defaults
+  std::uint64_t seed = 1;
+};
+
+/// A scenario with its geometry loaded and checked: ready to be planned and drawn.
+struct LoadedScenario {
+  Scenario scenario;
+  std::string file;                  ///< where it came from
+  std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links expanded
+  RigidBody object;                  ///< X_WB is the start
+  Problem problem;
+  ParameterValues parameters{1.0};
+  Warnings warnings;
+};
+
+}  // namespace glissade

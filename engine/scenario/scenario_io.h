@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "engine/scenario/scenario.h"
+
+namespace glissade {
+
+/// Parses scenario JSON (any version; migrated) without touching assets. Errors are MalformedInput
+/// with the JSON pointer as place; unknown keys are errors. `file` is used in messages only.
+Result<Scenario> parseScenario(const std::string& text, const std::string& file);
+
+/// Canonical JSON (fixed key order, shortest round-trip numbers, two-space indent, final newline):
+/// parse then write of a canonical file is byte-identical.
+std::string writeScenario(const Scenario& scenario);
+
+/// Reads a scenario file or an OMPL.app .cfg (by its ending), imports all geometry, checks it, and
+/// builds the problem. Start and goal in collision are NOT checked here (see checkStartAndGoal).
+Result<LoadedScenario> loadScenario(const std::string& file);
+
+/// Loads geometry for a scenario value whose assets are relative to `folder`.
+Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file);
+
+/// Fills in the content hashes of the assets, then saves atomically (write, fsync, read back,
+/// rename, fsync the folder). The old file survives any failure.
+Outcome saveScenario(const Scenario& scenario, const std::string& file);
+
+}  // namespace glissade

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "engine/operator/operator_input.h"
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+enum class SessionState {
+  Idle,  ///< ready; the operator may move, nothing is planned
+  Planning,
+  Paused,
+  Solved,   ///< `path` is there
+  Stopped,  ///< by the user; what was found so far stays shown
+  Failed    ///< see `problem`: start or goal in collision, limit reached, internal error
+};
+
+/// What the window asks of the engine. Carried out in order.
+namespace command {
+struct Start {};  ///< from Idle, Stopped, Solved, Failed: a fresh roadmap with the current seed
+struct Pause {};
+struct Resume {};
+struct Stop {};
+struct SetSeed {
+  std::uint64_t seed;
+};  ///< takes effect at the next Start
+struct SetPlanner {
+  std::string id;
+};  ///< takes effect at the next Start
+struct SetParameter {
+  ParameterId id;
+  double value;
+};  ///< takes effect at the next iteration
+struct SetDevicePose {
+  Pose q_device;
+};  ///< puts the object in the operator's hand there
+}  // namespace command
+using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
+                             command::SetPlanner, command::SetParameter, command::SetDevicePose>;
+
+/// Everything the window shows, frozen at one moment; shared and never changed.
+struct SessionSnapshot {
+  std::uint64_t revision = 0;  ///< grows with every publication
+  std::uint64_t run = 0;       ///< grows with every Start: a new run has a new roadmap
+  SessionState state = SessionState::Idle;
+  std::optional<Diagnostic> problem;  ///< why Failed, or why the last command was refused
+  std::string plannerId;
+  std::uint64_t seed = 0;
+  ParameterValues parameters{1.0};
+  PlannerCounts counts;
+  double virtualSeconds = 0.0;   ///< the operator's clock: real time in the window, lockstep time headless
+  double planningSeconds = 0.0;  ///< time spent planning, pauses excluded
+  Author authority = Author::Computer;
+  bool contactMode = false;
+  OperatorSample device;  ///< q_device and its nearest obstacle
+  bool deviceConnected = true;
+  RoadmapChunks roadmap;
+  std::vector<RoadmapEdge> droppedEdges;
+  std::shared_ptr<const Path> path;  ///< certified; null until solved
+};
+using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
+
+/// What a session works on. The world is shared; the device is owned by the session.
+struct SessionConfig {
+  Problem problem;
+  ParameterValues parameters;
+  std::string plannerId = "contact-birrt";
+  std::uint64_t seed = 1;
+  std::unique_ptr<OperatorDevice> device;  ///< null: no operator
+};
+
+/// Commands in, snapshots out. Two implementations under the same tests: ThreadedSession (operator
+/// thread and planner thread, real time) and LockstepSession (no thread, virtual time).
+/// All functions may be called from any one thread (the GUI's) and never block on planning.
+class Session {
+ public:
+  virtual ~Session() = default;
+
+  virtual void post(Command command) = 0;
+  /// The view and speeds that deflections are read with; latest wins.
+  virtual void setOperatorFrame(const OperatorFrame& frame) = 0;
+  /// Never null.
+  virtual SnapshotPtr snapshot() const = 0;
+  /// Called (from any thread) when a new snapshot is there; at most one call is pending: the next
+  /// comes only after snapshot() was read again, and at most 60 a second.
+  virtual void setWakeUp(std::function<void()> wakeUp) = 0;
+};
+
+/// A session with its own operator thread and planner thread, in real time.
+std::unique_ptr<Session> makeThreadedSession(SessionConfig config);
+
+/// The thread-less twin: nothing happens but inside `advance`, and every planner step takes
+/// 1 / steps_per_second of the operator's time. Same scenario, seed and inputs: same roadmap, bit by bit.
+class LockstepSession : public Session {
+ public:
+  /// Carries out posted commands, then runs at most this many planner steps (fewer when the run
+  /// ends). While not planning, lets the operator move for the same time.
+  virtual void advance(std::uint64_t steps) = 0;
+};
+std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config);
+
+}  // namespace glissade

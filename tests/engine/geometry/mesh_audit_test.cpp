@@ -1,0 +1,71 @@
+#include "engine/geometry/mesh_audit.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/random_stream.h"
+#include "engine/geometry/primitives.h"
+
+namespace glissade {
+namespace {
+
+TEST(MeshAudit, SeesAHole) {
+  TriangleMesh box = makeBox(Vector3::Ones());
+  box.triangles.pop_back();
+  EXPECT_FALSE(audit(box).closed());
+  EXPECT_EQ(audit(box).openEdges, 3U);
+}
+
+TEST(MeshAudit, SeesAFlippedTriangle) {
+  TriangleMesh box = makeBox(Vector3::Ones());
+  std::swap(box.triangles[0][0], box.triangles[0][1]);
+  EXPECT_TRUE(audit(box).closed());
+  EXPECT_FALSE(audit(box).consistentlyOriented);
+}
+
+TEST(MeshAudit, CountsComponentsAndDegenerateTriangles) {
+  TriangleMesh two = makeBox(Vector3::Ones());
+  append(two, transformed(makeBox(Vector3::Ones()), Pose::translation({5, 0, 0})));
+  two.triangles.push_back({0, 0, 1});
+  const MeshAudit result = audit(two);
+  EXPECT_EQ(result.components, 2U);
+  EXPECT_EQ(result.degenerateTriangles, 1U);
+}
+
+TEST(MeshAudit, SplitVerticesCountAsOne) {
+  // As importers deliver them: every triangle with corners of its own.
+  const TriangleMesh box = makeBox(Vector3::Ones());
+  TriangleMesh soup;
+  for (const auto& triangle : box.triangles) {
+    const auto base = static_cast<std::uint32_t>(soup.vertices.size());
+    for (const auto vertex : triangle) soup.vertices.push_back(box.vertices[vertex]);
+    soup.triangles.push_back({base, base + 1, base + 2});
+  }
+  EXPECT_TRUE(audit(soup).closed());
+  EXPECT_EQ(audit(soup).components, 1U);
+  EXPECT_EQ(welded(soup).vertices.size(), 8U);
+}
+
+TEST(Containment, AgreesWithABoxOnRandomPointsWhateverTheOrientation) {
+  TriangleMesh box = makeBox({2, 3, 4});
+  TriangleMesh insideOut = scaled(box, {-1, 1, 1});
+  for (auto& triangle : insideOut.triangles) std::swap(triangle[1], triangle[2]);
+  RandomStream stream(9, "containment");
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3 p(stream.uniform(-3, 3), stream.uniform(-3, 3), stream.uniform(-3, 3));
+    const bool inside = std::abs(p.x()) < 1 && std::abs(p.y()) < 1.5 && std::abs(p.z()) < 2;
+    EXPECT_EQ(containsPoint(box, p), inside);
+    EXPECT_EQ(containsPoint(insideOut, p), inside);
+  }
+}
+
+TEST(Containment, ACavityIsOutside) {
+  TriangleMesh shell = makeBox({4, 4, 4});
+  TriangleMesh cavity = makeBox({2, 2, 2});
+  for (auto& triangle : cavity.triangles) std::swap(triangle[1], triangle[2]);
+  append(shell, cavity);
+  EXPECT_FALSE(containsPoint(shell, Vector3::Zero()));
+  EXPECT_TRUE(containsPoint(shell, {1.5, 0, 0}));
+}
+
+}  // namespace
+}  // namespace glissade

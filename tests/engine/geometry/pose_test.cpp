@@ -1,0 +1,74 @@
+#include "engine/geometry/pose.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/geometry/se3_metric.h"
+#include "tests/engine/support/random_pose.h"
+
+namespace glissade {
+namespace {
+
+TEST(Pose, ComposesLikeMatrices) {
+  RandomStream stream(1, "pose");
+  for (int i = 0; i < 200; ++i) {
+    const Pose a = randomPose(stream, 3.0);
+    const Pose b = randomPose(stream, 3.0);
+    const Vector3 p(stream.normal(), stream.normal(), stream.normal());
+    EXPECT_TRUE(((a * b) * p).isApprox(toIsometry(a) * (toIsometry(b) * p), 1e-12));
+    EXPECT_TRUE((inverse(a) * (a * p)).isApprox(p, 1e-12));
+  }
+}
+
+TEST(Pose, RollPitchYawIsUrdfsFixedAxisConvention) {
+  const Quaternion q = fromRollPitchYaw(0.3, -0.5, 1.1);
+  const Eigen::Matrix3d expected =
+      (Eigen::AngleAxisd(1.1, Vector3::UnitZ()) * Eigen::AngleAxisd(-0.5, Vector3::UnitY()) *
+       Eigen::AngleAxisd(0.3, Vector3::UnitX()))
+          .toRotationMatrix();
+  EXPECT_TRUE(q.toRotationMatrix().isApprox(expected, 1e-12));
+}
+
+TEST(Pose, InterpolationHitsItsEndsExactlyAndTurnsTheShortWay) {
+  RandomStream stream(2, "interpolate");
+  for (int i = 0; i < 200; ++i) {
+    const Pose a = randomPose(stream, 3.0);
+    const Pose b = randomPose(stream, 3.0);
+    EXPECT_EQ(interpolate(a, b, 0.0), a);
+    EXPECT_EQ(interpolate(a, b, 1.0), b);
+    const Pose middle = interpolate(a, b, 0.25);
+    const double whole = angleBetween(a.orientation, b.orientation);
+    EXPECT_NEAR(angleBetween(a.orientation, middle.orientation), 0.25 * whole, 1e-9);
+    EXPECT_LE(whole, 3.14159265358979 + 1e-9);
+  }
+}
+
+TEST(Pose, InvalidOnesAreSeen) {
+  Pose pose;
+  EXPECT_TRUE(isValid(pose));
+  pose.position.x() = std::nan("");
+  EXPECT_FALSE(isValid(pose));
+  pose = Pose::identity();
+  pose.orientation.coeffs() *= 1.1;
+  EXPECT_FALSE(isValid(pose));
+}
+
+TEST(Se3Metric, IsSymmetricIgnoresTheQuaternionsSignAndObeysTheTriangleInequality) {
+  const Se3Metric metric(1.536);
+  RandomStream stream(3, "metric");
+  for (int i = 0; i < 500; ++i) {
+    const Pose a = randomPose(stream, 3.0);
+    Pose b = randomPose(stream, 3.0);
+    const Pose c = randomPose(stream, 3.0);
+    EXPECT_DOUBLE_EQ(metric.distance(a, b), metric.distance(b, a));
+    EXPECT_LE(metric.distance(a, c), metric.distance(a, b) + metric.distance(b, c) + 1e-9);
+    const double before = metric.distance(a, b);
+    b.orientation.coeffs() *= -1.0;
+    EXPECT_DOUBLE_EQ(metric.distance(a, b), before);
+  }
+  EXPECT_EQ(metric.distance(Pose::identity(), Pose::identity()), 0.0);
+}
+
+}  // namespace
+}  // namespace glissade

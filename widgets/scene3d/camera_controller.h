@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// Standard views, looking along an axis of the world (z up) or from a corner.
+enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
+
+/// A camera that orbits a focus, as CAD users expect: drag left to orbit, middle (or Shift+left) to
+/// pan, wheel to zoom about the pointer. Plain geometry, no OSG, no Qt.
+class CameraController {
+ public:
+  /// The whole box in view, direction kept.
+  void fit(const Box3& box);
+  void setStandardView(StandardView view);
+  /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
+  void orbit(double dx, double dy);
+  void pan(double dx, double dy);
+  /// factor > 1 comes nearer; (x, y) is the pointer, in fractions of the height from the centre, y down.
+  void zoom(double factor, double x = 0.0, double y = 0.0);
+  void setAspect(double widthOverHeight);
+
+  /// Orientation of the view frame V: x right, y up, z from the scene to the eye.
+  Quaternion R_WV() const;
+  Vector3 eye() const;
+  Vector3 focus() const { return focus_; }
+  double distance() const { return distance_; }
+  double verticalFieldOfView() const;  ///< radians
+  double aspect() const { return aspect_; }
+  /// Near and far plane that enclose the fitted box from where the eye is now.
+  double nearPlane() const;
+  double farPlane() const;
+
+ private:
+  Vector3 focus_ = Vector3::Zero();
+  Quaternion orientation_ = Quaternion::Identity();
+  double distance_ = 10.0;
+  double sceneRadius_ = 5.0;
+  Vector3 sceneCentre_ = Vector3::Zero();
+  double aspect_ = 16.0 / 9.0;
+};
+
+}  // namespace glissade

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/scenario.h"
+#include "engine/session/session.h"
+
+namespace osg {
+class Group;
+}
+
+namespace glissade {
+
+class CameraController;
+
+/// Light or dark window; the scene follows.
+enum class Theme { Light, Dark };
+
+/// One concept drawn, shown and hidden by itself.
+enum class SceneLayer { Bodies, Object, StartAndGoal, Workspace, Roadmap, Path, Contact };
+inline constexpr int kSceneLayerCount = 7;
+
+/// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
+/// the GUI thread only, by the on-screen and the offscreen widget alike.
+class SceneView {
+ public:
+  SceneView();
+  ~SceneView();
+  SceneView(const SceneView&) = delete;
+  SceneView& operator=(const SceneView&) = delete;
+
+  /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
+  void setScenario(std::shared_ptr<const LoadedScenario> scenario);
+  /// Shows the session's state; only what is new in the roadmap is uploaded.
+  void setSnapshot(SnapshotPtr snapshot);
+  /// The pose shown for the object while a path is played back; nothing: q_device is shown.
+  void setPlaybackPose(const std::optional<Pose>& X_WB);
+  void setTheme(Theme theme);
+  void setLayerVisible(SceneLayer layer, bool visible);
+  bool layerVisible(SceneLayer layer) const;
+
+  CameraController& camera();
+  const CameraController& camera() const;
+  /// Root of the scene graph, for the widget that renders it.
+  osg::Group* root() const;
+  /// Clear colour, sRGB.
+  Colour background() const;
+
+  struct Impl;
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+
+/// A widget that shows a SceneView. Two implementations: QOpenGLWidget on screen, an image rendered
+/// by OSMesa offscreen; both handle the mouse alike (orbit, pan, zoom) and repaint on demand only.
+/// The widget has no keys of its own: keys go to the window.
+class SceneWidget {
+ public:
+  virtual ~SceneWidget() = default;
+
+  virtual SceneView& view() = 0;
+  virtual QWidget* widget() = 0;
+  /// Something changed in the view: repaint soon.
+  virtual void refresh() = 0;
+  /// The picture as it is now, rendered if need be.
+  virtual QImage picture() = 0;
+  /// Called after the user moved the camera (R_WV changed: view-relative steering).
+  virtual void onCameraMoved(std::function<void()> callback) = 0;
+};
+
+/// Makes the scene widget that this executable has been linked with.
+using SceneWidgetFactory = std::function<std::unique_ptr<SceneWidget>(QWidget* parent)>;
+
+/// On screen (QOpenGLWidget); library glissade_onscreen, linked into `glissade` only.
+std::unique_ptr<SceneWidget> makeOnscreenSceneWidget(QWidget* parent);
+/// Without a display (OSMesa); library glissade_osmesa, linked into `glissade-offscreen` only.
+std::unique_ptr<SceneWidget> makeOffscreenSceneWidget(QWidget* parent);
+
+}  // namespace glissade
