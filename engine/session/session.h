@@ -9,6 +9,7 @@
 
 #include "engine/operator/operator_input.h"
 #include "engine/planning/planner.h"
+#include "engine/session/run_log.h"
 
 namespace glissade {
 
@@ -62,7 +63,8 @@ struct SessionSnapshot {
   bool deviceConnected = true;
   RoadmapChunks roadmap;
   std::vector<RoadmapEdge> droppedEdges;
-  std::shared_ptr<const Path> path;  ///< certified; null until solved
+  std::shared_ptr<const Path> path;   ///< certified; null until solved
+  std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 
