@@ -23,10 +23,10 @@ class Lockstep final : public LockstepSession {
   SnapshotPtr snapshot() const override { return snapshot_; }
   void setWakeUp(std::function<void()> wakeUp) override { wakeUp_ = std::move(wakeUp); }
 
-  void advance(std::uint64_t steps) override {
+  void advance(std::uint64_t steps, const StopToken& stop) override {
     carryOutCommands();
     if (core_.state() == SessionState::Planning) {
-      plan(steps);
+      plan(steps, stop);
     } else if (core_.state() != SessionState::Paused) {
       for (std::uint64_t i = 0; i < steps; ++i) tick();
     }
@@ -47,17 +47,18 @@ class Lockstep final : public LockstepSession {
     }
   }
 
-  void plan(std::uint64_t steps) {
+  void plan(std::uint64_t steps, const StopToken& stop) {
     std::uint64_t left = steps;
     SessionCore::Hooks hooks;
     hooks.operatorSample = [this]() -> std::optional<OperatorSample> {
       if (!hand_.held()) return std::nullopt;
       return hand_.sample();
     };
-    hooks.afterStep = [this, &left] {
+    hooks.afterStep = [this, &left, &stop] {
       tick();
-      return --left > 0;
+      return --left > 0 && !stop.stopRequested();
     };
+    hooks.stop = stop;
     if (steps > 0) core_.plan(hooks);
   }
 

@@ -102,8 +102,9 @@ std::unique_ptr<Session> makeThreadedSession(SessionConfig config);
 class LockstepSession : public Session {
  public:
   /// Carries out posted commands, then runs at most this many planner steps (fewer when the run
-  /// ends). While not planning, lets the operator move for the same time.
-  virtual void advance(std::uint64_t steps) = 0;
+  /// ends, or when asked to stop, also inside a long check). While not planning, lets the operator
+  /// move for the same time.
+  virtual void advance(std::uint64_t steps, const StopToken& stop = {}) = 0;
 };
 std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config);
 

@@ -24,7 +24,7 @@ std::string grouped(std::uint64_t count) {
 /// The planner's view of the session.
 class SessionCore::Host final : public PlannerHost {
  public:
-  Host(SessionCore& core, const Hooks& hooks) : core_(core), hooks_(hooks) {}
+  Host(SessionCore& core, const Hooks& hooks) : core_(core), hooks_(hooks), stop_(core.withTimeLimit(hooks.stop)) {}
 
   std::optional<OperatorSample> operatorSample() override {
     auto sample = hooks_.operatorSample();
@@ -39,11 +39,12 @@ class SessionCore::Host final : public PlannerHost {
     }
     return hooks_.afterStep();
   }
-  const StopToken& stopToken() const override { return hooks_.stop; }
+  const StopToken& stopToken() const override { return stop_; }
 
  private:
   SessionCore& core_;
   const Hooks& hooks_;
+  StopToken stop_;
 };
 
 SessionCore::SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed)
@@ -164,6 +165,14 @@ std::optional<Diagnostic> SessionCore::limitReached() const {
     return limit(specOf(ParameterId::TimeLimit), what.str());
   }
   return std::nullopt;
+}
+
+/// Long checks end at the time limit, too.
+StopToken SessionCore::withTimeLimit(const StopToken& stop) const {
+  const double limit = parameters_[ParameterId::TimeLimit];
+  if (limit <= 0.0) return stop;
+  const std::chrono::duration<double> left(limit - planningSeconds());
+  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(left));
 }
 
 double SessionCore::planningSeconds() const {

@@ -53,6 +53,7 @@ class SessionCore {
   void noteOperator(const OperatorSample& sample);
   void fail(Diagnostic why);
   std::optional<Diagnostic> limitReached() const;
+  StopToken withTimeLimit(const StopToken& stop) const;
   double planningSeconds() const;
 
   Problem problem_;
