@@ -1,6 +1,7 @@
 // Every planner of the registry keeps the same contract.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/planning/planner.h"
@@ -12,7 +13,8 @@ namespace {
 
 std::vector<std::string> plannerIds() {
   std::vector<std::string> ids;
-  for (const PlannerEntry& entry : makePlannerRegistry().entries()) ids.push_back(entry.id);
+  const PlannerRegistry registry = makePlannerRegistry();
+  for (const PlannerEntry& entry : registry.entries()) ids.push_back(entry.id);
   return ids;
 }
 
@@ -134,13 +136,13 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
   EXPECT_GE(problem.world->obstaclesBox().exteriorDistance(end), problem.world->objectRadius() - 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, PlannerConformance, testing::ValuesIn(plannerIds()), [](const auto& info) {
-  std::string name = info.param;
-  for (char& c : name) {
-    if (c == '-') c = '_';
-  }
+std::string testName(const testing::TestParamInfo<std::string>& parameter) {
+  std::string name = parameter.param;
+  std::replace(name.begin(), name.end(), '-', '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, PlannerConformance, testing::ValuesIn(plannerIds()), testName);
 
 }  // namespace
 }  // namespace glissade

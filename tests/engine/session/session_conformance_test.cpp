@@ -161,10 +161,14 @@ TEST_P(SessionConformance, WakesTheWindowUp) {
   session->setWakeUp({});
 }
 
+std::string testName(const testing::TestParamInfo<std::pair<const char*, Maker>>& parameter) {
+  return parameter.param.first;
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, SessionConformance,
                          testing::Values(std::pair<const char*, Maker>{"lockstep", &makeLockstep},
                                          std::pair<const char*, Maker>{"threaded", &makeThreadedSession}),
-                         [](const auto& info) { return info.param.first; });
+                         testName);
 
 }  // namespace
 }  // namespace glissade
