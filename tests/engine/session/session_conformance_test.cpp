@@ -134,10 +134,9 @@ TEST_P(SessionConformance, AnUnknownPlannerIsRefusedAndTheOldOneStays) {
 }
 
 TEST_P(SessionConformance, TheOperatorMovesTheObjectAndIsPutBackAtAStart) {
-  const auto session = make(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.35, 0, 0))));
-  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.q_device.position.x() > -0.4; }));
-  EXPECT_NEAR(session->snapshot()->device.nearest.distance, 0.05, 1e-6);
-  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.q_device.position.x() > -0.351; }));
+  const auto session = make(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.32, 0, 0))));
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.q_device.position.x() > -0.32 - 1e-8; }));
+  EXPECT_NEAR(session->snapshot()->device.nearest.distance, 0.02, 1e-6);
   const std::uint64_t moves = session->snapshot()->device.moves;
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; }));

@@ -36,6 +36,8 @@ TEST(StartCheck, RefusesWhatCannotBePlanned) {
 
   problem = windowProblem();
   problem.goal = GoalOut{};
+  problem.start = Pose::translation({-0.41, 0.0, 0.0});
+  problem.bounds = Box3(Vector3::Constant(-0.42), Vector3::Constant(0.42));
   EXPECT_EQ(kindOf(problem), ErrorKind::MalformedInput);  // no room within the bounds
 }
 
