@@ -214,15 +214,16 @@ class Threaded final : public Session {
 
   /// At most one wake-up is pending and at most one comes in a publishing interval.
   void wakeWindow() {
-    const auto now = Clock::now();
+    const std::lock_guard wakeUpLock(wakeUpMutex_);
+    if (!wakeUp_) return;
     {
+      const auto now = Clock::now();
       const std::lock_guard lock(mutex_);
       if (!dirty_ || wakeUpPending_ || now - lastWakeUp_ < kPublishInterval) return;
       wakeUpPending_ = true;
       lastWakeUp_ = now;
     }
-    const std::lock_guard lock(wakeUpMutex_);
-    if (wakeUp_) wakeUp_();
+    wakeUp_();
   }
 
   SessionCore core_;                   ///< planner thread
