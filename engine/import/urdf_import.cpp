@@ -1,0 +1,173 @@
+#include "engine/import/urdf_import.h"
+
+#include <console_bridge/console.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/file.h"
+#include "engine/geometry/primitives.h"
+#include "engine/import/mesh_import.h"
+#include "engine/import/safe_path.h"
+#include "engine/import/xml_precheck.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostBytes = 16U << 20;
+
+Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, place, reason, "Correct the URDF file."};
+}
+
+/// Collects what urdfdom says of a file while this object lives.
+class ParserMessages final : public console_bridge::OutputHandler {
+ public:
+  ParserMessages() : previous_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
+  ~ParserMessages() override { console_bridge::useOutputHandler(previous_); }
+  ParserMessages(const ParserMessages&) = delete;
+  ParserMessages& operator=(const ParserMessages&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_WARN && first_.empty()) first_ = text;
+  }
+  const std::string& first() const { return first_; }
+
+ private:
+  console_bridge::OutputHandler* previous_;
+  std::string first_;
+};
+
+Pose toPose(const urdf::Pose& pose) {
+  Pose result;
+  result.position = {pose.position.x, pose.position.y, pose.position.z};
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  double w = 1;
+  pose.rotation.getQuaternion(x, y, z, w);
+  result.orientation = Quaternion(w, x, y, z).normalized();
+  return result;
+}
+
+/// Turns one parsed file into links; the first thing wrong ends it.
+class LinkBuilder {
+ public:
+  LinkBuilder(std::string file, std::string packageFolder)
+      : file_(std::move(file)), packageFolder_(std::move(packageFolder)) {}
+
+  Result<std::vector<UrdfLink>> build(const urdf::ModelInterface& model) {
+    std::vector<UrdfLink> links;
+    std::vector<std::pair<urdf::LinkConstSharedPtr, Pose>> open{{model.getRoot(), Pose::identity()}};
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const auto [link, X_RL] = open[i];
+      auto mesh = meshOf(*link);
+      if (!mesh) return mesh.error();
+      if (!mesh->empty()) links.push_back({link->name, std::move(*mesh), X_RL, colourOf(*link)});
+      for (const auto& joint : link->child_joints) {
+        if (joint->type != urdf::Joint::FIXED) {
+          return malformed(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
+        }
+        const Pose X_LC = toPose(joint->parent_to_joint_origin_transform);
+        if (!isValid(X_LC)) return malformed(file_, "joint '" + joint->name + "'", "has an origin that is not finite");
+        open.emplace_back(model.getLink(joint->child_link_name), X_RL * X_LC);
+      }
+    }
+    if (links.empty()) return malformed(file_, "", "holds no shape");
+    return links;
+  }
+
+ private:
+  Result<TriangleMesh> meshOf(const urdf::Link& link) {
+    TriangleMesh mesh;
+    const auto add = [&](const auto& shapes) -> Outcome {
+      for (const auto& shape : shapes) {
+        const std::string place = "link '" + link.name + "'";
+        auto part = meshOf(*shape->geometry, place);
+        if (!part) return part.error();
+        const Pose X_LS = toPose(shape->origin);
+        if (!isValid(X_LS)) return malformed(file_, place, "has an origin that is not finite");
+        append(mesh, transformed(*part, X_LS));
+      }
+      return Done{};
+    };
+    const Outcome outcome = link.collision_array.empty() ? add(link.visual_array) : add(link.collision_array);
+    if (!outcome) return outcome.error();
+    return mesh;
+  }
+
+  Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& place) {
+    const auto sized = [](std::initializer_list<double> sizes) {
+      return std::all_of(sizes.begin(), sizes.end(), [](double size) { return std::isfinite(size) && size > 0.0; });
+    };
+    const Diagnostic badSize = malformed(file_, place, "has a shape whose size is not a positive number");
+    switch (geometry.type) {
+      case urdf::Geometry::BOX: {
+        const auto& box = static_cast<const urdf::Box&>(geometry);
+        if (!sized({box.dim.x, box.dim.y, box.dim.z})) return badSize;
+        return makeBox({box.dim.x, box.dim.y, box.dim.z});
+      }
+      case urdf::Geometry::CYLINDER: {
+        const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+        if (!sized({cylinder.radius, cylinder.length})) return badSize;
+        return makeCylinder(cylinder.radius, cylinder.length);
+      }
+      case urdf::Geometry::SPHERE: {
+        const auto& sphere = static_cast<const urdf::Sphere&>(geometry);
+        if (!sized({sphere.radius})) return badSize;
+        return makeSphere(sphere.radius);
+      }
+      case urdf::Geometry::MESH: return meshOf(static_cast<const urdf::Mesh&>(geometry), place);
+    }
+    return malformed(file_, place, "has an unknown shape");
+  }
+
+  Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& place) {
+    constexpr const char* kPackage = "package://";
+    std::string name = mesh.filename;
+    if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
+    const auto path = resolveBelow(packageFolder_, name, file_, place);
+    if (!path) return path.error();
+    const auto imported = importMesh(*path);
+    if (!imported) return imported.error();
+    return scaled(welded(imported->mesh), {mesh.scale.x, mesh.scale.y, mesh.scale.z});
+  }
+
+  static std::optional<std::array<double, 3>> colourOf(const urdf::Link& link) {
+    if (!link.visual || !link.visual->material) return std::nullopt;
+    const auto& colour = link.visual->material->color;
+    return std::array<double, 3>{colour.r, colour.g, colour.b};
+  }
+
+  std::string file_;
+  std::string packageFolder_;
+};
+
+/// urdfdom drops a shape with a bad number and still returns a model: count what should be there.
+std::size_t shapesIn(const urdf::ModelInterface& model) {
+  std::size_t shapes = 0;
+  for (const auto& [name, link] : model.links_) shapes += link->visual_array.size() + link->collision_array.size();
+  return shapes;
+}
+
+}  // namespace
+
+Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return text.error();
+  const auto facts = precheckXml(*text, file);
+  if (!facts) return facts.error();
+  ParserMessages messages;
+  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(*text);
+  if (!model || !model->getRoot()) {
+    return malformed(file, "", messages.first().empty() ? "is not a URDF file" : messages.first());
+  }
+  if (shapesIn(*model) != facts->geometries) {
+    return malformed(file, "", messages.first().empty() ? "has a shape that cannot be read" : messages.first());
+  }
+  return LinkBuilder(file, packageFolder).build(*model);
+}
+
+}  // namespace glissade
