@@ -22,7 +22,7 @@ int convertPath(const ConvertOptions& options) {
   auto points = readPath(options.input);
   if (!points) return reportError(points.error(), options.format);
   Path path;
-  path.points = std::move(*points).value();
+  path.points = std::move(*points);
   if (endsWith(options.output, ".path")) return finish(writePathOmpl(path, options.output), options);
   if (options.scenario.empty()) {
     return reportError({ErrorKind::Usage, options.output, "", "this format holds clearances",

@@ -1,7 +1,7 @@
 #include "app/cli/plan_command.h"
 
+#include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
 #include "app/cli/run_output.h"
@@ -18,11 +18,19 @@ bool running(const SessionSnapshot& snapshot) {
   return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
 }
 
-/// Plans until the run ends or somebody interrupts it.
-SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt) {
+/// Plans until the run ends or somebody interrupts it; parameters change at the recorded steps.
+SnapshotPtr planInLockstep(LockstepSession& session, const std::vector<RunRecord::ParameterChange>& changes,
+                           const Interrupt& interrupt) {
   session.post(command::Start{});
   session.advance(0);
-  while (running(*session.snapshot()) && !interrupt.requested()) session.advance(kSlice, interrupt.token());
+  auto change = changes.begin();
+  while (running(*session.snapshot()) && !interrupt.requested()) {
+    const std::uint64_t done = session.snapshot()->counts.steps;
+    for (; change != changes.end() && change->step <= done; ++change) {
+      session.post(command::SetParameter{change->id, change->value});
+    }
+    session.advance(change == changes.end() ? kSlice : std::min(kSlice, change->step - done), interrupt.token());
+  }
   if (running(*session.snapshot())) {
     session.post(command::Stop{});
     session.advance(0);
@@ -42,7 +50,7 @@ int runPlan(const PlanOptions& options) {
 
   const auto session = makeLockstepSession(std::move(setup->config));
   if (options.format == Format::Text) std::cout << "seed " << session->snapshot()->seed << "\n";
-  const SnapshotPtr end = planInLockstep(*session, interrupt);
+  const SnapshotPtr end = planInLockstep(*session, setup->parameterChanges, interrupt);
   return deliver(options, *loaded, *end);
 }
 

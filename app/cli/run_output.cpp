@@ -5,7 +5,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/file.h"
 #include "engine/scenario/path_io.h"
+#include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
 namespace {
@@ -93,12 +96,32 @@ Outcome writePath(const PlanOptions& options, const LoadedScenario& scenario, co
   return writePathCsv(path, scenario, options.out);
 }
 
+Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+  RunRecord record;
+  record.scenario = options.scenario;
+  record.scenarioSha256 = sha256(writeScenario(scenario.scenario));
+  record.planner = end.plannerId;
+  record.seed = end.seed;
+  record.hadOperator = options.operatorName != "none";
+  record.nodes = end.counts.nodes;
+  if (end.log) {
+    for (const ParameterSpec& spec : parameterTable()) {
+      record.parameters[spec.id] = end.log->initialParameters[spec.id];
+    }
+    for (const auto& change : end.log->parameterChanges) {
+      record.parameterChanges.push_back({change.step, change.id, change.value});
+    }
+    for (const auto& seen : end.log->operatorStream) record.operatorStream.push_back({seen.step, seen.q_device});
+  }
+  return writeRunRecord(record, options.record);
+}
+
 }  // namespace
 
 int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
   Outcome written = Done{};
   if (end.path && !options.out.empty()) written = writePath(options, scenario, end);
-  if (written && !options.record.empty()) written = writeRecord(options.record, options.scenario, scenario, end);
+  if (written && !options.record.empty()) written = writeRecord(options, scenario, end);
 
   const CollisionWorld& world = *scenario.problem.world;
   if (options.format == Format::Json) {

@@ -73,7 +73,8 @@ std::optional<std::string> headerLie(const std::string& ending, const std::strin
 Result<ImportedMesh> decode(const std::string& file, const std::string& output) {
   Message message(output);
   protocol::Header header;
-  if (!message.take(&header, 1) || header.magic != protocol::kMagic) return malformed(file, "the importer failed on it");
+  if (!message.take(&header, 1) || header.magic != protocol::kMagic)
+    return malformed(file, "the importer failed on it");
   if (header.kind == protocol::kError) return malformed(file, "cannot be read: " + message.rest());
   if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
     return malformed(file, "is too large");

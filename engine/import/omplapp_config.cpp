@@ -1,12 +1,11 @@
 #include "engine/import/omplapp_config.h"
 
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/number_text.h"
 
 namespace glissade {
 namespace {
@@ -52,17 +51,14 @@ class Numbers {
   Numbers(const Keys& keys, std::string file) : keys_(keys), file_(std::move(file)) {}
 
   double get(const std::string& key) {
-    double value = 0.0;
     const auto entry = keys_.find(key);
     if (entry == keys_.end()) {
       complain(key, "is missing");
-      return value;
+      return 0.0;
     }
-    const std::string& text = entry->second;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
-    if (!whole || !std::isfinite(value)) complain(key, "is not a finite number");
-    return value;
+    const auto number = toNumber(entry->second);
+    if (!number) complain(key, "is not a finite number");
+    return number.value_or(0.0);
   }
 
   Vector3 vector(const std::string& key) { return {get(key + ".x"), get(key + ".y"), get(key + ".z")}; }

@@ -13,8 +13,8 @@ namespace glissade {
 /// One link of a URDF file: all of its shapes as one mesh.
 struct UrdfLink {
   std::string name;
-  TriangleMesh mesh;  ///< in the link's frame L
-  Pose X_RL;          ///< in the frame R of the root link
+  TriangleMesh mesh;                            ///< in the link's frame L
+  Pose X_RL;                                    ///< in the frame R of the root link
   std::optional<std::array<double, 3>> colour;  ///< sRGB of its material
 };
 

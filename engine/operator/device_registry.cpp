@@ -32,8 +32,8 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add({"hand", "Keyboard and 6D mouse", "A person: the keys of the window and a 3Dconnexion mouse.", false,
-                makeHand});
+  registry.add(
+      {"hand", "Keyboard and 6D mouse", "A person: the keys of the window and a 3Dconnexion mouse.", false, makeHand});
   registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
   registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
   registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));

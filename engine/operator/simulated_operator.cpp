@@ -10,10 +10,10 @@ namespace {
 constexpr double kReached = 0.3 / 1.536;  ///< times r: the tree is this near a way-point
 constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far behind the hand
 
-constexpr double kPeakOverMean = 1.875;   ///< of the speed of a minimum-jerk movement
-constexpr double kShortestMovement = 0.3;  ///< s
-constexpr double kLongestReach = 2.0;      ///< m (and rad) covered by one sub-movement
-constexpr double kTremorTime = 0.3;        ///< s, correlation time
+constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk movement
+constexpr double kShortestMovement = 0.3;    ///< s
+constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
+constexpr double kTremorTime = 0.3;          ///< s, correlation time
 constexpr double kShortestHesitation = 0.5;  ///< s
 constexpr double kLongestHesitation = 1.0;   ///< s
 

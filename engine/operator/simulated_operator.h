@@ -16,13 +16,13 @@ namespace glissade {
 /// paper's figures on environment 1.
 struct OperatorLevel {
   std::string_view id;
-  double linearSpeed;        ///< m/s, at most
-  double angularSpeed;       ///< rad/s, at most
-  double delay;              ///< s, between two sub-movements
-  double aimError;           ///< m, standard deviation of where a sub-movement ends
-  double aimErrorAngle;      ///< rad
-  double tremor;             ///< m, stationary standard deviation
-  double tremorAngle;        ///< rad
+  double linearSpeed;    ///< m/s, at most
+  double angularSpeed;   ///< rad/s, at most
+  double delay;          ///< s, between two sub-movements
+  double aimError;       ///< m, standard deviation of where a sub-movement ends
+  double aimErrorAngle;  ///< rad
+  double tremor;         ///< m, stationary standard deviation
+  double tremorAngle;    ///< rad
   double hesitationsPerSecond;
 };
 
@@ -67,10 +67,10 @@ class SimulatedOperator final : public OperatorDevice {
   Se3Metric metric_;
   RandomStream stream_;
   std::size_t target_ = 0;
-  Pose aimed_;             ///< where the hand is without tremor
+  Pose aimed_;                 ///< where the hand is without tremor
   std::optional<Pose> shown_;  ///< what was returned last; differs from q_device after somebody put the object
   SubMovement movement_;
-  double rest_ = 0.0;      ///< seconds of delay or hesitation left
+  double rest_ = 0.0;  ///< seconds of delay or hesitation left
   Vector3 tremor_ = Vector3::Zero();
   Vector3 tremorAngle_ = Vector3::Zero();
 };

@@ -1,0 +1,126 @@
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/base/tolerances.h"
+#include "engine/scenario/author_names.h"
+#include "engine/scenario/json_reader.h"
+#include "engine/scenario/path_io.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostBytes = 256U << 20;
+constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
+
+std::vector<std::string> split(const std::string& line, const char* separators) {
+  std::vector<std::string> words;
+  std::size_t begin = line.find_first_not_of(separators);
+  while (begin != std::string::npos) {
+    const std::size_t end = line.find_first_of(separators, begin);
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators, end);
+  }
+  return words;
+}
+
+/// One of the two text formats, line by line.
+class TextPathReader {
+ public:
+  explicit TextPathReader(std::string file) : file_(std::move(file)) {}
+
+  Result<std::vector<PathPoint>> read(const std::string& text) {
+    std::istringstream stream(text);
+    std::string line;
+    std::vector<PathPoint> points;
+    for (line_ = 1; std::getline(stream, line); ++line_) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line_ == 1 && line == kCsvHeader) {
+        csv_ = true;
+        continue;
+      }
+      const std::vector<std::string> words = split(line, csv_ ? "," : " \t");
+      if (words.empty()) continue;
+      const auto point = readPoint(words);
+      if (!point) return point.error();
+      points.push_back(*point);
+    }
+    if (points.empty())
+      return Diagnostic{ErrorKind::MalformedInput, file_, "", "holds no configuration", "Give a path."};
+    return points;
+  }
+
+ private:
+  Diagnostic malformed(const std::string& reason) const {
+    return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
+            csv_ ? std::string("Each line holds ") + kCsvHeader + "."
+                 : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};
+  }
+
+  Result<PathPoint> readPoint(const std::vector<std::string>& words) const {
+    const std::size_t expected = csv_ ? 12 : 7;
+    if (words.size() != expected) return malformed("does not have " + std::to_string(expected) + " columns");
+    std::array<double, 7> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto number = toNumber(words[i + (csv_ ? 2 : 0)]);
+      if (!number) return malformed("holds '" + words[i + (csv_ ? 2 : 0)] + "', which is not a finite number");
+      values[i] = *number;
+    }
+    PathPoint point;
+    point.q.position = {values[0], values[1], values[2]};
+    point.q.orientation = Quaternion(values[6], values[3], values[4], values[5]);
+    if (std::abs(point.q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) {
+      return malformed("has an orientation that is not a unit quaternion");
+    }
+    if (csv_) {
+      const auto author = authorByName(words[11]);
+      if (!author) return malformed("names an unknown author '" + words[11] + "'");
+      point.author = *author;
+    }
+    return point;
+  }
+
+  std::string file_;
+  int line_ = 0;
+  bool csv_ = false;
+};
+
+Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::string& file) {
+  const auto document = parseJson(text, file);
+  if (!document) return document.error();
+  try {
+    const JsonCursor root(*document, file, "");
+    if (root.at("format").text() != "glissade-path") root.at("format").fail("is not \"glissade-path\"");
+    if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+    const JsonCursor list = root.at("configurations");
+    std::vector<PathPoint> points;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const JsonCursor at = list.element(i);
+      JsonCursor::Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
+      PathPoint point;
+      point.q = JsonCursor(pose, file, "/configurations/" + std::to_string(i)).pose();
+      const auto author = authorByName(at.at("author").text());
+      if (!author) at.at("author").fail("is not computer, operator or contact");
+      point.author = *author;
+      points.push_back(point);
+    }
+    if (points.empty()) list.fail("is empty", "Give a path.");
+    return points;
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<PathPoint>> readPath(const std::string& file) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return text.error();
+  const std::size_t first = text->find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);
+  return TextPathReader(file).read(*text);
+}
+
+}  // namespace glissade

@@ -1,0 +1,195 @@
+#include <array>
+#include <set>
+
+#include "engine/scenario/json_reader.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+namespace {
+
+constexpr const char* kFormat = "glissade-scenario";
+constexpr std::uint64_t kVersion = 1;
+
+using Json = JsonCursor::Json;
+
+/// Brings a document one version up; entry i migrates version i + 1. Version 1 is the first: empty.
+using Migration = void (*)(Json&);
+constexpr std::array<Migration, kVersion - 1> kMigrations{};
+
+Colour readColour(const JsonCursor& at) {
+  const Vector3 v = at.vector();
+  if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail("is not a colour: three numbers from 0 to 1");
+  return {v.x(), v.y(), v.z()};
+}
+
+Asset readAsset(const JsonCursor& at) {
+  at.allowOnly({"id", "path", "sha256", "unit", "up_axis"});
+  Asset asset;
+  asset.id = at.at("id").nonEmptyText();
+  asset.path = at.at("path").nonEmptyText();
+  if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
+  if (const auto unit = at.find("unit")) asset.unit = unit->positiveNumber();
+  if (const auto up = at.find("up_axis")) {
+    const std::string axis = up->text();
+    if (axis != "y" && axis != "z") up->fail("is neither \"y\" nor \"z\"");
+    asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
+  }
+  return asset;
+}
+
+/// Exactly one of {"mesh": asset}, {"urdf": asset}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
+Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"mesh", "urdf", "box", "cylinder", "sphere"});
+  if (at.json().size() != 1) at.fail("does not name exactly one shape");
+  const auto assetOf = [&](const JsonCursor& name) {
+    const std::string id = name.text();
+    if (assets.count(id) == 0) name.fail("names the asset '" + id + "', which is not in /assets", "Add the asset.");
+    return id;
+  };
+  if (const auto mesh = at.find("mesh")) return MeshGeometry{assetOf(*mesh)};
+  if (const auto urdf = at.find("urdf")) return UrdfGeometry{assetOf(*urdf)};
+  if (const auto box = at.find("box")) {
+    const Vector3 size = box->vector();
+    if (size.minCoeff() <= 0.0) box->fail("has a size that is not above zero");
+    return BoxGeometry{size};
+  }
+  if (const auto cylinder = at.find("cylinder")) {
+    cylinder->allowOnly({"radius", "length"});
+    return CylinderGeometry{cylinder->at("radius").positiveNumber(), cylinder->at("length").positiveNumber()};
+  }
+  const JsonCursor sphere = at.at("sphere");
+  sphere.allowOnly({"radius"});
+  return SphereGeometry{sphere.at("radius").positiveNumber()};
+}
+
+std::map<std::string, AttributeValue> readAttributes(const std::optional<JsonCursor>& at) {
+  std::map<std::string, AttributeValue> attributes;
+  if (!at) return attributes;
+  for (const auto& item : at->json().items()) {
+    const JsonCursor value = at->at(item.key());
+    if (value.json().is_boolean()) {
+      attributes[item.key()] = value.boolean();
+    } else if (value.isString()) {
+      attributes[item.key()] = value.text();
+    } else {
+      attributes[item.key()] = value.number();
+    }
+  }
+  return attributes;
+}
+
+BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
+  BodyDescription body;
+  body.id = at.at("id").nonEmptyText();
+  body.name = at.has("name") ? at.at("name").text() : body.id;
+  if (const auto mobility = at.find("mobility")) {
+    const std::string value = mobility->text();
+    if (value != "static" && value != "mobile") mobility->fail("is neither \"static\" nor \"mobile\"");
+    body.mobility = value == "mobile" ? Mobility::Mobile : Mobility::Static;
+  }
+  body.geometry = readGeometry(at.at("geometry"), assets);
+  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
+  body.attributes = readAttributes(at.find("attributes"));
+  return body;
+}
+
+ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "colour", "attributes"});
+  ObjectDescription object;
+  object.id = at.at("id").nonEmptyText();
+  object.name = at.has("name") ? at.at("name").text() : object.id;
+  object.geometry = readGeometry(at.at("geometry"), assets);
+  if (const auto centre = at.find("centre_on_vertex_mean")) object.centreOnVertexMean = centre->boolean();
+  if (const auto colour = at.find("colour")) object.colour = readColour(*colour);
+  object.attributes = readAttributes(at.find("attributes"));
+  return object;
+}
+
+Goal readGoal(const JsonCursor& at) {
+  if (!at.isString()) return at.pose();
+  if (at.text() != "out") at.fail("is neither a configuration nor \"out\"");
+  return GoalOut{};
+}
+
+Box3 readWorkspace(const JsonCursor& at) {
+  at.allowOnly({"min", "max"});
+  const Box3 box(at.at("min").vector(), at.at("max").vector());
+  if (box.isEmpty()) at.fail("has a minimum above its maximum");
+  return box;
+}
+
+std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at) {
+  std::map<ParameterId, double> values;
+  if (!at) return values;
+  for (const auto& item : at->json().items()) {
+    const auto id = parameterByKey(item.key());
+    if (!id) at->at(item.key()).fail("is not a parameter", "Remove it, or see 'glissade-cli plan --help'.");
+    values[*id] = at->at(item.key()).number();
+  }
+  return values;
+}
+
+void refuseTwice(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
+  if (!seen.insert(id).second) at.fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
+}
+
+Scenario readScenario(const JsonCursor& root) {
+  root.allowOnly({"format", "version", "name", "description", "assets", "bodies", "object", "start", "goal",
+                  "workspace", "way_points", "planner", "parameters", "seed"});
+  Scenario scenario;
+  if (const auto name = root.find("name")) scenario.name = name->text();
+  if (const auto description = root.find("description")) scenario.description = description->text();
+  std::set<std::string> assets;
+  const auto assetList = root.find("assets");
+  for (std::size_t i = 0; assetList && i < assetList->size(); ++i) {
+    scenario.assets.push_back(readAsset(assetList->element(i)));
+    refuseTwice(assets, scenario.assets.back().id, assetList->element(i));
+  }
+  std::set<std::string> bodies;
+  const JsonCursor bodyList = root.at("bodies");
+  for (std::size_t i = 0; i < bodyList.size(); ++i) {
+    scenario.bodies.push_back(readBody(bodyList.element(i), assets));
+    refuseTwice(bodies, scenario.bodies.back().id, bodyList.element(i));
+  }
+  scenario.object = readObject(root.at("object"), assets);
+  scenario.start = root.at("start").pose();
+  scenario.goal = readGoal(root.at("goal"));
+  scenario.workspace = readWorkspace(root.at("workspace"));
+  const auto wayPoints = root.find("way_points");
+  for (std::size_t i = 0; wayPoints && i < wayPoints->size(); ++i) {
+    scenario.wayPoints.push_back(wayPoints->element(i).pose());
+  }
+  if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
+  scenario.parameters = readParameters(root.find("parameters"));
+  if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
+  return scenario;
+}
+
+std::uint64_t readVersion(const JsonCursor& root) {
+  if (root.at("format").text() != kFormat) root.at("format").fail("is not \"" + std::string(kFormat) + "\"");
+  const JsonCursor at = root.at("version");
+  const std::uint64_t version = at.wholeNumber();
+  if (version < 1 || version > kVersion) {
+    at.fail("is version " + std::to_string(version) + "; this program reads up to version " + std::to_string(kVersion),
+            "Use a newer Glissade.");
+  }
+  return version;
+}
+
+}  // namespace
+
+Result<Scenario> parseScenario(const std::string& text, const std::string& file) {
+  auto document = parseJson(text, file);
+  if (!document) return document.error();
+  try {
+    const std::uint64_t version = readVersion(JsonCursor(*document, file, ""));
+    for (std::size_t v = version - 1; v < kMigrations.size(); ++v) kMigrations[v](*document);
+    return readScenario(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+}  // namespace glissade
