@@ -19,7 +19,7 @@ inline constexpr double kRequiredClearance = 1e-5;
 inline constexpr double kGrowthStep = 0.0125;
 
 /// An extension shorter than this adds nothing but a near-duplicate and is not kept.
-inline constexpr double kShortestExtension = 0.01;
+inline constexpr double kShortestExtension = 1e-3;
 
 /// Two operator or contact samples nearer than this are one: an operator who rests must not flood
 /// the roadmap.

@@ -34,6 +34,8 @@ class SceneView {
 
   /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
   void setScenario(std::shared_ptr<const LoadedScenario> scenario);
+  /// Everything in view, direction kept.
+  void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.
   void setSnapshot(SnapshotPtr snapshot);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
