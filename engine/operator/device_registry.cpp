@@ -16,6 +16,11 @@ std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
   return std::make_unique<CombinedDevice>(std::move(devices));
 }
 
+std::unique_ptr<OperatorDevice> makeKeyboard(const DeviceContext& context) {
+  if (!context.keys) return nullptr;
+  return std::make_unique<KeyboardDevice>(context.keys);
+}
+
 DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string description) {
   return {std::string(level.id), std::move(label), std::move(description), true,
           [level](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
@@ -34,6 +39,7 @@ DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
   registry.add(
       {"hand", "Keyboard and 6D mouse", "A person: the keys of the window and a 3Dconnexion mouse.", false, makeHand});
+  registry.add({"keyboard", "Keyboard", "A person: the keys of the window.", false, makeKeyboard});
   registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
   registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
   registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));

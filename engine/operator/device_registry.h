@@ -26,6 +26,7 @@ struct DeviceEntry {
   std::string label;
   std::string description;
   bool simulated = false;  ///< needs no person: may run in lockstep
+  /// Null where the context lacks what the device needs.
   std::function<std::unique_ptr<OperatorDevice>(const DeviceContext&)> make;
 };
 
@@ -39,7 +40,7 @@ class DeviceRegistry {
   std::vector<DeviceEntry> entries_;
 };
 
-/// hand (keyboard and 6D mouse together), expert, default, novice.
+/// hand (keyboard and 6D mouse together), keyboard, expert, default, novice.
 DeviceRegistry makeDeviceRegistry();
 
 }  // namespace glissade

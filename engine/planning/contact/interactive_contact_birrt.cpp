@@ -1,5 +1,7 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 
+#include <cmath>
+
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
 
@@ -130,8 +132,9 @@ std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::
                                                                   std::optional<RoadmapGraph::Node>& reached,
                                                                   PlannerHost& host) {
   const auto near = roadmap_.nearest(component, q);
-  const double shortest = tolerance::kShortestExtension * problem_.world->objectRadius();
-  if (near.distance < shortest) return near.index;  // as good as q itself: worth connecting
+  const double radius = problem_.world->objectRadius();
+  const double same = author == Author::Computer ? tolerance::kSameConfiguration : tolerance::kDuplicate;
+  if (near.distance < same * radius) return near.index;  // as good as q itself: worth connecting
   const RoadmapNode from = roadmap_.nodes()[near.index];
   const double free = freeFraction(*query_, problem_.world->object(), from.q, q,
                                    host.parameters()[ParameterId::GrowthStep], host.stopToken());
@@ -139,8 +142,10 @@ std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::
     roadmap_.join(near.index, *reached);
     return std::nullopt;
   }
-  if (free * near.distance < shortest) return std::nullopt;
-  const Pose last = interpolate(from.q, q, free);
+  const double steps = std::floor(free * near.distance / (tolerance::kExtensionStep * radius));
+  if (free < 1.0 && steps < 1.0) return std::nullopt;
+  const double t = free < 1.0 ? steps * tolerance::kExtensionStep * radius / near.distance : 1.0;
+  const Pose last = interpolate(from.q, q, t);
   if (free < 1.0 && isDuplicate(component, last, author)) return std::nullopt;
   const RoadmapGraph::Node node = roadmap_.addChild(near.index, {last, author, from.side});
   if (free >= 1.0) reached = node;
