@@ -20,6 +20,8 @@
 namespace glissade {
 namespace {
 
+/// Small enough for three docks at 1280 x 720.
+constexpr double kFontPoints = 9.0;
 constexpr std::size_t kMostScriptBytes = 1U << 20;
 
 int fail(const Diagnostic& why) {
@@ -131,6 +133,9 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
+  QFont font = QApplication::font();
+  font.setPointSizeF(kFontPoints);
+  QApplication::setFont(font);
   QApplication::setApplicationName(QStringLiteral("Glissade"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
 

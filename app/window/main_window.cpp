@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -84,6 +85,8 @@ QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget*
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + bar);
   dock->setWidget(scroll);
   addDockWidget(area, dock);
   return dock;

@@ -44,7 +44,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QDockWidget { font-weight: 600; }"
              "QDockWidget::title { padding: 6px 10px; background: %1; border-bottom: 1px solid %2; }"
              "QToolBar { border: none; border-bottom: 1px solid %2; padding: 3px 6px; spacing: 2px; }"
-             "QToolButton { padding: 4px 8px; border: 1px solid transparent; border-radius: 4px; }"
+             "QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 4px; }"
              "QDockWidget QToolButton { border: 1px solid %2; background: %3; }"
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"

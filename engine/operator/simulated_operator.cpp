@@ -13,6 +13,7 @@ constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far beh
 constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk movement
 constexpr double kShortestMovement = 0.3;    ///< s
 constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
+constexpr double kPatience = 3.0;            ///< s of waiting for the tree before he fetches it
 constexpr double kTremorTime = 0.3;          ///< s, correlation time
 constexpr double kShortestHesitation = 0.5;  ///< s
 constexpr double kLongestHesitation = 1.0;   ///< s
@@ -64,6 +65,7 @@ void SimulatedOperator::restart() {
   shown_.reset();
   movement_ = SubMovement();
   rest_ = 0.0;
+  waited_ = 0.0;
   tremor_.setZero();
   tremorAngle_.setZero();
 }
@@ -80,7 +82,7 @@ Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3&
   }
   if (rest_ > 0.0) {
     rest_ -= dt;
-  } else if (!waitsForTheTree(view)) {
+  } else if (!waitsForTheTree(dt, view)) {
     aimed_ = integrate(aimed_, follow(dt), bounds, dt);
   }
   Pose shown = withTremor(dt);
@@ -96,9 +98,22 @@ void SimulatedOperator::chooseTarget(const OperatorView& view) {
   movement_ = SubMovement();
 }
 
-bool SimulatedOperator::waitsForTheTree(const OperatorView& view) const {
+bool SimulatedOperator::waitsForTheTree(double dt, const OperatorView& view) {
   const double lag = view.distanceToStartTree(aimed_);
-  return std::isfinite(lag) && lag > kLagging * metric_.radius();
+  const bool lags = std::isfinite(lag) && lag > kLagging * metric_.radius();
+  if (!lags) {
+    waited_ = 0.0;
+    return false;
+  }
+  waited_ += dt;
+  if (waited_ < kPatience) return true;
+  // Back towards the tree: one way-point at a time, moving although it lags.
+  if (waited_ - dt < kPatience && target_ > 0) {
+    --target_;
+    movement_ = SubMovement();
+  }
+  if (waited_ > 2.0 * kPatience) waited_ = 0.0;
+  return false;
 }
 
 void SimulatedOperator::beginSubMovement() {

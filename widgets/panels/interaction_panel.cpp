@@ -24,7 +24,7 @@ void select(QComboBox& box, const std::string& id) {
 QComboBox* makeBox(QWidget* parent) {
   auto* box = new QComboBox(parent);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(16);
+  box->setMinimumContentsLength(12);
   return box;
 }
 

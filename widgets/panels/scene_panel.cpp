@@ -53,9 +53,11 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   clear();
   QTreeWidgetItem* object = addGroup(tr("Object"));
   addBody(*object, scenario.object, tr("moved"));
-  new QTreeWidgetItem(object, {tr("start"), place(scenario.problem.start)});
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
-  new QTreeWidgetItem(object, {tr("goal"), goal != nullptr ? place(*goal) : tr("out")});
+  for (const QString& text : {tr("start  %1").arg(place(scenario.problem.start)),
+                              tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out"))}) {
+    (new QTreeWidgetItem(object, {text}))->setFirstColumnSpanned(true);
+  }
   QTreeWidgetItem* bodies = addGroup(tr("Obstacles"));
   for (const RigidBody& body : scenario.obstacles) {
     addBody(*bodies, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));

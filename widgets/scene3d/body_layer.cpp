@@ -29,7 +29,8 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose
   if (style != BodyStyle::Solid) makeTransparent(*surface);
   osg::ref_ptr<osg::Geode> edges = new osg::Geode;
   const osg::Vec4 edgeColour = style == BodyStyle::Ghost ? colour : palette.lines;
-  edges->addDrawable(makeFeatureEdges(mesh, edgeColour, style == BodyStyle::SeeThrough ? 1.0F : 1.5F));
+  edges->addDrawable(
+      makeFeatureEdges(mesh, edgeColour, (style == BodyStyle::SeeThrough ? 1.0F : 1.5F) * palette.pixelScale));
   transform->addChild(surface);
   transform->addChild(edges);
   return transform;

@@ -18,11 +18,11 @@ constexpr std::size_t kGhosts = 7;
 /// Share of the contact disc that is drawn: all of it would hide the scene.
 constexpr double kDrawnDisc = 0.5;
 
-osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour) {
+osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size) {
   osg::ref_ptr<osg::Geometry> geometry = makeLines(points, LineKind::Segments, colour, 1.0F);
   geometry->removePrimitiveSet(0);
   geometry->addPrimitiveSet(new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(points.size())));
-  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(kPointSize));
+  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(size));
   return geometry;
 }
 
@@ -36,8 +36,8 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
   const osg::Vec4 colour = near ? palette.contact : palette.nearest;
   osg::ref_ptr<osg::Geode> marks = new osg::Geode;
   const std::vector<Vector3> pair{nearest.p_WPo, nearest.p_WPn};
-  marks->addDrawable(makeLines(pair, LineKind::Segments, colour, near ? 3.0F : 1.5F));
-  marks->addDrawable(makePoints(pair, colour));
+  marks->addDrawable(makeLines(pair, LineKind::Segments, colour, (near ? 3.0F : 1.5F) * palette.pixelScale));
+  marks->addDrawable(makePoints(pair, colour, kPointSize * palette.pixelScale));
   // Seen through whatever lies in front: it tells where contact is.
   marks->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   group->addChild(marks);
@@ -56,8 +56,8 @@ osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, 
   std::vector<Vector3> way;
   for (const PathPoint& point : path.points) way.push_back(point.q.position);
   osg::ref_ptr<osg::Geode> line = new osg::Geode;
-  line->addDrawable(makeLines(way, LineKind::Strip, palette.path, kPathWidth));
-  line->addDrawable(makePoints(way, palette.path));
+  line->addDrawable(makeLines(way, LineKind::Strip, palette.path, kPathWidth * palette.pixelScale));
+
   group->addChild(line);
   const std::size_t count = std::min(kGhosts, path.points.size());
   for (std::size_t i = 1; i + 1 < count; ++i) {

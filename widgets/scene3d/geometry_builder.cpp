@@ -79,7 +79,7 @@ osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKi
   geometry->addPrimitiveSet(new osg::DrawArrays(mode, 0, static_cast<int>(vertices->size())));
   geometry->setUseVertexBufferObjects(true);
   geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::LineWidth(width));
-  makeUnlit(*geometry);
+  makeDrawing(*geometry);
   return geometry;
 }
 
@@ -118,6 +118,14 @@ std::vector<Vector3> boxEdges(const Box3& box) {
 }
 
 void makeUnlit(osg::Node& node) { node.getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF); }
+
+void makeDrawing(osg::Node& node) {
+  constexpr int kAfterTransparent = 11;  // OSG's transparent bin is number 10
+  makeUnlit(node);
+  osg::StateSet* state = node.getOrCreateStateSet();
+  state->setRenderBinDetails(kAfterTransparent, "RenderBin");
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+}
 
 void makeTransparent(osg::Node& node) {
   osg::StateSet* state = node.getOrCreateStateSet();

@@ -28,8 +28,11 @@ osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& norma
 /// The twelve edges of a box as segment ends.
 std::vector<Vector3> boxEdges(const Box3& box);
 
-/// Unlit (lines, points) or see-through drawing for a node.
-void makeUnlit(osg::Node& node);
+/// For lines and points: unlit, and drawn after the see-through surfaces, which would paint over them.
+void makeDrawing(osg::Node& node);
+/// For surfaces that are seen through: blended, hiding nothing.
 void makeTransparent(osg::Node& node);
+/// Without lighting: the colour as it is.
+void makeUnlit(osg::Node& node);
 
 }  // namespace glissade

@@ -16,6 +16,7 @@ constexpr int kOversampling = 2;
 class OffscreenSceneWidget final : public QWidget, public SceneWidget {
  public:
   explicit OffscreenSceneWidget(QWidget* parent) : QWidget(parent), context_(makeOsMesaContext()), renderer_(view_) {
+    view_.setPixelScale(kOversampling);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
   }

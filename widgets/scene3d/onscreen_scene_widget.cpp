@@ -26,6 +26,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
 
  protected:
   void resizeGL(int width, int height) override {
+    view_.setPixelScale(devicePixelRatioF());
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
   }
   void paintGL() override { renderer_.render(defaultFramebufferObject()); }

@@ -11,6 +11,7 @@ namespace glissade {
 /// The colours of the scene. What must be told apart comes from Okabe and Ito's palette (2008), which
 /// does not rely on red against green.
 struct ScenePalette {
+  float pixelScale = 1.0F;  ///< device pixels per pixel: line widths and point sizes follow
   osg::Vec4 backgroundTop;
   osg::Vec4 backgroundBottom;
   osg::Vec4 lines;  ///< feature edges and the workspace

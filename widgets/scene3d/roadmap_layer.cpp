@@ -18,13 +18,15 @@ constexpr int kBatch = 8192;
 
 RoadmapLayer::RoadmapLayer() : root_(new osg::Group), geode_(new osg::Geode), palette_(paletteOf(Theme::Light)) {
   root_->addChild(geode_);
-  makeUnlit(*root_);
-  root_->getOrCreateStateSet()->setAttributeAndModes(new osg::LineWidth(1.0F));
-  root_->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(4.0F));
+  makeDrawing(*root_);
+  setPalette(palette_);
 }
 
 void RoadmapLayer::setPalette(const ScenePalette& palette) {
   palette_ = palette;
+  osg::StateSet* state = root_->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::LineWidth(1.2F * palette.pixelScale));
+  state->setAttributeAndModes(new osg::Point(4.0F * palette.pixelScale));
   const auto recolour = [&](std::size_t vertex, const osg::Vec4ub& colour) {
     (*lines_[vertex / kBatch].colours)[vertex % kBatch] = colour;
   };

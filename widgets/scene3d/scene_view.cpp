@@ -25,7 +25,6 @@ struct SceneView::Impl {
   osg::ref_ptr<osg::MatrixTransform> object;
   RoadmapLayer roadmap;
   CameraController camera;
-  Theme theme = Theme::Light;
   ScenePalette palette = paletteOf(Theme::Light);
   std::shared_ptr<const LoadedScenario> scenario;
   SnapshotPtr snapshot;
@@ -58,7 +57,8 @@ struct SceneView::Impl {
     }
     layer(SceneLayer::Workspace)
         .addChild(makeLines(boxEdges(scenario->scenario.workspace), LineKind::Segments,
-                            osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F), 1.0F));
+                            osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F),
+                            palette.pixelScale));
     showSnapshot();
   }
 
@@ -141,8 +141,16 @@ void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
 }
 
 void SceneView::setTheme(Theme theme) {
-  impl_->theme = theme;
+  const float scale = impl_->palette.pixelScale;
   impl_->palette = paletteOf(theme);
+  impl_->palette.pixelScale = scale;
+  impl_->roadmap.setPalette(impl_->palette);
+  impl_->rebuild();
+}
+
+void SceneView::setPixelScale(double scale) {
+  if (static_cast<float>(scale) == impl_->palette.pixelScale) return;
+  impl_->palette.pixelScale = static_cast<float>(scale);
   impl_->roadmap.setPalette(impl_->palette);
   impl_->rebuild();
 }

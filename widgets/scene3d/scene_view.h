@@ -41,6 +41,8 @@ class SceneView {
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
   void setTheme(Theme theme);
+  /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
+  void setPixelScale(double scale);
   void setLayerVisible(SceneLayer layer, bool visible);
   bool layerVisible(SceneLayer layer) const;
 
