@@ -102,7 +102,7 @@ void MainWindow::makePanels() {
   QDockWidget* counts = addPanel(tr("Run"), "run", counts_, Qt::RightDockWidgetArea);
   QDockWidget* path = addPanel(tr("Path"), "path", path_, Qt::RightDockWidgetArea);
   resizeDocks({interaction, scene}, {270, 290}, Qt::Horizontal);
-  resizeDocks({scene, counts, path}, {200, 250, 180}, Qt::Vertical);
+  resizeDocks({scene, counts, path}, {150, 290, 170}, Qt::Vertical);
   connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });

@@ -22,7 +22,16 @@ fail() {
   exit 1
 }
 picture() { xwd -root -silent -display "$display" >"$work/$1" || fail "no picture can be taken"; }
-changed() { ! cmp -s "$work/$1" "$work/$2"; }
+
+# expect_change BEFORE AFTER WHAT: takes pictures until one differs from BEFORE; fails with WHAT.
+expect_change() {
+  for _ in $(seq 60); do
+    picture "$2"
+    cmp -s "$work/$1" "$work/$2" || { sleep 0.5; picture "$2"; return; }
+    sleep 0.25
+  done
+  fail "$3"
+}
 
 for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
 picture empty
@@ -35,28 +44,20 @@ for _ in $(seq 100); do
   sleep 0.1
 done
 [ -n "$id" ] || fail "no window appeared"
-sleep 1.5
-picture opened
-changed empty opened || fail "nothing is drawn"
+expect_change empty opened "nothing is drawn"
 
 # Drag in the middle of the view: the camera orbits.
 xdotool mousemove 640 360 mousedown 1 mousemove 700 380 mousemove 760 400 mouseup 1
-sleep 0.7
-picture orbited
-changed opened orbited || fail "dragging does not orbit"
+expect_change opened orbited "dragging does not orbit"
 
 # Keys over the view: the object moves.
 xdotool windowfocus "$id" 2>/dev/null
 xdotool mousemove 640 360 click 1
 xdotool keydown d; sleep 1; xdotool keyup d
-sleep 0.5
-picture steered
-changed orbited steered || fail "keys do not steer"
+expect_change orbited steered "keys do not steer"
 
 xdotool key F5
-sleep 2
-picture planning
-changed steered planning || fail "F5 does not start"
+expect_change steered planning "F5 does not start"
 xdotool key shift+F5
 sleep 0.5
 kill -0 "$window" 2>/dev/null || fail "the program ended"
