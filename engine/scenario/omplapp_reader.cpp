@@ -1,9 +1,7 @@
 #include "engine/scenario/omplapp_reader.h"
 
-#include <charconv>
-#include <cmath>
-
 #include "engine/import/input_file.h"
+#include "engine/scenario/number_text.h"
 
 namespace glissade {
 namespace {
@@ -68,11 +66,9 @@ class ProblemReader {
 
   double number(const std::string& key) const {
     const auto& [value, line] = entry(key);
-    double result = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), result);
-    const bool sound = error == std::errc() && end == value.data() + value.size() && std::isfinite(result);
-    if (!sound) throw Refusal{atLine(line), "'" + value + "' is not a finite number"};
-    return result;
+    const std::optional<double> result = toNumber(value);
+    if (!result) throw Refusal{atLine(line), "'" + value + "' is not a finite number"};
+    return *result;
   }
   Vector3 vector(const std::string& prefix) const {
     return {number(prefix + ".x"), number(prefix + ".y"), number(prefix + ".z")};
