@@ -22,10 +22,11 @@ Diagnostic unsupported(const std::string& file) {
           "Export it as STL, OBJ, Collada (.dae) or glTF (.glb)."};
 }
 
-/// What assimp would silently get wrong: a truncated text STL loses its tail.
+/// A truncated text STL would silently lose its tail. Binary ones, which may begin with the same
+/// word, hold zero bytes.
 bool isTruncatedTextStl(std::string_view content, std::string_view ending) {
-  const bool text = ending == "stl" && startsWith(content, "solid") && content.find("facet") < 1024;
-  return text && content.find('\0') == std::string_view::npos && content.find("endsolid") == std::string_view::npos;
+  const bool text = ending == "stl" && startsWith(content, "solid") && content.find('\0') == std::string_view::npos;
+  return text && content.find("endsolid") == std::string_view::npos;
 }
 
 Vector3 meanInFloat(const std::vector<float>& coordinates) {

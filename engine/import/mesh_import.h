@@ -10,13 +10,15 @@ namespace glissade {
 
 enum class UpAxis { Y, Z };
 
-/// How the numbers of a mesh file are understood. STL, OBJ and 3DS declare nothing. glTF is in metres
-/// and Y-up. A Collada file declares unit and up-axis, and assimp carries both out: its numbers
-/// arrive in metres and Y-up. `unit` and `up` are applied on top of that, to what arrives:
+/// How the numbers of a mesh file are understood. STL, OBJ, FBX and X3D arrive as they are written;
+/// glTF is in metres and Y-up by definition. A Collada file declares its unit and up-axis, and assimp
+/// carries both out: its numbers arrive in metres and Y-up. 3DS files, Z-up by custom, arrive Y-up
+/// too. `unit` and `up` are applied on top of that, to what arrives:
 /// - `unit`: metres for one unit of what arrives; positive.
 /// - `up`: Y turns what arrives by a quarter about x, so that its y axis becomes the world's z;
 ///   Z leaves it as it is.
-/// So a Collada file in its author's pose is {1, Y}, and what OMPL.app sees of it is {1, Z}.
+/// So glTF, Collada and 3DS files stand as their authors meant them with {unit, Y}; what OMPL.app
+/// sees of a Collada file is {1, Z}.
 struct MeshInterpretation {
   double unit = 1.0;
   UpAxis up = UpAxis::Z;
