@@ -68,7 +68,7 @@ MeshAudit audit(const TriangleMesh& input) {
   MeshAudit result;
   result.triangles = input.triangles.size();
   result.degenerateTriangles = input.triangles.size() - mesh.triangles.size();
-  result.components = componentRepresentatives(mesh).size();
+  result.components = connectedComponents(mesh).size();
   result.box = boundingBox(input);
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vector3& pa = mesh.vertices[a];
@@ -84,14 +84,18 @@ MeshAudit audit(const TriangleMesh& input) {
   return result;
 }
 
-std::vector<Vector3> componentRepresentatives(const TriangleMesh& input) {
+std::vector<TriangleMesh> connectedComponents(const TriangleMesh& input) {
   const TriangleMesh mesh = welded(input);
   Components components = connectedVertices(mesh);
-  std::vector<Vector3> representatives;
-  for (std::uint32_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-    if (components.find(vertex) == vertex) representatives.push_back(mesh.vertices[vertex]);
+  std::map<std::uint32_t, std::size_t> partOf;
+  std::vector<TriangleMesh> parts;
+  for (const auto& triangle : mesh.triangles) {
+    const auto [entry, inserted] = partOf.try_emplace(components.find(triangle[0]), parts.size());
+    if (inserted) parts.push_back({mesh.vertices, {}});
+    parts[entry->second].triangles.push_back(triangle);
   }
-  return representatives;
+  for (TriangleMesh& part : parts) part = welded(part);
+  return parts;
 }
 
 double windingNumber(const TriangleMesh& mesh, const Vector3& p) {

@@ -23,9 +23,10 @@ struct MeshAudit {
 
 MeshAudit audit(const TriangleMesh& mesh);
 
-/// One vertex of each connected component: a surface that does not touch a mesh is inside its solid
-/// if and only if any one of its points is.
-std::vector<Vector3> componentRepresentatives(const TriangleMesh& mesh);
+/// The parts of a mesh that hang together by shared vertices (equal positions count as one), in the
+/// order of their first triangle. A part that does not touch a solid is inside it if and only if
+/// any one of its points is.
+std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh);
 
 /// Generalised winding number of the mesh about p (Jacobson et al. 2013; solid angles by van
 /// Oosterom and Strackee 1983): +-1 inside a closed surface, 0 outside.

@@ -2,93 +2,130 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <optional>
 
-#include "engine/import/import_process.h"
-#include "engine/import/input_file.h"
-#include "engine/import/mesh_exchange.h"
-#include "engine/import/sha256.h"
+#include "engine/base/file.h"
+#include "engine/import/child_process.h"
+#include "engine/import/import_protocol.h"
 
 namespace glissade {
 namespace {
 
-constexpr std::array<std::string_view, 8> kEndings{"stl", "obj", "dae", "gltf", "glb", "3ds", "fbx", "x3d"};
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+namespace protocol = import_protocol;
 
-bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+constexpr std::array<const char*, 5> kEndings{"stl", "obj", "dae", "gltf", "glb"};
 
-Diagnostic unsupported(const std::string& file) {
-  return {ErrorKind::MalformedInput, file, "", "this kind of mesh file is not read",
-          "Export it as STL, OBJ, Collada (.dae) or glTF (.glb)."};
+std::string endingOf(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  if (!ending.empty()) ending.erase(0, 1);
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
 }
 
-/// A truncated text STL would silently lose its tail. Binary ones, which may begin with the same
-/// word, hold zero bytes.
-bool isTruncatedTextStl(std::string_view content, std::string_view ending) {
-  const bool text = ending == "stl" && startsWith(content, "solid") && content.find('\0') == std::string_view::npos;
-  return text && content.find("endsolid") == std::string_view::npos;
+Diagnostic malformed(const std::string& file, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, "", reason, "Export the part again, for example as binary STL or GLB."};
 }
 
-Vector3 meanInFloat(const std::vector<float>& coordinates) {
-  std::array<float, 3> sum{};
-  for (std::size_t i = 0; i < coordinates.size(); ++i) sum[i % 3] += coordinates[i];
-  const auto count = static_cast<float>(coordinates.size() / 3);
-  return {sum[0] / count, sum[1] / count, sum[2] / count};
+std::string importerProgram() {
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  return (self.parent_path() / "glissade-import").string();
 }
 
-/// `p` as the interpretation understands it: Z-up, metres.
-Vector3 interpreted(const Vector3& p, const MeshInterpretation& interpretation) {
-  const Vector3 upright = interpretation.up == UpAxis::Y ? Vector3(p.x(), -p.z(), p.y()) : p;
-  return interpretation.unit * upright;
-}
+/// Takes plain arrays out of what the child wrote, without trusting any of it.
+class Message {
+ public:
+  explicit Message(const std::string& bytes) : bytes_(bytes) {}
 
-ImportedMesh toMesh(const MeshReply& reply, const MeshInterpretation& interpretation) {
-  TriangleMesh mesh;
-  mesh.vertices.reserve(reply.coordinates.size() / 3);
-  for (std::size_t i = 0; i < reply.coordinates.size(); i += 3) {
-    const Vector3 p(reply.coordinates[i], reply.coordinates[i + 1], reply.coordinates[i + 2]);
-    mesh.vertices.push_back(interpreted(p, interpretation));
+  template <class T>
+  bool take(T* values, std::size_t count) {
+    const std::size_t size = count * sizeof(T);
+    if (bytes_.size() - position_ < size) return false;
+    std::memcpy(values, bytes_.data() + position_, size);
+    position_ += size;
+    return true;
   }
-  mesh.triangles.reserve(reply.corners.size() / 3);
-  for (std::size_t i = 0; i < reply.corners.size(); i += 3) {
-    mesh.triangles.push_back({reply.corners[i], reply.corners[i + 1], reply.corners[i + 2]});
+
+  std::string rest() const { return bytes_.substr(position_); }
+
+ private:
+  const std::string& bytes_;
+  std::size_t position_ = 0;
+};
+
+/// STL claims its size in a header: believe the file's length instead, before anything is allocated.
+std::optional<std::string> headerLie(const std::string& ending, const std::string& content) {
+  constexpr std::size_t kHeader = 84;
+  constexpr std::size_t kTriangle = 50;
+  if (ending != "stl" || content.rfind("solid", 0) == 0) return std::nullopt;
+  if (content.size() < kHeader) return "is too short for an STL file";
+  std::uint32_t claimed = 0;
+  std::memcpy(&claimed, content.data() + 80, sizeof claimed);
+  if ((content.size() - kHeader) / kTriangle >= claimed) return std::nullopt;
+  return "claims " + std::to_string(claimed) + " triangles but is only " + std::to_string(content.size()) +
+         " bytes long";
+}
+
+Result<ImportedMesh> decode(const std::string& file, const std::string& output) {
+  Message message(output);
+  protocol::Header header;
+  if (!message.take(&header, 1) || header.magic != protocol::kMagic)
+    return malformed(file, "the importer failed on it");
+  if (header.kind == protocol::kError) return malformed(file, "cannot be read: " + message.rest());
+  if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
+    return malformed(file, "is too large");
   }
-  return {welded(mesh), interpreted(meanInFloat(reply.coordinates), interpretation), ""};
+  std::vector<float> coordinates(std::size_t{3} * header.vertices);
+  std::array<float, 3> mean{};
+  std::vector<TriangleIndices> triangles(header.triangles);
+  if (!message.take(coordinates.data(), coordinates.size()) || !message.take(mean.data(), mean.size()) ||
+      !message.take(triangles.data(), triangles.size())) {
+    return malformed(file, "the importer failed on it");
+  }
+  if (triangles.empty()) return malformed(file, "holds no triangle");
+  const bool finite = std::all_of(coordinates.begin(), coordinates.end(), [](float x) { return std::isfinite(x); });
+  if (!finite) return malformed(file, "has a vertex that is not a finite number");
+  for (const auto& triangle : triangles) {
+    if (*std::max_element(triangle.begin(), triangle.end()) >= header.vertices) {
+      return malformed(file, "has a triangle with a corner that does not exist");
+    }
+  }
+  ImportedMesh result;
+  for (std::size_t i = 0; i < coordinates.size(); i += 3) {
+    result.mesh.vertices.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+  }
+  result.mesh.triangles = std::move(triangles);
+  result.vertexMean = Vector3(mean[0], mean[1], mean[2]);
+  return result;
 }
 
 }  // namespace
 
-Result<ImportedMesh> importMesh(const std::string& file, const MeshInterpretation& interpretation) {
+bool isMeshFile(const std::string& file) {
   const std::string ending = endingOf(file);
-  if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) return unsupported(file);
-  const Result<std::string> content = readInputFile(file, kLargestMeshFile);
+  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+Result<ImportedMesh> importMesh(const std::string& file) {
+  const std::string ending = endingOf(file);
+  if (!isMeshFile(file)) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is of a kind that is not read ('" + ending + "')",
+                      "Use STL, OBJ, DAE, glTF or GLB."};
+  }
+  const auto content = readFile(file, protocol::kMostBytes);
   if (!content) return content.error();
-
-  const auto inFile = [&](Diagnostic diagnostic) {
-    if (diagnostic.file.empty()) diagnostic.file = file;
-    const bool gltf = ending == "gltf" || ending == "glb";
-    if (gltf && diagnostic.reason.find("referenced file") != std::string::npos) {
-      diagnostic.advice = "Buffers in files of their own are not read: export it as one .glb file.";
-    }
-    return diagnostic;
-  };
-  std::string_view bytes = *content;
-  if (isTruncatedTextStl(bytes, ending)) {
-    return inFile({ErrorKind::MalformedInput, "", "", "the file ends before 'endsolid'", "Export it again."});
-  }
-  // Assimp drops the first line of an OBJ after a byte-order mark, and all indices shift.
-  if (startsWith(bytes, kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-
-  const Result<std::string> answer = runImportProcess(bytes, ending);
-  if (!answer) return inFile(answer.error());
-  const Result<MeshReply> reply = decodeMeshReply(*answer);
-  if (!reply) return inFile(reply.error());
-  ImportedMesh imported = toMesh(*reply, interpretation);
-  if (imported.mesh.empty()) {
-    return inFile({ErrorKind::MalformedInput, "", "", "every triangle is degenerate", "Export it again."});
-  }
-  imported.sha256 = sha256(*content);
-  return imported;
+  if (content->empty()) return malformed(file, "is empty");
+  if (const auto lie = headerLie(ending, *content)) return malformed(file, *lie);
+  const std::size_t mostOutput = sizeof(protocol::Header) + std::size_t{24} * protocol::kMostElements + 64;
+  const auto child = runChild(importerProgram(), {ending}, file, std::chrono::milliseconds(4500), mostOutput);
+  if (!child) return child.error();
+  if (child->timedOut) return malformed(file, "takes too long to read: it is too complex or malformed");
+  if (child->signal != 0) return malformed(file, "is malformed (the importer stopped on it)");
+  return decode(file, child->output);
 }
 
 }  // namespace glissade

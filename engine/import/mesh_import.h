@@ -1,37 +1,32 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "engine/base/result.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
 
-enum class UpAxis { Y, Z };
-
-/// How the numbers of a mesh file are understood. STL, OBJ, FBX and X3D arrive as they are written;
-/// glTF is in metres and Y-up by definition. A Collada file declares its unit and up-axis, and assimp
-/// carries both out: its numbers arrive in metres and Y-up. 3DS files, Z-up by custom, arrive Y-up
-/// too. `unit` and `up` are applied on top of that, to what arrives:
-/// - `unit`: metres for one unit of what arrives; positive.
-/// - `up`: Y turns what arrives by a quarter about x, so that its y axis becomes the world's z;
-///   Z leaves it as it is.
-/// So glTF, Collada and 3DS files stand as their authors meant them with {unit, Y}; what OMPL.app
-/// sees of a Collada file is {1, Z}.
-struct MeshInterpretation {
-  double unit = 1.0;
-  UpAxis up = UpAxis::Z;
-};
-
+/// A mesh as its file has it.
 struct ImportedMesh {
-  TriangleMesh mesh;   ///< welded, metres, Z-up
-  Vector3 vertexMean;  ///< of the vertices as imported (duplicates included), summed in float as OMPL.app does
-  std::string sha256;  ///< of the file's content
+  TriangleMesh mesh;  ///< vertices as imported: duplicates from split normals included
+  /// Mean of the imported vertices, accumulated in single precision: the reference point that
+  /// OMPL.app gives to its robots.
+  Vector3 vertexMean = Vector3::Zero();
 };
 
-/// Reads STL, OBJ (material files are ignored), Collada, glTF 2 (self-contained), 3DS, FBX or X3D in
-/// a confined process (see import_process.h). Errors are MalformedInput and name the file.
-Result<ImportedMesh> importMesh(const std::string& file, const MeshInterpretation& interpretation);
+/// Imports STL, OBJ, DAE, glTF (embedded) and GLB. The parsing is done by assimp in a process of its
+/// own that can open no file and has little memory and time, because malformed files crash or hang
+/// it; every number and index is checked again here.
+///
+/// Coordinates: node transforms are applied. A Collada file's own unit and up-axis are honoured by
+/// assimp (the result is in metres and y-up); other formats carry neither. What a unit means and
+/// which axis is up is the caller's choice on top of that.
+///
+/// Errors are MalformedInput with the file's name.
+Result<ImportedMesh> importMesh(const std::string& file);
+
+/// Whether the ending is one that importMesh reads.
+bool isMeshFile(const std::string& file);
 
 }  // namespace glissade

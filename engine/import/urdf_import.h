@@ -1,33 +1,29 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/base/result.h"
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
 
+/// One link of a URDF file: all of its shapes as one mesh.
 struct UrdfLink {
   std::string name;
-  TriangleMesh mesh;  ///< in the link's frame, metres
-  Pose X_RootLink;
-  std::optional<Colour> colour;  ///< of the first visual with a material
+  TriangleMesh mesh;                            ///< in the link's frame L
+  Pose X_RL;                                    ///< in the frame R of the root link
+  std::optional<std::array<double, 3>> colour;  ///< sRGB of its material
 };
 
-struct UrdfModel {
-  std::string name;
-  std::vector<UrdfLink> links;  ///< those with geometry, in the order of the file
-  std::string sha256;           ///< of the file's content
-};
-
-/// Reads a URDF file with urdfdom: boxes, cylinders, spheres (as meshes that contain them) and mesh
-/// files; collision geometry where a link has any, else its visual geometry; fixed joints only.
-/// Mesh files are looked for beside the URDF file, `package://NAME/PATH` in `folder`/NAME/PATH or
-/// else `folder`/PATH, and never outside `folder`. Errors are MalformedInput and name the file and
-/// the link, joint or line. Calls are serialised: urdfdom reports through process-wide state.
-Result<UrdfModel> importUrdf(const std::string& file, const std::string& folder);
+/// Imports a URDF file as rigid bodies: boxes, cylinders, spheres and meshes; collision shapes where a
+/// link has any, its visual shapes otherwise; fixed joints only. Round shapes are circumscribed.
+/// `package://` names and relative names are looked up below `packageFolder` and may not leave it.
+///
+/// Errors are MalformedInput with link or joint as place: whatever urdfdom would drop in silence (a
+/// bad number, an unknown shape) is an error here.
+Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder);
 
 }  // namespace glissade

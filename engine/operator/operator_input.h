@@ -57,6 +57,8 @@ class OperatorDevice {
   /// q_device after the next dt seconds (integrated in our own clock; clamped to `bounds` and to
   /// nothing else: the device is never blocked by obstacles). Equal to view.q_device when at rest.
   virtual Pose advance(double dt, const OperatorView& view, const Box3& bounds) = 0;
+  /// A new run begins with the object at the start: whoever follows a plan begins it anew.
+  virtual void restart() {}
   /// False while the device is away (daemon dead, cable out); it may come back.
   virtual bool connected() const { return true; }
 };

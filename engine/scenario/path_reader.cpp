@@ -1,110 +1,126 @@
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
 
-#include "engine/import/input_file.h"
-#include "engine/scenario/json_cursor.h"
-#include "engine/scenario/number_text.h"
-#include "engine/scenario/path_format.h"
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/base/tolerances.h"
+#include "engine/scenario/author_names.h"
+#include "engine/scenario/json_reader.h"
 #include "engine/scenario/path_io.h"
 
 namespace glissade {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r";
-constexpr std::size_t kLargestPathFile = std::size_t{64} << 20;
+constexpr std::size_t kMostBytes = 256U << 20;
+constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
 
-Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
-  return {ErrorKind::MalformedInput, file, place, reason,
-          "Give a path as CSV, as OMPL's seven columns, or as JSON of Glissade."};
-}
-
-/// The fields of a line: between commas, or between any blanks.
-std::vector<std::string_view> fields(std::string_view line, bool commas) {
-  std::vector<std::string_view> result;
-  while (!line.empty()) {
-    const std::size_t end = commas ? line.find(',') : line.find_first_of(kBlank);
-    const std::string_view field = line.substr(0, end);
-    if (commas || !field.empty()) result.push_back(field);
-    line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
+std::vector<std::string> split(const std::string& line, const char* separators) {
+  std::vector<std::string> words;
+  std::size_t begin = line.find_first_not_of(separators);
+  while (begin != std::string::npos) {
+    const std::size_t end = line.find_first_of(separators, begin);
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators, end);
   }
-  return result;
+  return words;
 }
 
-/// Seven numbers from `first` on.
-std::optional<Pose> readPose(const std::vector<std::string_view>& columns, std::size_t first) {
-  std::array<double, 7> v{};
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const std::optional<double> number = toNumber(columns[first + i]);
-    if (!number) return std::nullopt;
-    v[i] = *number;
+/// One of the two text formats, line by line.
+class TextPathReader {
+ public:
+  explicit TextPathReader(std::string file) : file_(std::move(file)) {}
+
+  Result<std::vector<PathPoint>> read(const std::string& text) {
+    std::istringstream stream(text);
+    std::string line;
+    std::vector<PathPoint> points;
+    for (line_ = 1; std::getline(stream, line); ++line_) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line_ == 1 && line == kCsvHeader) {
+        csv_ = true;
+        continue;
+      }
+      const std::vector<std::string> words = split(line, csv_ ? "," : " \t");
+      if (words.empty()) continue;
+      const auto point = readPoint(words);
+      if (!point) return point.error();
+      points.push_back(*point);
+    }
+    if (points.empty())
+      return Diagnostic{ErrorKind::MalformedInput, file_, "", "holds no configuration", "Give a path."};
+    return points;
   }
-  const Pose pose{{v[0], v[1], v[2]}, Quaternion(v[6], v[3], v[4], v[5])};
-  return isValid(pose) ? std::optional(pose) : std::nullopt;
-}
 
-std::optional<Author> readAuthor(std::string_view name) {
-  const auto& names = path_format::kAuthors;
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Author>(found - names.begin());
-}
-
-std::optional<PathPoint> readLine(std::string_view line, bool csv) {
-  const std::vector<std::string_view> columns = fields(line, csv);
-  if (columns.size() != (csv ? 12U : 7U)) return std::nullopt;
-  const std::optional<Pose> q = readPose(columns, csv ? 2 : 0);
-  const std::optional<Author> author = csv ? readAuthor(columns.back()) : Author::Computer;
-  if (!q || !author) return std::nullopt;
-  return PathPoint{*q, *author};
-}
-
-Result<std::vector<PathPoint>> readTable(std::string_view text, const std::string& file) {
-  const bool csv = text.substr(0, path_format::kCsvHeader.size()) == path_format::kCsvHeader;
-  std::vector<PathPoint> points;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    line = line.substr(0, line.find_last_not_of(kBlank) + 1);
-    const bool header = csv && number == 1;
-    if (line.empty() || header) continue;
-    const std::optional<PathPoint> point = readLine(line, csv);
-    if (!point) return malformed(file, "line " + std::to_string(number), "this line is not a configuration");
-    points.push_back(*point);
+ private:
+  Diagnostic malformed(const std::string& reason) const {
+    return {ErrorKind::MalformedInput, file_, "line " + std::to_string(line_), reason,
+            csv_ ? std::string("Each line holds ") + kCsvHeader + "."
+                 : "Each line holds x y z qx qy qz qw; a CSV begins with its header."};
   }
-  return points;
-}
 
-Result<std::vector<PathPoint>> readJson(const std::string& text, const std::string& file) {
-  const Result<Json> document = parseJson(text, file);
+  Result<PathPoint> readPoint(const std::vector<std::string>& words) const {
+    const std::size_t expected = csv_ ? 12 : 7;
+    if (words.size() != expected) return malformed("does not have " + std::to_string(expected) + " columns");
+    std::array<double, 7> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto number = toNumber(words[i + (csv_ ? 2 : 0)]);
+      if (!number) return malformed("holds '" + words[i + (csv_ ? 2 : 0)] + "', which is not a finite number");
+      values[i] = *number;
+    }
+    PathPoint point;
+    point.q.position = {values[0], values[1], values[2]};
+    point.q.orientation = Quaternion(values[6], values[3], values[4], values[5]);
+    if (std::abs(point.q.orientation.norm() - 1.0) > tolerance::kQuaternionNorm) {
+      return malformed("has an orientation that is not a unit quaternion");
+    }
+    if (csv_) {
+      const auto author = authorByName(words[11]);
+      if (!author) return malformed("names an unknown author '" + words[11] + "'");
+      point.author = *author;
+    }
+    return point;
+  }
+
+  std::string file_;
+  int line_ = 0;
+  bool csv_ = false;
+};
+
+Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::string& file) {
+  const auto document = parseJson(text, file);
   if (!document) return document.error();
   try {
-    const JsonCursor root(*document);
-    if (root.at("format").text() != path_format::kName) root.at("format").fail("this is not a path");
-    if (root.at("version").wholeNumber() != path_format::kVersion) {
-      root.at("version").fail("this version is not known", "Update Glissade.");
-    }
+    const JsonCursor root(*document, file, "");
+    if (root.at("format").text() != "glissade-path") root.at("format").fail("is not \"glissade-path\"");
+    if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+    const JsonCursor list = root.at("configurations");
     std::vector<PathPoint> points;
-    for (const JsonCursor& point : root.at("points").elements()) {
-      const std::size_t author = point.at("author").oneOf({"computer", "operator", "contact"});
-      points.push_back({point.at("q").row(), static_cast<Author>(author)});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const JsonCursor at = list.element(i);
+      JsonCursor::Json pose{{"position", at.at("position").json()}, {"orientation", at.at("orientation").json()}};
+      PathPoint point;
+      point.q = JsonCursor(pose, file, "/configurations/" + std::to_string(i)).pose();
+      const auto author = authorByName(at.at("author").text());
+      if (!author) at.at("author").fail("is not computer, operator or contact");
+      point.author = *author;
+      points.push_back(point);
     }
+    if (points.empty()) list.fail("is empty", "Give a path.");
     return points;
-  } catch (const JsonFailure& failure) {
-    Diagnostic diagnostic = failure.diagnostic;
-    diagnostic.file = file;
-    return diagnostic;
+  } catch (const JsonError& error) {
+    return error.diagnostic;
   }
 }
 
 }  // namespace
 
 Result<std::vector<PathPoint>> readPath(const std::string& file) {
-  const Result<std::string> text = readInputFile(file, kLargestPathFile);
+  const auto text = readFile(file, kMostBytes);
   if (!text) return text.error();
-  const Result<std::vector<PathPoint>> points = text->front() == '{' ? readJson(*text, file) : readTable(*text, file);
-  if (points && points->empty()) return malformed(file, "", "the file holds no configuration");
-  return points;
+  const std::size_t first = text->find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);
+  return TextPathReader(file).read(*text);
 }
 
 }  // namespace glissade

@@ -1,81 +1,77 @@
-#include <array>
+#include <glissade/version.h>
 
-#include "engine/scenario/atomic_file.h"
-#include "engine/scenario/json_text.h"
-#include "engine/scenario/number_text.h"
-#include "engine/scenario/path_format.h"
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/scenario/author_names.h"
+#include "engine/scenario/json_reader.h"
 #include "engine/scenario/path_io.h"
-#include "glissade/version.h"
 
 namespace glissade {
 namespace {
 
-std::array<double, 7> coordinates(const Pose& pose) {
-  const Vector3& p = pose.position;
-  const Quaternion& q = pose.orientation;
-  return {p.x(), p.y(), p.z(), q.x(), q.y(), q.z(), q.w()};
-}
+using Json = JsonCursor::Json;
 
-std::string row(const Pose& pose, char separator) {
+std::string sevenColumns(const Pose& q, char separator) {
   std::string text;
-  for (const double value : coordinates(pose)) {
+  const auto& p = q.position;
+  const auto& o = q.orientation;
+  for (const double value : {p.x(), p.y(), p.z(), o.x(), o.y(), o.z(), o.w()}) {
     if (!text.empty()) text += separator;
     text += toText(value);
   }
   return text;
 }
 
-Json toJson(const MotionCertificate& certificate) {
-  constexpr std::array<const char*, 3> kStatus{"certified", "violated", "undecided"};
-  return {{"status", kStatus[static_cast<std::size_t>(certificate.status)]},
-          {"min_clearance_m", certificate.minClearance},
-          {"proved_clearance_m", certificate.provedClearance},
+Json toJson(const MotionCertificate& certificate, const LoadedScenario& scenario) {
+  const int body = certificate.nearest.body;
+  return {{"status", certificate.status == CertificateStatus::Certified ? "certified" : "not certified"},
           {"tolerance_m", certificate.tolerance},
+          {"min_clearance_m", certificate.minClearance},
           {"edge", certificate.edge},
-          {"at", certificate.at}};
+          {"at", certificate.at},
+          {"body", body < 0 ? "" : scenario.obstacles[static_cast<std::size_t>(body)].id}};
 }
 
 }  // namespace
 
 Outcome writePathCsv(const Path& path, const LoadedScenario& scenario, const std::string& file) {
-  const std::unique_ptr<CollisionQuery> query = scenario.problem.world->makeQuery();
+  const auto query = scenario.problem.world->makeQuery();
   const Se3Metric metric = scenario.problem.metric();
-  const double contactDistance = scenario.parameters[ParameterId::ContactDistance];
-  std::string text = std::string(path_format::kCsvHeader) + "\n";
+  std::string text = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author\n";
   double s = 0.0;
   for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const auto& [q, author] = path.points[i];
-    if (i > 0) s += metric.distance(path.points[i - 1].q, q);
-    const double clearance = query->nearestObstacle(q).distance;
-    text += std::to_string(i) + "," + toText(s) + "," + row(q, ',') + "," + toText(clearance) + "," +
-            (clearance < contactDistance ? "1" : "0") + "," + std::string(path_format::nameOf(author)) + "\n";
+    const PathPoint& point = path.points[i];
+    if (i > 0) s += metric.distance(path.points[i - 1].q, point.q);
+    text += std::to_string(i) + "," + toText(s) + "," + sevenColumns(point.q, ',') + "," +
+            toText(query->nearestObstacle(point.q).distance) + "," + (point.author == Author::Contact ? "1" : "0") +
+            "," + authorName(point.author) + "\n";
   }
   return writeFileAtomically(file, text);
 }
 
 Outcome writePathOmpl(const Path& path, const std::string& file) {
   std::string text;
-  for (const PathPoint& point : path.points) text += row(point.q, ' ') + "\n";
+  for (const PathPoint& point : path.points) text += sevenColumns(point.q, ' ') + "\n";
   return writeFileAtomically(file, text);
 }
 
 Outcome writePathJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
                       const std::string& file) {
-  Json json{{"format", path_format::kName},
-            {"version", path_format::kVersion},
-            {"program", std::string("glissade ") + kVersion},
-            {"scenario", scenario.scenario.name},
-            {"scenario_file", scenario.file},
-            {"planner", provenance.planner},
-            {"seed", provenance.seed},
-            {"length_m", path.length()},
-            {"rotation_rad", path.rotation()},
-            {"certificate", toJson(path.certificate)},
-            {"points", Json::array()}};
-  for (const auto& [q, author] : path.points) {
-    json["points"].push_back({{"q", toRow(q)}, {"author", path_format::nameOf(author)}});
+  Json json;
+  json["format"] = "glissade-path";
+  json["version"] = 1;
+  json["scenario"] = scenario.scenario.name;
+  json["planner"] = provenance.planner;
+  json["seed"] = provenance.seed;
+  json["program"] = std::string("Glissade ") + kVersion;
+  json["certificate"] = toJson(path.certificate, scenario);
+  json["configurations"] = Json::array();
+  for (const PathPoint& point : path.points) {
+    Json configuration = toJson(point.q);
+    configuration["author"] = authorName(point.author);
+    json["configurations"].push_back(configuration);
   }
-  return writeFileAtomically(file, canonicalText(json));
+  return writeFileAtomically(file, json.dump(2) + "\n");
 }
 
 }  // namespace glissade

@@ -1,146 +1,94 @@
 #include "engine/scenario/run_record.h"
 
-#include "engine/import/input_file.h"
-#include "engine/scenario/atomic_file.h"
-#include "engine/scenario/json_cursor.h"
+#include <glissade/version.h>
+
+#include "engine/base/file.h"
+#include "engine/scenario/json_reader.h"
 
 namespace glissade {
 namespace {
 
-constexpr const char* kFormat = "glissade-run";
-constexpr std::uint64_t kFormatVersion = 1;
-constexpr std::size_t kLargestRecord = std::size_t{64} << 20;
+using Json = JsonCursor::Json;
 
-/// The counts of an ending with their keys, once for reading and writing.
-struct CountField {
-  const char* key;
-  std::uint64_t RunRecord::Ending::*member;
-};
-constexpr CountField kCounts[] = {
-    {"steps", &RunRecord::Ending::steps},
-    {"iterations", &RunRecord::Ending::iterations},
-    {"nodes", &RunRecord::Ending::nodes},
-    {"edges", &RunRecord::Ending::edges},
-    {"random_configurations", &RunRecord::Ending::randomConfigurations},
-    {"operator_configurations", &RunRecord::Ending::operatorConfigurations},
-    {"contact_configurations", &RunRecord::Ending::contactConfigurations},
-};
+constexpr std::size_t kMostBytes = 1U << 30;
 
-std::string keyOf(ParameterId id) { return std::string(specOf(id).key); }
-
-Json toJson(const RunRecord::File& file) { return {{"path", file.path}, {"sha256", file.sha256}}; }
-
-Json toJson(const RunRecord::Ending& ending) {
-  Json json{{"status", ending.status}};
-  for (const auto& [key, member] : kCounts) json[key] = ending.*member;
-  return json;
-}
-
-RunRecord::File readFile(const JsonCursor& cursor) {
-  cursor.allowOnly({"path", "sha256"});
-  return {cursor.at("path").nonEmptyText(), cursor.at("sha256").text()};
-}
-
-ParameterId readParameterId(const JsonCursor& cursor, const std::string& key) {
-  const std::optional<ParameterId> id = parameterByKey(key);
-  if (!id) cursor.fail("there is no parameter '" + key + "'");
+ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
+  const auto id = parameterByKey(key);
+  if (!id) at.fail("names the unknown parameter '" + key + "'");
   return *id;
 }
 
-RunRecord::Ending readEnding(const JsonCursor& cursor) {
-  cursor.allowOnly({"status", "steps", "iterations", "nodes", "edges", "random_configurations",
-                    "operator_configurations", "contact_configurations"});
-  RunRecord::Ending ending;
-  ending.status = cursor.at("status").text();
-  for (const auto& [key, member] : kCounts) ending.*member = cursor.at(key).wholeNumber();
-  return ending;
-}
-
-/// The step of an entry, which may not be before that of the entry before it.
-std::uint64_t readStep(const JsonCursor& cursor, std::uint64_t earliest) {
-  const std::uint64_t step = cursor.wholeNumber();
-  if (step < earliest) cursor.fail("this step comes before the one above");
-  return step;
-}
-
-RunRecord readRecord(const JsonCursor& root) {
-  root.allowOnly({"format", "version", "program", "scenario", "assets", "planner", "seed", "parameters",
-                  "parameter_changes", "operator_stream", "ending"});
-  if (root.at("format").text() != kFormat) root.at("format").fail("this is not a run record");
-  if (root.at("version").wholeNumber() != kFormatVersion) {
-    root.at("version").fail("this version is not known", "Update Glissade.");
-  }
+RunRecord read(const JsonCursor& root) {
+  root.allowOnly({"format", "version", "program", "scenario", "scenario_sha256", "planner", "seed", "parameters",
+                  "parameter_changes", "had_operator", "operator_stream", "nodes"});
+  if (root.at("format").text() != "glissade-run") root.at("format").fail("is not \"glissade-run\"");
+  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
   RunRecord record;
-  record.program = root.at("program").text();
-  record.scenario = readFile(root.at("scenario"));
-  for (const JsonCursor& asset : root.at("assets").elements()) record.assets.push_back(readFile(asset));
+  record.scenario = root.at("scenario").text();
+  record.scenarioSha256 = root.at("scenario_sha256").text();
   record.planner = root.at("planner").nonEmptyText();
   record.seed = root.at("seed").wholeNumber();
-  for (const auto& [key, value] : root.at("parameters").members()) {
-    record.parameters[readParameterId(value, key)] = value.number();
+  record.nodes = root.at("nodes").wholeNumber();
+  record.hadOperator = root.at("had_operator").boolean();
+  const JsonCursor parameters = root.at("parameters");
+  for (const auto& item : parameters.json().items()) {
+    const JsonCursor at = parameters.at(item.key());
+    record.parameters[readParameterId(at, item.key())] = at.number();
   }
-  std::uint64_t step = 0;
-  for (const JsonCursor& change : root.at("parameter_changes").elements()) {
-    change.allowOnly({"step", "parameter", "value"});
-    step = readStep(change.at("step"), step);
-    const JsonCursor parameter = change.at("parameter");
-    record.changes.push_back({step, readParameterId(parameter, parameter.text()), change.at("value").number()});
+  const JsonCursor changes = root.at("parameter_changes");
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const JsonCursor at = changes.element(i);
+    at.allowOnly({"step", "parameter", "value"});
+    record.parameterChanges.push_back({at.at("step").wholeNumber(),
+                                       readParameterId(at.at("parameter"), at.at("parameter").text()),
+                                       at.at("value").number()});
   }
-  step = 0;
-  for (const JsonCursor& entry : root.at("operator_stream").elements()) {
-    entry.allowOnly({"step", "q_device"});
-    step = readStep(entry.at("step"), step);
-    record.operatorStream.push_back({step, entry.at("q_device").row()});
+  const JsonCursor stream = root.at("operator_stream");
+  for (std::size_t i = 0; i < stream.size(); ++i) {
+    const JsonCursor at = stream.element(i);
+    at.allowOnly({"step", "q"});
+    record.operatorStream.push_back({at.at("step").wholeNumber(), at.at("q").pose()});
   }
-  record.ending = readEnding(root.at("ending"));
   return record;
 }
 
 }  // namespace
 
-std::string writeRunRecord(const RunRecord& record) {
-  Json json{{"format", kFormat},
-            {"version", kFormatVersion},
-            {"program", record.program},
-            {"scenario", toJson(record.scenario)},
-            {"assets", Json::array()},
-            {"planner", record.planner},
-            {"seed", record.seed},
-            {"parameters", Json::object()},
-            {"parameter_changes", Json::array()},
-            {"operator_stream", Json::array()},
-            {"ending", toJson(record.ending)}};
-  for (const RunRecord::File& asset : record.assets) json["assets"].push_back(toJson(asset));
-  for (const auto& [id, value] : record.parameters) json["parameters"][keyOf(id)] = value;
-  for (const auto& [step, id, value] : record.changes) {
-    json["parameter_changes"].push_back({{"step", step}, {"parameter", keyOf(id)}, {"value", value}});
+Outcome writeRunRecord(const RunRecord& record, const std::string& file) {
+  Json json;
+  json["format"] = "glissade-run";
+  json["version"] = 1;
+  json["program"] = std::string("Glissade ") + kVersion;
+  json["scenario"] = record.scenario;
+  json["scenario_sha256"] = record.scenarioSha256;
+  json["planner"] = record.planner;
+  json["seed"] = record.seed;
+  json["parameters"] = Json::object();
+  for (const auto& [id, value] : record.parameters) json["parameters"][std::string(specOf(id).key)] = value;
+  json["parameter_changes"] = Json::array();
+  for (const auto& change : record.parameterChanges) {
+    json["parameter_changes"].push_back(
+        {{"step", change.step}, {"parameter", std::string(specOf(change.id).key)}, {"value", change.value}});
   }
-  for (const auto& [step, q_device] : record.operatorStream) {
-    json["operator_stream"].push_back({{"step", step}, {"q_device", toRow(q_device)}});
+  json["had_operator"] = record.hadOperator;
+  json["nodes"] = record.nodes;
+  json["operator_stream"] = Json::array();
+  for (const auto& entry : record.operatorStream) {
+    json["operator_stream"].push_back({{"step", entry.step}, {"q", toJson(entry.q_device)}});
   }
-  return canonicalText(json);
+  return writeFileAtomically(file, json.dump(1) + "\n");
 }
 
-Result<RunRecord> parseRunRecord(const std::string& text, const std::string& file) {
-  const Result<Json> document = parseJson(text, file);
+Result<RunRecord> readRunRecord(const std::string& file) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return text.error();
+  const auto document = parseJson(*text, file);
   if (!document) return document.error();
   try {
-    return readRecord(JsonCursor(*document));
-  } catch (const JsonFailure& failure) {
-    Diagnostic diagnostic = failure.diagnostic;
-    diagnostic.file = file;
-    return diagnostic;
+    return read(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
   }
-}
-
-Outcome saveRunRecord(const RunRecord& record, const std::string& file) {
-  return writeFileAtomically(file, writeRunRecord(record));
-}
-
-Result<RunRecord> loadRunRecord(const std::string& file) {
-  const Result<std::string> text = readInputFile(file, kLargestRecord);
-  if (!text) return text.error();
-  return parseRunRecord(*text, file);
 }
 
 }  // namespace glissade

@@ -15,7 +15,7 @@ Result<Scenario> parseScenario(const std::string& text, const std::string& file)
 std::string writeScenario(const Scenario& scenario);
 
 /// Reads a scenario file or an OMPL.app .cfg (by its ending), imports all geometry, checks it, and
-/// builds the problem. Start and goal in collision are NOT checked here (see checkStartAndGoal).
+/// builds the problem. Start and goal in collision are not errors here: a session says so at its start.
 Result<LoadedScenario> loadScenario(const std::string& file);
 
 /// Loads geometry for a scenario value whose assets are relative to `folder`.

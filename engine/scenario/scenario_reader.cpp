@@ -1,190 +1,194 @@
+#include <array>
 #include <set>
 
-#include "engine/import/input_file.h"
-#include "engine/scenario/json_cursor.h"
+#include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_io.h"
-#include "engine/scenario/scenario_migrations.h"
 
 namespace glissade {
 namespace {
 
-/// Ids of assets or of bodies met so far.
-using Ids = std::set<std::string>;
+constexpr const char* kFormat = "glissade-scenario";
+constexpr std::uint64_t kVersion = 1;
 
-std::string readNewId(const JsonCursor& cursor, Ids& known) {
-  const std::string id = cursor.nonEmptyText();
-  if (id.find('/') != std::string::npos) cursor.fail("an id holds a '/'", "That is kept for the links of URDF files.");
-  if (!known.insert(id).second) cursor.fail("the id '" + id + "' is there twice", "Give each its own id.");
-  return id;
+using Json = JsonCursor::Json;
+
+/// Brings a document one version up; entry i migrates version i + 1. Version 1 is the first: empty.
+using Migration = void (*)(Json&);
+constexpr std::array<Migration, kVersion - 1> kMigrations{};
+
+Colour readColour(const JsonCursor& at) {
+  const Vector3 v = at.vector();
+  if (v.minCoeff() < 0.0 || v.maxCoeff() > 1.0) at.fail("is not a colour: three numbers from 0 to 1");
+  return {v.x(), v.y(), v.z()};
 }
 
-Asset readAsset(const JsonCursor& cursor, Ids& known) {
-  cursor.allowOnly({"id", "path", "sha256", "unit", "up"});
+Asset readAsset(const JsonCursor& at) {
+  at.allowOnly({"id", "path", "sha256", "unit", "up_axis"});
   Asset asset;
-  asset.id = readNewId(cursor.at("id"), known);
-  const JsonCursor path = cursor.at("path");
-  asset.path = path.nonEmptyText();
-  if (!isRelativeInside(asset.path)) {
-    path.fail("'" + asset.path + "' leaves the scenario's folder", "Give a path below it, with '/' between its parts.");
+  asset.id = at.at("id").nonEmptyText();
+  asset.path = at.at("path").nonEmptyText();
+  if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
+  if (const auto unit = at.find("unit")) asset.unit = unit->positiveNumber();
+  if (const auto up = at.find("up_axis")) {
+    const std::string axis = up->text();
+    if (axis != "y" && axis != "z") up->fail("is neither \"y\" nor \"z\"");
+    asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
   }
-  if (const auto hash = cursor.find("sha256")) {
-    asset.sha256 = hash->text();
-    const bool digits = asset.sha256.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (!digits || asset.sha256.size() != 64) hash->fail("this is not 64 lower-case hexadecimal digits");
-  }
-  if (const auto unit = cursor.find("unit")) asset.interpretation.unit = unit->positiveNumber();
-  if (const auto up = cursor.find("up")) asset.interpretation.up = up->oneOf({"y", "z"}) == 0 ? UpAxis::Y : UpAxis::Z;
   return asset;
 }
 
-std::string readAssetId(const JsonCursor& cursor, const Ids& assets) {
-  const std::string id = cursor.text();
-  if (assets.count(id) == 0) cursor.fail("there is no asset '" + id + "'", "Add it to the assets.");
-  return id;
+/// Exactly one of {"mesh": asset}, {"urdf": asset}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
+Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"mesh", "urdf", "box", "cylinder", "sphere"});
+  if (at.json().size() != 1) at.fail("does not name exactly one shape");
+  const auto assetOf = [&](const JsonCursor& name) {
+    const std::string id = name.text();
+    if (assets.count(id) == 0) name.fail("names the asset '" + id + "', which is not in /assets", "Add the asset.");
+    return id;
+  };
+  if (const auto mesh = at.find("mesh")) return MeshGeometry{assetOf(*mesh)};
+  if (const auto urdf = at.find("urdf")) return UrdfGeometry{assetOf(*urdf)};
+  if (const auto box = at.find("box")) {
+    const Vector3 size = box->vector();
+    if (size.minCoeff() <= 0.0) box->fail("has a size that is not above zero");
+    return BoxGeometry{size};
+  }
+  if (const auto cylinder = at.find("cylinder")) {
+    cylinder->allowOnly({"radius", "length"});
+    return CylinderGeometry{cylinder->at("radius").positiveNumber(), cylinder->at("length").positiveNumber()};
+  }
+  const JsonCursor sphere = at.at("sphere");
+  sphere.allowOnly({"radius"});
+  return SphereGeometry{sphere.at("radius").positiveNumber()};
 }
 
-Geometry readGeometry(const JsonCursor& cursor, const Ids& assets) {
-  const JsonCursor type = cursor.at("type");
-  switch (type.oneOf({"mesh", "urdf", "box", "cylinder", "sphere"})) {
-    case 0: cursor.allowOnly({"type", "asset"}); return MeshGeometry{readAssetId(cursor.at("asset"), assets)};
-    case 1: cursor.allowOnly({"type", "asset"}); return UrdfGeometry{readAssetId(cursor.at("asset"), assets)};
-    case 2: {
-      cursor.allowOnly({"type", "size"});
-      for (const JsonCursor& edge : cursor.at("size").elements(3)) edge.positiveNumber();
-      return BoxGeometry{cursor.at("size").vector()};
+std::map<std::string, AttributeValue> readAttributes(const std::optional<JsonCursor>& at) {
+  std::map<std::string, AttributeValue> attributes;
+  if (!at) return attributes;
+  for (const auto& item : at->json().items()) {
+    const JsonCursor value = at->at(item.key());
+    if (value.json().is_boolean()) {
+      attributes[item.key()] = value.boolean();
+    } else if (value.isString()) {
+      attributes[item.key()] = value.text();
+    } else {
+      attributes[item.key()] = value.number();
     }
-    case 3:
-      cursor.allowOnly({"type", "radius", "length"});
-      return CylinderGeometry{cursor.at("radius").positiveNumber(), cursor.at("length").positiveNumber()};
-    default: cursor.allowOnly({"type", "radius"}); return SphereGeometry{cursor.at("radius").positiveNumber()};
   }
+  return attributes;
 }
 
-Colour readColour(const JsonCursor& cursor) {
-  Colour colour{};
-  const std::vector<JsonCursor> parts = cursor.elements(3);
-  for (std::size_t i = 0; i < 3; ++i) {
-    colour[i] = parts[i].number();
-    if (colour[i] < 0.0 || colour[i] > 1.0) parts[i].fail("this is not between 0 and 1");
-  }
-  return colour;
-}
-
-AttributeValue readAttribute(const JsonCursor& cursor) {
-  if (cursor.json().is_boolean()) return cursor.boolean();
-  if (cursor.json().is_number()) return cursor.number();
-  if (cursor.json().is_string()) return cursor.text();
-  cursor.fail("an attribute is a truth value, a number or a text");
-}
-
-template <class Described>
-void readCommon(const JsonCursor& cursor, const Ids& assets, Described& described) {
-  if (const auto name = cursor.find("name")) described.name = name->text();
-  described.geometry = readGeometry(cursor.at("geometry"), assets);
-  if (const auto colour = cursor.find("colour")) described.colour = readColour(*colour);
-  if (const auto attributes = cursor.find("attributes")) {
-    for (const auto& [key, value] : attributes->members()) described.attributes[key] = readAttribute(value);
-  }
-}
-
-BodyDescription readBody(const JsonCursor& cursor, const Ids& assets, Ids& bodies) {
-  cursor.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
+BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"id", "name", "mobility", "geometry", "pose", "colour", "attributes"});
   BodyDescription body;
-  body.id = readNewId(cursor.at("id"), bodies);
-  readCommon(cursor, assets, body);
-  if (const auto mobility = cursor.find("mobility")) {
-    body.mobility = mobility->oneOf({"static", "mobile"}) == 0 ? Mobility::Static : Mobility::Mobile;
+  body.id = at.at("id").nonEmptyText();
+  body.name = at.has("name") ? at.at("name").text() : body.id;
+  if (const auto mobility = at.find("mobility")) {
+    const std::string value = mobility->text();
+    if (value != "static" && value != "mobile") mobility->fail("is neither \"static\" nor \"mobile\"");
+    body.mobility = value == "mobile" ? Mobility::Mobile : Mobility::Static;
   }
-  if (const auto pose = cursor.find("pose")) body.pose = pose->pose();
+  body.geometry = readGeometry(at.at("geometry"), assets);
+  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  if (const auto colour = at.find("colour")) body.colour = readColour(*colour);
+  body.attributes = readAttributes(at.find("attributes"));
   return body;
 }
 
-ObjectDescription readObject(const JsonCursor& cursor, const Ids& assets, Ids& bodies) {
-  cursor.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "colour", "attributes"});
+ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& assets) {
+  at.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "colour", "attributes"});
   ObjectDescription object;
-  object.id = readNewId(cursor.at("id"), bodies);
-  readCommon(cursor, assets, object);
-  if (const auto centre = cursor.find("centre_on_vertex_mean")) {
-    object.centreOnVertexMean = centre->boolean();
-    const bool mesh = std::holds_alternative<MeshGeometry>(object.geometry);
-    if (object.centreOnVertexMean && !mesh) centre->fail("only a mesh file can be centred on its vertices");
-  }
+  object.id = at.at("id").nonEmptyText();
+  object.name = at.has("name") ? at.at("name").text() : object.id;
+  object.geometry = readGeometry(at.at("geometry"), assets);
+  if (const auto centre = at.find("centre_on_vertex_mean")) object.centreOnVertexMean = centre->boolean();
+  if (const auto colour = at.find("colour")) object.colour = readColour(*colour);
+  object.attributes = readAttributes(at.find("attributes"));
   return object;
 }
 
-Goal readGoal(const JsonCursor& cursor) {
-  if (!cursor.json().is_string()) return cursor.pose();
-  cursor.oneOf({"out"});
+Goal readGoal(const JsonCursor& at) {
+  if (!at.isString()) return at.pose();
+  if (at.text() != "out") at.fail("is neither a configuration nor \"out\"");
   return GoalOut{};
 }
 
-Box3 readWorkspace(const JsonCursor& cursor) {
-  cursor.allowOnly({"min", "max"});
-  const Box3 box(cursor.at("min").vector(), cursor.at("max").vector());
-  if (!(box.min().array() < box.max().array()).all()) cursor.fail("'min' is not below 'max' on every axis");
+Box3 readWorkspace(const JsonCursor& at) {
+  at.allowOnly({"min", "max"});
+  const Box3 box(at.at("min").vector(), at.at("max").vector());
+  if (box.isEmpty()) at.fail("has a minimum above its maximum");
   return box;
 }
 
-std::map<ParameterId, double> readParameters(const JsonCursor& cursor) {
-  std::map<ParameterId, double> parameters;
-  for (const auto& [key, value] : cursor.members()) {
-    const std::optional<ParameterId> id = parameterByKey(key);
-    if (!id) value.fail("there is no parameter '" + key + "'", "See the parameters in the manual.");
-    parameters[*id] = value.number();
+std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at) {
+  std::map<ParameterId, double> values;
+  if (!at) return values;
+  for (const auto& item : at->json().items()) {
+    const auto id = parameterByKey(item.key());
+    if (!id) at->at(item.key()).fail("is not a parameter", "Remove it, or see 'glissade-cli plan --help'.");
+    values[*id] = at->at(item.key()).number();
   }
-  return parameters;
+  return values;
 }
 
-void requireInside(const JsonCursor& cursor, const Pose& pose, const Box3& workspace) {
-  if (!workspace.contains(pose.position)) {
-    cursor.fail("this configuration is outside the workspace", "Enlarge the workspace or move the configuration.");
-  }
+void refuseTwice(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
+  if (!seen.insert(id).second) at.fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
 }
 
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format", "version", "name", "description", "assets", "bodies", "object", "start", "goal",
                   "workspace", "way_points", "planner", "parameters", "seed"});
   Scenario scenario;
-  Ids assets;
-  Ids bodies;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
-  if (const auto list = root.find("assets")) {
-    for (const JsonCursor& asset : list->elements()) scenario.assets.push_back(readAsset(asset, assets));
+  std::set<std::string> assets;
+  const auto assetList = root.find("assets");
+  for (std::size_t i = 0; assetList && i < assetList->size(); ++i) {
+    scenario.assets.push_back(readAsset(assetList->element(i)));
+    refuseTwice(assets, scenario.assets.back().id, assetList->element(i));
   }
-  if (const auto list = root.find("bodies")) {
-    for (const JsonCursor& body : list->elements()) scenario.bodies.push_back(readBody(body, assets, bodies));
+  std::set<std::string> bodies;
+  const JsonCursor bodyList = root.at("bodies");
+  for (std::size_t i = 0; i < bodyList.size(); ++i) {
+    scenario.bodies.push_back(readBody(bodyList.element(i), assets));
+    refuseTwice(bodies, scenario.bodies.back().id, bodyList.element(i));
   }
-  scenario.object = readObject(root.at("object"), assets, bodies);
-  scenario.workspace = readWorkspace(root.at("workspace"));
+  scenario.object = readObject(root.at("object"), assets);
   scenario.start = root.at("start").pose();
-  requireInside(root.at("start"), scenario.start, scenario.workspace);
   scenario.goal = readGoal(root.at("goal"));
-  if (const Pose* goal = std::get_if<Pose>(&scenario.goal)) requireInside(root.at("goal"), *goal, scenario.workspace);
-  if (const auto list = root.find("way_points")) {
-    for (const JsonCursor& wayPoint : list->elements()) {
-      scenario.wayPoints.push_back(wayPoint.pose());
-      requireInside(wayPoint, scenario.wayPoints.back(), scenario.workspace);
-    }
+  scenario.workspace = readWorkspace(root.at("workspace"));
+  const auto wayPoints = root.find("way_points");
+  for (std::size_t i = 0; wayPoints && i < wayPoints->size(); ++i) {
+    scenario.wayPoints.push_back(wayPoints->element(i).pose());
   }
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
-  if (const auto parameters = root.find("parameters")) scenario.parameters = readParameters(*parameters);
+  scenario.parameters = readParameters(root.find("parameters"));
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   return scenario;
+}
+
+std::uint64_t readVersion(const JsonCursor& root) {
+  if (root.at("format").text() != kFormat) root.at("format").fail("is not \"" + std::string(kFormat) + "\"");
+  const JsonCursor at = root.at("version");
+  const std::uint64_t version = at.wholeNumber();
+  if (version < 1 || version > kVersion) {
+    at.fail("is version " + std::to_string(version) + "; this program reads up to version " + std::to_string(kVersion),
+            "Use a newer Glissade.");
+  }
+  return version;
 }
 
 }  // namespace
 
 Result<Scenario> parseScenario(const std::string& text, const std::string& file) {
-  Result<Json> document = parseJson(text, file);
+  auto document = parseJson(text, file);
   if (!document) return document.error();
   try {
-    migrateScenario(*document);
-    return readScenario(JsonCursor(*document));
-  } catch (const JsonFailure& failure) {
-    Diagnostic diagnostic = failure.diagnostic;
-    diagnostic.file = file;
-    return diagnostic;
+    const std::uint64_t version = readVersion(JsonCursor(*document, file, ""));
+    for (std::size_t v = version - 1; v < kMigrations.size(); ++v) kMigrations[v](*document);
+    return readScenario(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
   }
 }
 

@@ -1,83 +1,111 @@
-#include "engine/scenario/json_text.h"
-#include "engine/scenario/scenario_format.h"
+#include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
 namespace {
 
+using Json = JsonCursor::Json;
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
 Json toJson(const Asset& asset) {
-  Json json{{"id", asset.id}, {"path", asset.path}};
+  Json json;
+  json["id"] = asset.id;
+  json["path"] = asset.path;
   if (!asset.sha256.empty()) json["sha256"] = asset.sha256;
-  json["unit"] = asset.interpretation.unit;
-  json["up"] = asset.interpretation.up == UpAxis::Y ? "y" : "z";
+  json["unit"] = asset.unit;
+  json["up_axis"] = asset.up == UpAxis::Y ? "y" : "z";
   return json;
 }
 
-struct GeometryWriter {
-  Json operator()(const MeshGeometry& mesh) const { return {{"type", "mesh"}, {"asset", mesh.asset}}; }
-  Json operator()(const UrdfGeometry& urdf) const { return {{"type", "urdf"}, {"asset", urdf.asset}}; }
-  Json operator()(const BoxGeometry& box) const { return {{"type", "box"}, {"size", glissade::toJson(box.size)}}; }
-  Json operator()(const CylinderGeometry& cylinder) const {
-    return {{"type", "cylinder"}, {"radius", cylinder.radius}, {"length", cylinder.length}};
-  }
-  Json operator()(const SphereGeometry& sphere) const { return {{"type", "sphere"}, {"radius", sphere.radius}}; }
-};
+Json toJson(const Geometry& geometry) {
+  return std::visit(Overloaded{[](const MeshGeometry& mesh) -> Json {
+                                 return {{"mesh", mesh.asset}};
+                               },
+                               [](const UrdfGeometry& urdf) -> Json {
+                                 return {{"urdf", urdf.asset}};
+                               },
+                               [](const BoxGeometry& box) -> Json {
+                                 return {{"box", glissade::toJson(box.size)}};
+                               },
+                               [](const CylinderGeometry& cylinder) -> Json {
+                                 return {{"cylinder", {{"radius", cylinder.radius}, {"length", cylinder.length}}}};
+                               },
+                               [](const SphereGeometry& sphere) -> Json {
+                                 return {{"sphere", {{"radius", sphere.radius}}}};
+                               }},
+                    geometry);
+}
 
-/// What bodies and the object have alike, after their geometry.
-template <class Described>
-void addLooksAndMeaning(Json& json, const Described& described) {
-  if (described.colour) json["colour"] = *described.colour;
-  if (described.attributes.empty()) return;
-  Json& attributes = json["attributes"] = Json::object();
-  for (const auto& [key, value] : described.attributes) {
-    std::visit([&, name = key](const auto& content) { attributes[name] = content; }, value);
+Json toJson(const std::map<std::string, AttributeValue>& attributes) {
+  Json json = Json::object();
+  for (const auto& [key, value] : attributes) {
+    std::visit([&, name = key](const auto& typed) { json[name] = typed; }, value);
   }
+  return json;
+}
+
+void addAppearance(Json& json, const std::optional<Colour>& colour,
+                   const std::map<std::string, AttributeValue>& attributes) {
+  if (colour) json["colour"] = *colour;
+  if (!attributes.empty()) json["attributes"] = toJson(attributes);
 }
 
 Json toJson(const BodyDescription& body) {
-  Json json{{"id", body.id}};
-  if (!body.name.empty()) json["name"] = body.name;
-  json["mobility"] = body.mobility == Mobility::Mobile ? "mobile" : "static";
-  json["geometry"] = std::visit(GeometryWriter{}, body.geometry);
-  json["pose"] = toJson(body.pose);
-  addLooksAndMeaning(json, body);
+  Json json;
+  json["id"] = body.id;
+  json["name"] = body.name;
+  json["mobility"] = body.mobility == Mobility::Static ? "static" : "mobile";
+  json["geometry"] = toJson(body.geometry);
+  json["pose"] = glissade::toJson(body.pose);
+  addAppearance(json, body.colour, body.attributes);
   return json;
 }
 
 Json toJson(const ObjectDescription& object) {
-  Json json{{"id", object.id}};
-  if (!object.name.empty()) json["name"] = object.name;
-  json["geometry"] = std::visit(GeometryWriter{}, object.geometry);
+  Json json;
+  json["id"] = object.id;
+  json["name"] = object.name;
+  json["geometry"] = toJson(object.geometry);
   if (object.centreOnVertexMean) json["centre_on_vertex_mean"] = true;
-  addLooksAndMeaning(json, object);
+  addAppearance(json, object.colour, object.attributes);
   return json;
 }
 
-template <class Values>
-Json toList(const Values& values) {
-  Json list = Json::array();
-  for (const auto& value : values) list.push_back(toJson(value));
-  return list;
+template <class Range>
+Json listOf(const Range& range) {
+  Json json = Json::array();
+  for (const auto& item : range) json.push_back(toJson(item));
+  return json;
 }
 
 }  // namespace
 
 std::string writeScenario(const Scenario& scenario) {
-  Json json{{"format", scenario_format::kName}, {"version", scenario_format::kVersion}, {"name", scenario.name}};
-  if (!scenario.description.empty()) json["description"] = scenario.description;
-  json["assets"] = toList(scenario.assets);
-  json["bodies"] = toList(scenario.bodies);
+  Json json;
+  json["format"] = "glissade-scenario";
+  json["version"] = 1;
+  json["name"] = scenario.name;
+  json["description"] = scenario.description;
+  json["assets"] = listOf(scenario.assets);
+  json["bodies"] = listOf(scenario.bodies);
   json["object"] = toJson(scenario.object);
   json["start"] = toJson(scenario.start);
   const Pose* goal = std::get_if<Pose>(&scenario.goal);
-  json["goal"] = goal ? toJson(*goal) : Json("out");
-  json["workspace"] = {{"min", toJson(scenario.workspace.min())}, {"max", toJson(scenario.workspace.max())}};
-  if (!scenario.wayPoints.empty()) json["way_points"] = toList(scenario.wayPoints);
+  json["goal"] = goal != nullptr ? toJson(*goal) : Json("out");
+  json["workspace"] = {{"min", toJson(Vector3(scenario.workspace.min()))},
+                       {"max", toJson(Vector3(scenario.workspace.max()))}};
+  json["way_points"] = listOf(scenario.wayPoints);
   json["planner"] = scenario.planner;
   json["parameters"] = Json::object();
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   json["seed"] = scenario.seed;
-  return canonicalText(json);
+  return json.dump(2) + "\n";
 }
 
 }  // namespace glissade

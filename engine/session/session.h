@@ -9,6 +9,7 @@
 
 #include "engine/operator/operator_input.h"
 #include "engine/planning/planner.h"
+#include "engine/session/run_log.h"
 
 namespace glissade {
 
@@ -62,7 +63,8 @@ struct SessionSnapshot {
   bool deviceConnected = true;
   RoadmapChunks roadmap;
   std::vector<RoadmapEdge> droppedEdges;
-  std::shared_ptr<const Path> path;  ///< certified; null until solved
+  std::shared_ptr<const Path> path;   ///< certified; null until solved
+  std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 
@@ -100,8 +102,9 @@ std::unique_ptr<Session> makeThreadedSession(SessionConfig config);
 class LockstepSession : public Session {
  public:
   /// Carries out posted commands, then runs at most this many planner steps (fewer when the run
-  /// ends). While not planning, lets the operator move for the same time.
-  virtual void advance(std::uint64_t steps) = 0;
+  /// ends, or when asked to stop, also inside a long check). While not planning, lets the operator
+  /// move for the same time.
+  virtual void advance(std::uint64_t steps, const StopToken& stop = {}) = 0;
 };
 std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config);
 

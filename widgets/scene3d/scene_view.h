@@ -34,11 +34,15 @@ class SceneView {
 
   /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
   void setScenario(std::shared_ptr<const LoadedScenario> scenario);
+  /// Everything in view, direction kept.
+  void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.
   void setSnapshot(SnapshotPtr snapshot);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
   void setTheme(Theme theme);
+  /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
+  void setPixelScale(double scale);
   void setLayerVisible(SceneLayer layer, bool visible);
   bool layerVisible(SceneLayer layer) const;
 

@@ -1,0 +1,108 @@
+#include "app/cli/info_command.h"
+
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "engine/geometry/mesh_audit.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const Vector3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
+
+Json toJson(const Pose& pose) {
+  const Quaternion& q = pose.orientation;
+  return {{"position", toJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
+}
+
+Json toJson(const Box3& box) { return {{"min", toJson(box.min())}, {"max", toJson(box.max())}}; }
+
+Json toJson(const RigidBody& body) {
+  const MeshAudit result = audit(*body.mesh);
+  return {{"id", body.id},
+          {"name", body.name},
+          {"mobility", body.mobility == Mobility::Static ? "static" : "mobile"},
+          {"triangles", result.triangles},
+          {"closed", result.closed()},
+          {"open_edges", result.openEdges},
+          {"degenerate_triangles", result.degenerateTriangles},
+          {"components", result.components},
+          {"volume_m3", result.closed() ? number(std::abs(result.volume)) : Json(nullptr)},
+          {"box_W", toJson(boundingBox(*body.mesh, body.X_WB))}};
+}
+
+Json toJson(const Asset& asset) {
+  return {{"id", asset.id},
+          {"path", asset.path},
+          {"sha256", asset.sha256},
+          {"unit_m", asset.unit},
+          {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
+}
+
+void printBody(const RigidBody& body, const char* role) {
+  const MeshAudit result = audit(*body.mesh);
+  const Vector3 size = result.box.sizes();
+  std::cout << "  " << std::left << std::setw(24) << body.name << std::setw(8) << role << std::right << std::setw(8)
+            << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
+            << " x " << size.y() << " x " << size.z() << " m\n";
+}
+
+void printText(const LoadedScenario& loaded) {
+  const Scenario& scenario = loaded.scenario;
+  std::cout << scenario.name << "\n";
+  if (!scenario.description.empty()) std::cout << scenario.description << "\n";
+  std::cout << "\nbodies\n";
+  for (const RigidBody& body : loaded.obstacles) {
+    printBody(body, body.mobility == Mobility::Static ? "static" : "mobile");
+  }
+  printBody(loaded.object, "object");
+  const auto& min = loaded.problem.bounds.min();
+  const auto& max = loaded.problem.bounds.max();
+  std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
+            << min.z() << " ... " << max.z() << " m\n"
+            << "goal       " << (std::holds_alternative<GoalOut>(loaded.problem.goal) ? "out" : "a configuration")
+            << "\nplanner    " << scenario.planner << "\nseed       " << scenario.seed << "\n";
+  for (const ParameterSpec& spec : parameterTable()) {
+    std::cout << std::left << std::setw(20) << spec.key << loaded.parameters[spec.id] << " " << spec.unit << "\n";
+  }
+}
+
+}  // namespace
+
+int runInfo(const InfoOptions& options) {
+  const auto loaded = loadScenario(options.scenario);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  if (options.format == Format::Text) {
+    printText(*loaded);
+    return 0;
+  }
+  const Scenario& scenario = loaded->scenario;
+  Json report;
+  report["name"] = scenario.name;
+  report["description"] = scenario.description;
+  report["assets"] = Json::array();
+  for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
+  report["bodies"] = Json::array();
+  for (const RigidBody& body : loaded->obstacles) report["bodies"].push_back(toJson(body));
+  report["object"] = toJson(loaded->object);
+  report["object"]["radius_m"] = loaded->problem.world->objectRadius();
+  report["workspace"] = toJson(loaded->problem.bounds);
+  report["start"] = toJson(loaded->problem.start);
+  const Pose* goal = std::get_if<Pose>(&loaded->problem.goal);
+  report["goal"] = goal != nullptr ? toJson(*goal) : Json("out");
+  report["way_points"] = scenario.wayPoints.size();
+  report["planner"] = scenario.planner;
+  report["seed"] = scenario.seed;
+  for (const ParameterSpec& spec : parameterTable()) {
+    report["parameters"][std::string(spec.key)] = loaded->parameters[spec.id];
+  }
+  std::cout << report.dump(2) << "\n";
+  return 0;
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,113 @@
+// glissade-cli: everything that needs no window. Links no Qt.
+#include <glissade/version.h>
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "app/cli/check_command.h"
+#include "app/cli/convert_command.h"
+#include "app/cli/info_command.h"
+#include "app/cli/plan_command.h"
+
+namespace {
+
+using namespace glissade;
+using namespace glissade::cli;
+
+void addFormat(CLI::App& command, Format& format) {
+  command.add_flag_callback(
+      "--json", [&format] { format = Format::Json; }, "One JSON object on standard output and nothing else");
+}
+
+std::string plannerNames() {
+  std::string names;
+  const PlannerRegistry registry = makePlannerRegistry();
+  for (const PlannerEntry& entry : registry.entries()) names += (names.empty() ? "" : ", ") + entry.id;
+  return names;
+}
+
+/// One option for every row of the parameter table. Ranges are checked when the object's size is known.
+void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
+  for (const ParameterSpec& spec : parameterTable()) {
+    const std::string help = std::string(spec.help) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
+    command.add_option_function<double>(
+        std::string(spec.option), [&values, id = spec.id](const double& value) { values[id] = value; }, help);
+  }
+}
+
+CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
+  CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
+  plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
+  plan->add_option("--operator", options.operatorName,
+                   "Who holds the device: none, novice, default, expert or replay:FILE");
+  addParameters(*plan, options.parameters);
+  plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
+  plan->add_option("--out", options.out, "Write the path: .csv, .json or OMPL's .path");
+  plan->add_option("--record", options.record, "Write a run record for replay");
+  addFormat(*plan, options.format);
+  return plan;
+}
+
+CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
+  CLI::App* check = app.add_subcommand("check", "Certify any path independently");
+  check->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  check->add_option("PATH", options.path, "Path: .csv, .json or OMPL's .path")->required();
+  check->add_option(std::string(specOf(ParameterId::RequiredClearance).option), options.requiredClearance,
+                    "Clearance to prove [m] (default: the scenario's)");
+  addFormat(*check, options.format);
+  return check;
+}
+
+CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
+  CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and what the meshes are worth");
+  info->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  addFormat(*info, options.format);
+  return info;
+}
+
+CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
+  CLI::App* convert = app.add_subcommand("convert", "OMPL.app .cfg to a scenario, or a path to another format");
+  convert->add_option("IN", options.input, "What to read")->required();
+  convert->add_option("OUT", options.output, "What to write")->required();
+  convert->add_option("--scenario", options.scenario, "Scenario of the path, for its clearances");
+  return convert;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Glissade: certified motions for virtual assembly"};
+  app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
+  app.require_subcommand(1);
+  PlanOptions plan;
+  CheckOptions check;
+  InfoOptions info;
+  ConvertOptions convert;
+  const CLI::App* planCommand = addPlan(app, plan);
+  const CLI::App* checkCommand = addCheck(app, check);
+  const CLI::App* infoCommand = addInfo(app, info);
+  addConvert(app, convert);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exitCode(ErrorKind::Usage);
+  }
+  if (planCommand->parsed()) return runPlan(plan);
+  if (checkCommand->parsed()) return runCheck(check);
+  if (infoCommand->parsed()) return runInfo(info);
+  return runConvert(convert);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "glissade-cli: internal error: " << error.what() << "\n";
+    return glissade::exitCode(glissade::ErrorKind::Internal);
+  }
+}

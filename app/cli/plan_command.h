@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/cli/report.h"
+
+namespace glissade::cli {
+
+struct PlanOptions {
+  std::string scenario;
+  std::optional<std::string> strategy;       ///< planner id; the scenario's where absent
+  std::string operatorName = "none";         ///< none, novice, default, expert or replay:FILE
+  std::map<ParameterId, double> parameters;  ///< what overrides the scenario's
+  std::optional<std::uint64_t> seed;
+  std::string out;     ///< path file to write: .csv, .json or .path; empty: none
+  std::string record;  ///< run record to write; empty: none
+  Format format = Format::Text;
+};
+
+/// glissade-cli plan: plans in lockstep and delivers a certified path. Exit code 0 solved, 5 limit
+/// reached, 4 start or goal in collision, 130 interrupted.
+int runPlan(const PlanOptions& options);
+
+}  // namespace glissade::cli

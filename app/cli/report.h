@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "engine/base/diagnostic.h"
+#include "engine/collision/motion_certificate.h"
+#include "engine/scenario/scenario.h"
+#include "engine/session/session.h"
+
+namespace glissade::cli {
+
+/// How a command speaks: for people, or one JSON object on stdout and nothing else.
+enum class Format { Text, Json };
+
+/// Prints the error to stderr (and as JSON to stdout) and returns the exit code that goes with it.
+int reportError(const Diagnostic& error, Format format);
+void reportWarnings(const Warnings& warnings);
+
+/// Number of a JSON report; null where it is not finite.
+nlohmann::ordered_json number(double value);
+nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world);
+nlohmann::ordered_json toJson(const Diagnostic& error);
+
+/// "certified, 1.5 mm to wall_L1" and the like.
+std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);
+const char* name(CertificateStatus status);
+
+}  // namespace glissade::cli

@@ -1,0 +1,140 @@
+#include "app/cli/run_output.h"
+
+#include <glissade/version.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/file.h"
+#include "engine/scenario/path_io.h"
+#include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string status(const SessionSnapshot& end) {
+  if (end.state == SessionState::Solved) return "solved";
+  if (end.state == SessionState::Stopped) return "interrupted";
+  switch (end.problem ? end.problem->kind : ErrorKind::Internal) {
+    case ErrorKind::LimitReached: return "limit-reached";
+    case ErrorKind::InCollision: return "in-collision";
+    case ErrorKind::Usage:
+    case ErrorKind::MalformedInput: return "malformed";
+    default: return "error";
+  }
+}
+
+Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
+  const PlannerCounts& counts = end.counts;
+  Json report;
+  report["solved"] = end.state == SessionState::Solved;
+  report["status"] = status(end);
+  report["strategy"] = end.plannerId;
+  report["wall_s"] = end.planningSeconds;
+  report["planning_s"] = end.planningSeconds;
+  report["virtual_s"] = end.virtualSeconds;
+  report["nodes"] = counts.nodes;
+  report["edges"] = counts.edges;
+  report["dropped_edges"] = counts.droppedEdges;
+  report["iterations"] = counts.iterations;
+  report["steps"] = counts.steps;
+  report["random_configurations"] = counts.randomConfigurations;
+  report["operator_configurations"] = counts.operatorConfigurations;
+  report["contact_configurations"] = counts.contactConfigurations;
+  report["collision_queries"] = counts.queries.collision;
+  report["distance_queries"] = counts.queries.distance;
+  if (end.path) {
+    report["path"] = {{"configurations", end.path->points.size()},
+                      {"length_m", end.path->length()},
+                      {"rotation_rad", end.path->rotation()}};
+    report["certificate"] = cli::toJson(end.path->certificate, world);
+  } else {
+    report["path"] = nullptr;
+    report["certificate"] = nullptr;
+  }
+  for (const ParameterSpec& spec : parameterTable()) {
+    report["parameters"][std::string(spec.key)] = end.parameters[spec.id];
+  }
+  report["seed"] = end.seed;
+  report["version"] = kVersion;
+  if (end.problem) report["error"] = cli::toJson(*end.problem);
+  return report;
+}
+
+void printText(const SessionSnapshot& end, const CollisionWorld& world) {
+  const PlannerCounts& counts = end.counts;
+  std::cout << status(end) << " by " << end.plannerId << " after " << counts.steps << " steps (" << end.virtualSeconds
+            << " s virtual, " << end.planningSeconds << " s of planning)\n"
+            << "nodes " << counts.nodes << ", edges " << counts.edges << ", configurations: random "
+            << counts.randomConfigurations << ", operator " << counts.operatorConfigurations << ", contact "
+            << counts.contactConfigurations << "\n";
+  if (!end.path) return;
+  std::cout << "path of " << end.path->points.size() << " configurations, " << end.path->length() << " m, "
+            << end.path->rotation() << " rad\n"
+            << inWords(end.path->certificate, world) << "\n";
+}
+
+int exitCodeOf(const SessionSnapshot& end) {
+  if (end.state == SessionState::Solved) return 0;
+  if (end.state == SessionState::Stopped) return exitCode(ErrorKind::Interrupted);
+  return exitCode(end.problem ? end.problem->kind : ErrorKind::Internal);
+}
+
+bool endsWith(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+Outcome writePath(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+  const Path& path = *end.path;
+  if (endsWith(options.out, ".json")) {
+    return writePathJson(path, scenario, {end.plannerId, end.seed}, options.out);
+  }
+  if (endsWith(options.out, ".path")) return writePathOmpl(path, options.out);
+  return writePathCsv(path, scenario, options.out);
+}
+
+Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+  RunRecord record;
+  record.scenario = options.scenario;
+  record.scenarioSha256 = sha256(writeScenario(scenario.scenario));
+  record.planner = end.plannerId;
+  record.seed = end.seed;
+  record.hadOperator = options.operatorName != "none";
+  record.nodes = end.counts.nodes;
+  if (end.log) {
+    for (const ParameterSpec& spec : parameterTable()) {
+      record.parameters[spec.id] = end.log->initialParameters[spec.id];
+    }
+    for (const auto& change : end.log->parameterChanges) {
+      record.parameterChanges.push_back({change.step, change.id, change.value});
+    }
+    for (const auto& seen : end.log->operatorStream) record.operatorStream.push_back({seen.step, seen.q_device});
+  }
+  return writeRunRecord(record, options.record);
+}
+
+}  // namespace
+
+int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+  Outcome written = Done{};
+  if (end.path && !options.out.empty()) written = writePath(options, scenario, end);
+  if (written && !options.record.empty()) written = writeRecord(options, scenario, end);
+
+  const CollisionWorld& world = *scenario.problem.world;
+  if (options.format == Format::Json) {
+    std::cout << toJson(end, world).dump(2) << "\n";
+  } else {
+    printText(end, world);
+  }
+  if (end.problem) std::cerr << "glissade-cli: " << toString(*end.problem) << "\n";
+  if (!written) {
+    std::cerr << "glissade-cli: " << toString(written.error()) << "\n";
+    return exitCode(written.error().kind);
+  }
+  return exitCodeOf(end);
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/cli/plan_command.h"
+
+namespace glissade::cli {
+
+/// Writes path and record as asked for, reports the run, and returns the process's exit code.
+int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end);
+
+}  // namespace glissade::cli

@@ -1,0 +1,39 @@
+// glissade: the workbench on screen. Links no OSMesa; --offscreen starts the sibling that does.
+#include <unistd.h>
+
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include "app/window/application.h"
+#include "engine/base/diagnostic.h"
+
+namespace {
+
+bool wantsOffscreen(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--offscreen") == 0) return true;
+  }
+  return false;
+}
+
+int startSibling(char** argv) {
+  const auto sibling = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "glissade-offscreen";
+  execv(sibling.c_str(), argv);
+  std::cerr << "glissade: " << sibling.string() << " cannot be started: " << std::strerror(errno) << "\n";
+  return glissade::exitCode(glissade::ErrorKind::Internal);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  glissade::prepareProcess();
+  try {
+    if (wantsOffscreen(argc, argv)) return startSibling(argv);
+    return glissade::runApplication(argc, argv, glissade::makeOnscreenSceneWidget, glissade::SessionClock::RealTime);
+  } catch (const std::exception& error) {
+    std::cerr << "glissade: internal error: " << error.what() << "\n";
+    return glissade::exitCode(glissade::ErrorKind::Internal);
+  }
+}

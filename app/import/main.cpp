@@ -1,0 +1,14 @@
+// glissade-import: reads one mesh from standard input and writes plain arrays to standard output.
+// Runs with little memory and time and cannot open a file, so that a malformed mesh can do no harm.
+// usage: glissade-import ENDING < FILE
+#include <iostream>
+
+#include "engine/import/confined_import.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: glissade-import ENDING < FILE\n";
+    return 2;
+  }
+  return glissade::confinedImport(argv[1]);
+}

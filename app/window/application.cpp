@@ -1,0 +1,173 @@
+#include "app/window/application.h"
+
+#include <glissade/version.h>
+#include <signal.h>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QTranslator>
+
+#include <clocale>
+#include <iostream>
+
+#include "app/window/main_window.h"
+#include "app/window/script_runner.h"
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+
+namespace glissade {
+namespace {
+
+/// Small enough for three docks at 1280 x 720.
+constexpr double kFontPoints = 9.0;
+constexpr std::size_t kMostScriptBytes = 1U << 20;
+
+int fail(const Diagnostic& why) {
+  std::cerr << "glissade: " << toString(why) << "\n";
+  return exitCode(why.kind);
+}
+
+int failUsage(const std::string& option, const std::string& reason, const std::string& advice) {
+  return fail({ErrorKind::Usage, "", option, reason, advice});
+}
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
+
+/// "--alpha" as QCommandLineParser wants it: "alpha".
+QString optionName(const ParameterSpec& spec) { return text(spec.option).mid(2); }
+
+void addOptions(QCommandLineParser& parser) {
+  parser.setApplicationDescription(QStringLiteral("Glissade: a workbench for virtual assembly"));
+  parser.addPositionalArgument(QStringLiteral("SCENARIO"), QStringLiteral("Scenario file or OMPL.app .cfg"),
+                               QStringLiteral("[SCENARIO]"));
+  parser.addOptions({
+      {"offscreen", "Run without a display"},
+      {"screenshot", "Save a picture of the whole window and leave", "FILE"},
+      {"size", "Size of the window in pixels", "WxH", "1280x720"},
+      {"script", "Carry out a script and leave", "FILE"},
+      {"theme", "light or dark", "THEME", "light"},
+      {"language", "en or fr", "LANGUAGE", "en"},
+      {"seed", "Seed of everything random", "SEED"},
+      {"help", "Show this help and leave"},
+      {"version", "Show the version and leave"},
+  });
+  for (const ParameterSpec& spec : parameterTable()) {
+    parser.addOption({optionName(spec), text(spec.help), QStringLiteral("VALUE")});
+  }
+}
+
+std::optional<QSize> parseSize(const QString& value) {
+  const QStringList parts = value.split(QLatin1Char('x'));
+  bool widthOk = false;
+  bool heightOk = false;
+  if (parts.size() != 2) return std::nullopt;
+  const QSize size(parts[0].toInt(&widthOk), parts[1].toInt(&heightOk));
+  const bool sensible = size.width() >= 320 && size.height() >= 240 && size.width() <= 8192 && size.height() <= 8192;
+  return widthOk && heightOk && sensible ? std::optional<QSize>(size) : std::nullopt;
+}
+
+/// Parameters and seed of the command line, over the scenario's.
+std::optional<Diagnostic> applyParameters(const QCommandLineParser& parser, MainWindow& window) {
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (!parser.isSet(optionName(spec))) continue;
+    const auto value = toNumber(parser.value(optionName(spec)).toStdString());
+    ParameterValues trial = window.bridge().snapshot()->parameters;
+    if (!value) return Diagnostic{ErrorKind::Usage, "", std::string(spec.option), "is not a number", "Give a number."};
+    const Outcome outcome = trial.set(spec.id, *value);
+    if (!outcome) return outcome.error();
+    window.bridge().post(command::SetParameter{spec.id, *value});
+  }
+  if (!parser.isSet(QStringLiteral("seed"))) return std::nullopt;
+  bool ok = false;
+  const qulonglong seed = parser.value(QStringLiteral("seed")).toULongLong(&ok);
+  if (!ok) return Diagnostic{ErrorKind::Usage, "", "--seed", "is not a whole number", "Give a number of 0 or more."};
+  window.bridge().post(command::SetSeed{seed});
+  return std::nullopt;
+}
+
+int runScript(const std::string& file, MainWindow& window) {
+  const auto script = readFile(file, kMostScriptBytes);
+  if (!script) return fail(script.error());
+  const auto commands = parseScript(*script, file);
+  if (!commands) return fail(commands.error());
+  if (const auto why = ScriptRunner(window, file).run(*commands)) return fail(*why);
+  return 0;
+}
+
+int runWindow(const QCommandLineParser& parser, MainWindow& window) {
+  const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen");
+  if (!parser.positionalArguments().isEmpty()) {
+    const auto why = window.openScenario(parser.positionalArguments().front(), batch);
+    if (why && batch) return fail(*why);
+    if (!why) {
+      if (const auto refused = applyParameters(parser, window)) return fail(*refused);
+    }
+  }
+  window.show();
+  QApplication::processEvents();
+  if (parser.isSet("script")) {
+    const int status = runScript(parser.value("script").toStdString(), window);
+    if (status != 0) return status;
+  }
+  if (parser.isSet("screenshot")) {
+    const QString file = parser.value("screenshot");
+    if (!window.picture().save(file)) {
+      return fail({ErrorKind::Internal, file.toStdString(), "", "the picture cannot be saved", "Check the folder."});
+    }
+  }
+  return batch ? 0 : QApplication::exec();
+}
+
+}  // namespace
+
+void prepareProcess() {
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+  QCoreApplication::setLibraryPaths(QCoreApplication::libraryPaths().filter(QRegularExpression(QStringLiteral("^/"))));
+}
+
+int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, SessionClock clock) {
+  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
+  QFont font = QApplication::font();
+  font.setPointSizeF(kFontPoints);
+  QApplication::setFont(font);
+  QApplication::setApplicationName(QStringLiteral("Glissade"));
+  QApplication::setApplicationVersion(QLatin1String(kVersion));
+
+  QCommandLineParser parser;
+  addOptions(parser);
+  if (!parser.parse(QApplication::arguments())) {
+    return failUsage("", parser.errorText().toStdString(), "See glissade --help.");
+  }
+  if (parser.isSet("help")) {
+    std::cout << parser.helpText().toStdString();
+    return 0;
+  }
+  if (parser.isSet("version")) {
+    std::cout << "glissade " << kVersion << "\n";
+    return 0;
+  }
+  const auto size = parseSize(parser.value("size"));
+  if (!size) return failUsage("--size", "is not WIDTHxHEIGHT", "Give for example 1280x720.");
+  const QString theme = parser.value("theme");
+  if (theme != "light" && theme != "dark") return failUsage("--theme", "is neither light nor dark", "");
+  const QString language = parser.value("language");
+  if (language != "en" && language != "fr") return failUsage("--language", "is neither en nor fr", "");
+  QTranslator translator;
+  QLocale::setDefault(QLocale(language));
+  if (language == "fr" && translator.load(QStringLiteral(":/i18n/glissade_fr.qm"))) {
+    QApplication::installTranslator(&translator);
+  }
+
+  MainWindow window(makeScene, clock);
+  window.setTheme(theme == "dark" ? Theme::Dark : Theme::Light);
+  window.resize(*size);
+  return runWindow(parser, window);
+}
+
+}  // namespace glissade

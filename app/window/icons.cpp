@@ -1,0 +1,117 @@
+#include "app/window/icons.h"
+
+#include <QIcon>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPixmap>
+
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace glissade {
+namespace {
+
+/// Icons are drawn on a 16 x 16 grid.
+using Drawing = std::function<void(QPainter&)>;
+
+QIcon draw(const Drawing& drawing, const QColor& colour) {
+  QIcon icon;
+  for (const int size : {16, 24, 32, 48}) {
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(size / 16.0, size / 16.0);
+    painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    drawing(painter);
+    painter.end();
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
+void fill(QPainter& painter, const QPolygonF& shape) {
+  QPainterPath path;
+  path.addPolygon(shape);
+  painter.fillPath(path, painter.pen().color());
+}
+
+void arrow(QPainter& painter, QPointF from, QPointF to) {
+  painter.drawLine(from, to);
+  const QPointF along = (to - from) / 3.0;
+  const QPointF across(-along.y(), along.x());
+  painter.drawLine(to, to - along + across);
+  painter.drawLine(to, to - along - across);
+}
+
+/// A cube seen from a corner, with one face filled.
+void cube(QPainter& painter, const QPolygonF& face) {
+  fill(painter, face);
+  painter.drawPolygon(QPolygonF({{8, 1.5}, {14, 4.5}, {14, 11.5}, {8, 14.5}, {2, 11.5}, {2, 4.5}}));
+  painter.drawPolyline(QPolygonF({{2, 4.5}, {8, 7.5}, {14, 4.5}}));
+  painter.drawLine(QPointF(8, 7.5), QPointF(8, 14.5));
+}
+
+std::vector<std::pair<const char*, Drawing>> drawings() {
+  return {
+      {"file.open",
+       [](QPainter& p) {
+         p.drawPolygon(QPolygonF({{1.5, 13}, {1.5, 3}, {6, 3}, {7.5, 5}, {14.5, 5}, {14.5, 13}}));
+       }},
+      {"file.export",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 9}, {2, 14}, {14, 14}, {14, 9}}));
+         arrow(p, {8, 10}, {8, 2});
+       }},
+      {"run.start",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
+       }},
+      {"run.pause",
+       [](QPainter& p) {
+         p.fillRect(QRectF(3.5, 2.5, 3, 11), p.pen().color());
+         p.fillRect(QRectF(9.5, 2.5, 3, 11), p.pen().color());
+       }},
+      {"run.stop", [](QPainter& p) { p.fillRect(QRectF(3, 3, 10, 10), p.pen().color()); }},
+      {"run.restart-new-seed",
+       [](QPainter& p) {
+         p.drawArc(QRectF(2.5, 2.5, 11, 11), 60 * 16, 290 * 16);
+         fill(p, QPolygonF({{9.5, 0.5}, {14, 3}, {9.5, 6}}));
+       }},
+      {"path.play",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
+       }},
+      {"view.fit",
+       [](QPainter& p) {
+         for (const auto& [x, y, dx, dy] : {std::tuple{2, 2, 1, 1}, {14, 2, -1, 1}, {14, 14, -1, -1}, {2, 14, 1, -1}}) {
+           p.drawPolyline(QPolygonF({QPointF(x, y + 4 * dy), QPointF(x, y), QPointF(x + 4 * dx, y)}));
+         }
+         p.fillRect(QRectF(6, 6, 4, 4), p.pen().color());
+       }},
+      {"view.isometric", [](QPainter& p) { cube(p, {}); }},
+      {"view.front",
+       [](QPainter& p) {
+         cube(p, QPolygonF({{2, 4.5}, {8, 7.5}, {8, 14.5}, {2, 11.5}}));
+       }},
+      {"view.left",
+       [](QPainter& p) {
+         cube(p, QPolygonF({{14, 4.5}, {8, 7.5}, {8, 14.5}, {14, 11.5}}));
+       }},
+      {"view.top",
+       [](QPainter& p) {
+         cube(p, QPolygonF({{8, 1.5}, {14, 4.5}, {8, 7.5}, {2, 4.5}}));
+       }},
+  };
+}
+
+}  // namespace
+
+void applyIcons(const ActionCatalogue& actions, const QColor& colour) {
+  for (const auto& [id, drawing] : drawings()) actions[QLatin1String(id)]->setIcon(draw(drawing, colour));
+}
+
+}  // namespace glissade

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QObject>
+#include <QSet>
+
+#include "engine/operator/keyboard_device.h"
+
+namespace glissade {
+
+/// Turns keys pressed over the 3D view into deflections of the six axes, in the view's frame. Letting
+/// go, or losing the focus, is rest.
+///
+///   A D  left, right     W S  up, down        Q E  away, nearer
+///   J L  yaw             I K  pitch           U O  roll          Shift  a quarter of the speed
+class KeyboardSteering final : public QObject {
+  Q_OBJECT
+
+ public:
+  KeyboardSteering(DeflectionMailbox& keys, QObject* parent);
+
+  /// The same table as HTML rows, for the help page.
+  static QString keyTable();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void publish();
+
+  DeflectionMailbox& keys_;
+  QSet<int> pressed_;
+  bool slow_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,314 @@
+#include "app/window/main_window.h"
+
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QStatusBar>
+#include <QStyle>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "app/window/icons.h"
+#include "app/window/keyboard_steering.h"
+#include "app/window/status_text.h"
+#include "app/window/theme.h"
+#include "engine/scenario/path_io.h"
+#include "engine/scenario/scenario_io.h"
+#include "widgets/panels/counts_panel.h"
+#include "widgets/panels/interaction_panel.h"
+#include "widgets/panels/path_panel.h"
+#include "widgets/panels/scene_panel.h"
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+namespace {
+
+/// Full deflection of a key moves the object by this many of its radii in a second.
+constexpr double kRadiiPerSecond = 0.65;
+constexpr double kRadiansPerSecond = 1.0;
+
+bool isRunning(const SessionSnapshot& snapshot) {
+  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
+    : actions_(new ActionCatalogue(this)),
+      bridge_(new SessionBridge(clock, this)),
+      scene_(makeScene(this)),
+      status_(new QLabel(this)),
+      elapsed_(new QLabel(this)),
+      welcome_(new QLabel(this)) {
+  setWindowTitle(QStringLiteral("Glissade"));
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  setCentralWidget(scene_->widget());
+  scene_->widget()->setMinimumSize(320, 240);
+  scene_->widget()->setObjectName(QStringLiteral("scene"));
+  scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->keys(), this));
+  scene_->onCameraMoved([this] { publishOperatorFrame(); });
+
+  status_->setObjectName(QStringLiteral("status"));
+  statusBar()->addWidget(status_, 1);
+  statusBar()->addPermanentWidget(elapsed_);
+  makePanels();
+  makeMenus();
+  connectActions();
+  connectViewActions();
+  connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
+
+  welcome_->setAlignment(Qt::AlignCenter);
+  welcome_->setText(
+      tr("<h2>Glissade</h2><p>Open a scenario (Ctrl+O), or drop one here.</p>"
+         "<p>The folder <i>samples</i> holds the papers' environments.</p>"));
+  auto* over = new QVBoxLayout(scene_->widget());
+  over->addWidget(welcome_, 0, Qt::AlignCenter);
+  status_->setText(tr("No scenario is open."));
+  enableActions(nullptr);
+}
+
+MainWindow::~MainWindow() {
+  // The scene widget is a child of the window as well as ours: take it out before either goes.
+  scene_->widget()->setParent(nullptr);
+}
+
+QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(QLatin1String(id));
+  auto* scroll = new QScrollArea(dock);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + bar);
+  dock->setWidget(scroll);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::makePanels() {
+  interaction_ = new InteractionPanel(*actions_, bridge_->clock(), this);
+  counts_ = new CountsPanel(this);
+  sceneTree_ = new ScenePanel(this);
+  path_ = new PathPanel(*actions_, this);
+  QDockWidget* interaction = addPanel(tr("Interaction"), "interaction", interaction_, Qt::LeftDockWidgetArea);
+  QDockWidget* scene = addPanel(tr("Scene"), "scene-tree", sceneTree_, Qt::RightDockWidgetArea);
+  QDockWidget* counts = addPanel(tr("Run"), "run", counts_, Qt::RightDockWidgetArea);
+  QDockWidget* path = addPanel(tr("Path"), "path", path_, Qt::RightDockWidgetArea);
+  resizeDocks({interaction, scene}, {270, 290}, Qt::Horizontal);
+  resizeDocks({scene, counts, path}, {200, 250, 180}, Qt::Vertical);
+  connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
+  connect(interaction_, &InteractionPanel::deviceChosen, this,
+          [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
+  connect(path_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
+    scene_->view().setPlaybackPose(pose);
+    scene_->refresh();
+  });
+  connect(path_, &PathPanel::playbackEnded, this, [this] { (*actions_)["path.play"]->setChecked(false); });
+}
+
+void MainWindow::makeMenus() {
+  const auto fill = [this](QMenu* menu, const char* prefix) {
+    for (const ActionSpec& spec : actionSpecs()) {
+      if (QLatin1String(spec.id).startsWith(QLatin1String(prefix)))
+        menu->addAction((*actions_)[QLatin1String(spec.id)]);
+    }
+  };
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  fill(file, "file.");
+  QMenu* run = menuBar()->addMenu(tr("&Run"));
+  fill(run, "run.");
+  run->addSeparator();
+  fill(run, "object.");
+  fill(run, "path.");
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  fill(view, "view.");
+  fill(view->addMenu(tr("&Layers")), "layer.");
+  QMenu* panels = view->addMenu(tr("&Panels"));
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
+  fill(menuBar()->addMenu(tr("&Help")), "help.");
+
+  QToolBar* bar = addToolBar(tr("Tools"));
+  bar->setObjectName(QStringLiteral("tools"));
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (const char* id : {"file.open", "file.export", "", "run.start", "run.pause", "run.stop", "run.restart-new-seed",
+                         "", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
+    if (id[0] == '\0') {
+      bar->addSeparator();
+    } else {
+      bar->addAction((*actions_)[QLatin1String(id)]);
+    }
+  }
+}
+
+void MainWindow::connectActions() {
+  const auto on = [this](const char* id, auto handler) {
+    connect((*actions_)[QLatin1String(id)], &QAction::triggered, this, handler);
+  };
+  on("file.open", [this] { chooseScenario(); });
+  on("file.export", [this] { chooseExport(); });
+  on("file.quit", [this] { close(); });
+  on("run.start", [this] { bridge_->post(command::Start{}); });
+  on("run.pause",
+     [this](bool pause) { bridge_->post(pause ? Command(command::Pause{}) : Command(command::Resume{})); });
+  on("run.stop", [this] { bridge_->post(command::Stop{}); });
+  on("run.restart", [this] { restart(snapshot_->seed); });
+  on("run.restart-new-seed", [this] { restart(snapshot_->seed + 1); });
+  on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
+  connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
+  on("help.shortcuts", [this] { showShortcuts(); });
+  on("help.about", [this] { showAbout(); });
+}
+
+void MainWindow::connectViewActions() {
+  const auto look = [this](const char* id, StandardView view) {
+    connect((*actions_)[QLatin1String(id)], &QAction::triggered, this, [this, view] {
+      scene_->view().camera().setStandardView(view);
+      scene_->view().fit();
+      publishOperatorFrame();
+      scene_->refresh();
+    });
+  };
+  look("view.isometric", StandardView::Isometric);
+  look("view.front", StandardView::Front);
+  look("view.back", StandardView::Back);
+  look("view.left", StandardView::Left);
+  look("view.right", StandardView::Right);
+  look("view.top", StandardView::Top);
+  look("view.bottom", StandardView::Bottom);
+  connect((*actions_)["view.fit"], &QAction::triggered, this, [this] {
+    scene_->view().fit();
+    scene_->refresh();
+  });
+  connect((*actions_)["view.dark"], &QAction::toggled, this,
+          [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
+  const auto layer = [this](const char* id, SceneLayer which) {
+    QAction* action = (*actions_)[QLatin1String(id)];
+    action->setChecked(true);
+    connect(action, &QAction::toggled, this, [this, which](bool visible) {
+      scene_->view().setLayerVisible(which, visible);
+      scene_->refresh();
+    });
+  };
+  layer("layer.bodies", SceneLayer::Bodies);
+  layer("layer.object", SceneLayer::Object);
+  layer("layer.ends", SceneLayer::StartAndGoal);
+  layer("layer.workspace", SceneLayer::Workspace);
+  layer("layer.roadmap", SceneLayer::Roadmap);
+  layer("layer.path", SceneLayer::Path);
+  layer("layer.contact", SceneLayer::Contact);
+}
+
+std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
+  auto loaded = loadScenario(file.toStdString());
+  if (!loaded) {
+    if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
+    return loaded.error();
+  }
+  scenario_ = std::make_shared<const LoadedScenario>(std::move(*loaded));
+  welcome_->hide();
+  const std::string& name = scenario_->scenario.name;
+  const QString title = name.empty() ? QFileInfo(file).completeBaseName() : QString::fromStdString(name);
+  setWindowTitle(QStringLiteral("%1 — Glissade").arg(title));
+  scene_->view().setScenario(scenario_);
+  sceneTree_->setScenario(*scenario_);
+  interaction_->setScenario(*scenario_);
+  interaction_->setDevice(bridge_->deviceId());
+  bridge_->open(scenario_);
+  publishOperatorFrame();
+  scene_->widget()->setFocus();
+  if (!quiet && !scenario_->warnings.empty()) {
+    showError(tr("The scenario was opened, with a warning"), scenario_->warnings.front());
+  }
+  return std::nullopt;
+}
+
+void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
+  if (!scenario_) return;
+  snapshot_ = snapshot;
+  scene_->view().setSnapshot(snapshot);
+  scene_->refresh();
+  interaction_->setSnapshot(*snapshot);
+  interaction_->setDevice(bridge_->deviceId());
+  counts_->setSnapshot(*snapshot, *scenario_);
+  path_->setPath(snapshot->path, *scenario_);
+  status_->setText(statusText(*snapshot));
+  elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
+                                      : QString());
+  enableActions(snapshot.get());
+}
+
+void MainWindow::enableActions(const SessionSnapshot* snapshot) {
+  const bool open = snapshot != nullptr;
+  const bool running = open && isRunning(*snapshot);
+  const auto enable = [this](const char* id, bool enabled) { (*actions_)[QLatin1String(id)]->setEnabled(enabled); };
+  enable("run.start", open && !running);
+  enable("run.pause", running);
+  enable("run.stop", running);
+  enable("run.restart", open);
+  enable("run.restart-new-seed", open);
+  enable("object.to-start", open);
+  enable("path.play", open && snapshot->path != nullptr);
+  enable("file.export", open && snapshot->path != nullptr);
+  (*actions_)["run.pause"]->setChecked(open && snapshot->state == SessionState::Paused);
+}
+
+void MainWindow::publishOperatorFrame() {
+  if (!scenario_) return;
+  OperatorFrame frame;
+  frame.R_WV = scene_->view().camera().R_WV();
+  frame.speed = {kRadiiPerSecond * scenario_->problem.world->objectRadius(), kRadiansPerSecond};
+  bridge_->setOperatorFrame(frame);
+}
+
+void MainWindow::restart(std::uint64_t seed) {
+  bridge_->post(command::Stop{});
+  bridge_->post(command::SetSeed{seed});
+  bridge_->post(command::Start{});
+}
+
+std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
+  if (!snapshot_ || !snapshot_->path) {
+    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
+  }
+  const std::string name = file.toStdString();
+  Outcome outcome = Done{};
+  if (file.endsWith(QLatin1String(".json"))) {
+    outcome = writePathJson(*snapshot_->path, *scenario_, {snapshot_->plannerId, snapshot_->seed}, name);
+  } else if (file.endsWith(QLatin1String(".path"))) {
+    outcome = writePathOmpl(*snapshot_->path, name);
+  } else {
+    outcome = writePathCsv(*snapshot_->path, *scenario_, name);
+  }
+  if (!outcome) return outcome.error();
+  return std::nullopt;
+}
+
+QImage MainWindow::picture() { return grab().toImage(); }
+
+void MainWindow::setTheme(Theme theme) {
+  applyTheme(theme);
+  applyIcons(*actions_, palette().color(QPalette::ButtonText));
+  scene_->view().setTheme(theme);
+  scene_->refresh();
+  const QSignalBlocker block((*actions_)["view.dark"]);
+  (*actions_)["view.dark"]->setChecked(theme == Theme::Dark);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty()) openScenario(urls.front().toLocalFile());
+}
+
+}  // namespace glissade

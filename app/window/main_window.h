@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QLabel>
+#include <QMainWindow>
+#include <memory>
+#include <optional>
+
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/scene3d/scene_widget.h"
+
+namespace glissade {
+
+class CountsPanel;
+class InteractionPanel;
+class PathPanel;
+class ScenePanel;
+
+/// The workbench: the 3D view in the middle, panels around it, one session behind it.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock);
+  ~MainWindow() override;
+
+  /// Opens a scenario; says what is wrong in a dialog unless `quiet`, and returns it.
+  std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
+  void setTheme(Theme theme);
+
+  SessionBridge& bridge() { return *bridge_; }
+  ActionCatalogue& actions() { return *actions_; }
+  SceneWidget& scene() { return *scene_; }
+  /// Saves the path as its ending says; nothing on success.
+  std::optional<Diagnostic> exportPath(const QString& file);
+  /// The whole window as a picture.
+  QImage picture();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makePanels();
+  void makeMenus();
+  void connectActions();
+  void connectViewActions();
+  QDockWidget* addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area);
+  void showSnapshot(const SnapshotPtr& snapshot);
+  void enableActions(const SessionSnapshot* snapshot);
+  void publishOperatorFrame();
+  void restart(std::uint64_t seed);
+  void chooseScenario();
+  void chooseExport();
+  void showError(const QString& title, const Diagnostic& why);
+  void showShortcuts();
+  void showAbout();
+
+  ActionCatalogue* actions_;
+  SessionBridge* bridge_;
+  std::unique_ptr<SceneWidget> scene_;
+  InteractionPanel* interaction_ = nullptr;
+  CountsPanel* counts_ = nullptr;
+  ScenePanel* sceneTree_ = nullptr;
+  PathPanel* path_ = nullptr;
+  QLabel* status_;
+  QLabel* elapsed_;
+  QLabel* welcome_;
+  ScenarioPtr scenario_;
+  SnapshotPtr snapshot_;
+};
+
+}  // namespace glissade

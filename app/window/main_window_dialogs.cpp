@@ -1,0 +1,66 @@
+// The questions that the main window asks, and the pages it shows.
+#include <glissade/version.h>
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include "app/window/keyboard_steering.h"
+#include "app/window/main_window.h"
+
+namespace glissade {
+
+void MainWindow::chooseScenario() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a scenario"), QString(),
+                                                    tr("Scenarios (*.json *.cfg);;All files (*)"));
+  if (!file.isEmpty()) openScenario(file);
+}
+
+void MainWindow::chooseExport() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Export the path"), QStringLiteral("path.csv"),
+                                   tr("Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)"));
+  if (file.isEmpty()) return;
+  if (const auto why = exportPath(file)) showError(tr("The path cannot be saved"), *why);
+}
+
+void MainWindow::showError(const QString& title, const Diagnostic& why) {
+  QMessageBox box(QMessageBox::Warning, title, title, QMessageBox::Ok, this);
+  QString text = QString::fromStdString(why.reason);
+  if (!why.advice.empty()) text += QStringLiteral("\n\n") + QString::fromStdString(why.advice);
+  box.setInformativeText(QString::fromStdString(why.file + (why.place.empty() ? "" : "\n" + why.place)) +
+                         QStringLiteral("\n") + text);
+  box.exec();
+}
+
+void MainWindow::showShortcuts() {
+  QDialog dialog(this);
+  dialog.setWindowTitle(tr("Keys and shortcuts"));
+  dialog.resize(640, 640);
+  auto* text = new QTextBrowser(&dialog);
+  text->setHtml(QStringLiteral("<h3>%1</h3><p>%2</p><table>%3</table><h3>%4</h3><table>%5</table>")
+                    .arg(tr("Steering"), tr("While the 3D view has the focus; directions are those of the view."),
+                         KeyboardSteering::keyTable(), tr("Shortcuts"), actions_->shortcutTable()));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* layout = new QVBoxLayout(&dialog);
+  layout->addWidget(text);
+  layout->addWidget(buttons);
+  dialog.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(
+      this, tr("About Glissade"),
+      tr("<h3>Glissade %1</h3><p>A workbench for virtual assembly: certified motions, found by a planner and a person "
+         "together.</p><p>N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, <i>Tuning Interaction in Motion Planning "
+         "with Contact</i>, IEEE RO-MAN 2016.</p><p>S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, "
+         "<i>Multi-layer path planning control for the simulation of manipulation tasks</i>, RCIM 57, 2019.</p>"
+         "<p>BSD 3-Clause licence.</p>")
+          .arg(QLatin1String(kVersion)));
+}
+
+}  // namespace glissade

@@ -1,0 +1,46 @@
+#include "app/window/script.h"
+
+#include <map>
+#include <sstream>
+
+namespace glissade {
+namespace {
+
+const std::map<std::string, std::size_t>& argumentCounts() {
+  static const std::map<std::string, std::size_t> counts{
+      {"action", 1}, {"set", 2},    {"select-operator", 1}, {"key", 2},        {"steps", 1},
+      {"wait", 2},   {"expect", 1}, {"export", 1},          {"screenshot", 1}, {"quit", 0}};
+  return counts;
+}
+
+}  // namespace
+
+Result<std::vector<ScriptCommand>> parseScript(const std::string& text, const std::string& file) {
+  std::vector<ScriptCommand> commands;
+  std::istringstream stream(text);
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    ScriptCommand command;
+    command.line = number;
+    if (!(words >> command.name)) continue;
+    for (std::string word; words >> word;) command.arguments.push_back(word);
+    const auto known = argumentCounts().find(command.name);
+    const std::string place = "line " + std::to_string(number);
+    if (known == argumentCounts().end()) {
+      std::string names;
+      for (const auto& [name, count] : argumentCounts()) names += (names.empty() ? "" : ", ") + name;
+      return Diagnostic{ErrorKind::MalformedInput, file, place, "there is no command '" + command.name + "'",
+                        "Use one of " + names + "."};
+    }
+    if (command.arguments.size() != known->second) {
+      return Diagnostic{ErrorKind::MalformedInput, file, place,
+                        "'" + command.name + "' takes " + std::to_string(known->second) + " words",
+                        "Correct the line."};
+    }
+    commands.push_back(std::move(command));
+  }
+  return commands;
+}
+
+}  // namespace glissade

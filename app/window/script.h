@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace glissade {
+
+/// One line of a script: what to do, with its words.
+struct ScriptCommand {
+  int line = 0;  ///< in the file, from 1
+  std::string name;
+  std::vector<std::string> arguments;
+};
+
+/// Parses a script. One command a line, '#' begins a comment:
+///
+///   action ID                   an action of the catalogue, e.g. run.start
+///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5
+///   select-operator ID          hand, keyboard, expert, default, novice
+///   key press|release|tap KEY   a key over the 3D view, e.g. key press W
+///   steps N                     let the session do N planner steps (offscreen)
+///   wait STATE LIMIT            idle, planning, paused, solved, ended; LIMIT in steps offscreen,
+///                               in seconds on screen
+///   expect STATE                the session is in this state now
+///   screenshot FILE             the whole window as PNG
+///   export FILE                 the path, format by ending
+///   quit
+///
+/// Errors are MalformedInput naming file and line: unknown command, wrong number of words.
+Result<std::vector<ScriptCommand>> parseScript(const std::string& text, const std::string& file);
+
+}  // namespace glissade

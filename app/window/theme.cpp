@@ -1,0 +1,68 @@
+#include "app/window/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace glissade {
+namespace {
+
+struct Tones {
+  QColor window, base, alternate, button, text, faint, highlight, border;
+};
+
+Tones tonesOf(Theme theme) {
+  if (theme == Theme::Dark) {
+    return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"),
+            QColor("#e3e6ea"), QColor("#8b929b"), QColor("#2f7fb8"), QColor("#3d4249")};
+  }
+  return {QColor("#f2f4f7"), QColor("#ffffff"), QColor("#f6f8fa"), QColor("#e8ecf1"),
+          QColor("#1d2329"), QColor("#6b747e"), QColor("#1f6fae"), QColor("#c9d0d8")};
+}
+
+QPalette paletteFrom(const Tones& tones) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, tones.window);
+  palette.setColor(QPalette::Base, tones.base);
+  palette.setColor(QPalette::AlternateBase, tones.alternate);
+  palette.setColor(QPalette::Button, tones.button);
+  palette.setColor(QPalette::ToolTipBase, tones.base);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+    palette.setColor(role, tones.text);
+    palette.setColor(QPalette::Disabled, role, tones.faint);
+  }
+  palette.setColor(QPalette::PlaceholderText, tones.faint);
+  palette.setColor(QPalette::Highlight, tones.highlight);
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, tones.highlight);
+  return palette;
+}
+
+QString styleSheetFrom(const Tones& tones) {
+  return QStringLiteral(
+             "QMainWindow::separator { width: 4px; height: 4px; }"
+             "QDockWidget { font-weight: 600; }"
+             "QDockWidget::title { padding: 6px 10px; background: %1; border-bottom: 1px solid %2; }"
+             "QToolBar { border: none; border-bottom: 1px solid %2; padding: 3px 6px; spacing: 2px; }"
+             "QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 4px; }"
+             "QDockWidget QToolButton { border: 1px solid %2; background: %3; }"
+             "QToolButton:hover { background: %3; border: 1px solid %2; }"
+             "QToolButton:checked { background: %4; color: white; }"
+             "QToolButton:focus { border: 1px solid %4; }"
+             "QStatusBar { border-top: 1px solid %2; }"
+             "QStatusBar::item { border: none; }"
+             "QTreeWidget { border: none; }"
+             "QLabel#authority { font-weight: 600; }")
+      .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name());
+}
+
+}  // namespace
+
+void applyTheme(Theme theme) {
+  const Tones tones = tonesOf(theme);
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setPalette(paletteFrom(tones));
+  qApp->setStyleSheet(styleSheetFrom(tones));
+}
+
+}  // namespace glissade

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+
+/// Gives the whole application the palette and style sheet of a theme (Fusion style).
+void applyTheme(Theme theme);
+
+}  // namespace glissade

@@ -1,0 +1,119 @@
+#include "engine/base/file.h"
+
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace glissade {
+namespace {
+
+/// Closes a file descriptor at the end of its scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return fd_; }
+  bool valid() const { return fd_ >= 0; }
+
+ private:
+  int fd_;
+};
+
+Diagnostic unreadable(const std::string& file, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::MalformedInput, file, "", reason, advice};
+}
+
+Diagnostic unwritable(const std::string& file, const std::string& what) {
+  return {ErrorKind::Internal, file, "", "cannot be saved: " + what + ": " + std::strerror(errno),
+          "The old content is untouched. Free some space or choose another folder."};
+}
+
+Result<std::string> readAll(int fd, const std::string& file, std::size_t mostBytes) {
+  std::string content;
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const ssize_t count = ::read(fd, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(file, std::string("cannot be read: ") + std::strerror(errno), "");
+    if (count == 0) return content;
+    content.append(buffer.data(), static_cast<std::size_t>(count));
+    if (content.size() > mostBytes) return unreadable(file, "is too large", "Give a file of its kind.");
+  }
+}
+
+bool writeAll(int fd, const std::string& content) {
+  std::size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t count = ::write(fd, content.data() + done, content.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    done += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
+  const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!descriptor.valid()) {
+    return unreadable(file, std::string("cannot be opened: ") + std::strerror(errno), "Check the name and the folder.");
+  }
+  struct stat status {};
+  if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    return unreadable(file, "is not a regular file", "Give a file, not a folder, a pipe or a device.");
+  }
+  return readAll(descriptor.get(), file, mostBytes);
+}
+
+Outcome writeFileAtomically(const std::string& file, const std::string& content) {
+  const std::string beside = file + ".saving-" + std::to_string(::getpid());
+  const auto failed = [&](const std::string& what) {
+    const Diagnostic why = unwritable(file, what);
+    ::unlink(beside.c_str());
+    return why;
+  };
+  {
+    const Descriptor descriptor(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (!descriptor.valid()) return unwritable(file, "the folder refuses a new file");
+    if (!writeAll(descriptor.get(), content)) return failed("writing");
+    if (::fsync(descriptor.get()) != 0) return failed("flushing");
+  }
+  const auto written = readFile(beside, content.size());
+  if (!written || *written != content) return failed("what was written reads back differently");
+  if (::rename(beside.c_str(), file.c_str()) != 0) return failed("renaming");
+  const Descriptor folder(::open(folderOf(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.valid()) ::fsync(folder.get());
+  return Done{};
+}
+
+std::string sha256(const std::string& content) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  EVP_Digest(content.data(), content.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) {
+    text += kDigits[digest[i] >> 4];
+    text += kDigits[digest[i] & 15];
+  }
+  return text;
+}
+
+std::string folderOf(const std::string& file) {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+}  // namespace glissade

@@ -1,0 +1,100 @@
+#include "engine/collision/fcl_query.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace glissade {
+
+class FclGeometry {
+ public:
+  using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+  Model obstacles;
+  Model object;
+  std::vector<int> bodyOf;  ///< per triangle of `obstacles`
+};
+
+namespace {
+
+void addMesh(FclGeometry::Model& model, const TriangleMesh& mesh) {
+  std::vector<fcl::Vector3d> vertices(mesh.vertices.begin(), mesh.vertices.end());
+  std::vector<fcl::Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
+  model.addSubModel(vertices, triangles);
+}
+
+/// FCL fills a static table of functions at its first use: do it before there are threads.
+void warmUp(const FclGeometry& geometry) {
+  FclSurfaceQuery query(std::shared_ptr<const FclGeometry>(&geometry, [](const FclGeometry*) {}));
+  query.surfacesTouch(Pose::identity());
+  query.nearest(Pose::identity());
+}
+
+}  // namespace
+
+std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>& obstacles,
+                                                   const TriangleMesh& object) {
+  auto geometry = std::make_shared<FclGeometry>();
+  geometry->object.beginModel();
+  addMesh(geometry->object, object);
+  geometry->object.endModel();
+  geometry->obstacles.beginModel();
+  for (std::size_t body = 0; body < obstacles.size(); ++body) {
+    addMesh(geometry->obstacles, transformed(*obstacles[body].mesh, obstacles[body].X_WB));
+    geometry->bodyOf.insert(geometry->bodyOf.end(), obstacles[body].mesh->triangles.size(), static_cast<int>(body));
+  }
+  if (!geometry->bodyOf.empty()) {
+    geometry->obstacles.endModel();
+    warmUp(*geometry);
+  }
+  return geometry;
+}
+
+FclSurfaceQuery::FclSurfaceQuery(std::shared_ptr<const FclGeometry> geometry) : geometry_(std::move(geometry)) {}
+
+bool FclSurfaceQuery::surfacesTouch(const Pose& X_WB) const {
+  if (geometry_->bodyOf.empty()) return false;
+  const fcl::CollisionRequestd request;
+  fcl::CollisionResultd result;
+  return fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB),
+                      request, result) > 0;
+}
+
+std::vector<int> FclSurfaceQuery::touchingBodies(const Pose& X_WB) const {
+  if (geometry_->bodyOf.empty()) return {};
+  const fcl::CollisionRequestd request(std::numeric_limits<int>::max());
+  fcl::CollisionResultd result;
+  fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
+               result);
+  std::set<int> bodies;
+  for (std::size_t i = 0; i < result.numContacts(); ++i) {
+    bodies.insert(geometry_->bodyOf[static_cast<std::size_t>(result.getContact(i).b1)]);
+  }
+  return {bodies.begin(), bodies.end()};
+}
+
+NearestObstacle FclSurfaceQuery::nearest(const Pose& X_WB) const {
+  NearestObstacle nearest;
+  if (geometry_->bodyOf.empty()) {
+    nearest.distance = std::numeric_limits<double>::infinity();
+    return nearest;
+  }
+  const fcl::DistanceRequestd request(true);
+  fcl::DistanceResultd result;
+  fcl::distance(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
+                result);
+  nearest.distance = std::max(0.0, result.min_distance);
+  nearest.body = geometry_->bodyOf[static_cast<std::size_t>(result.b1)];
+  nearest.p_WPo = result.nearest_points[0];
+  nearest.p_WPn = result.nearest_points[1];
+  return nearest;
+}
+
+}  // namespace glissade

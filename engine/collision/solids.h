@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/environment/rigid_body.h"
+
+namespace glissade {
+
+/// Settles what surfaces alone cannot: whether one solid lies wholly inside another. Boxes exclude
+/// nearly every pair; only what fits inside is tested exactly. Immutable, shared by threads.
+class Solids {
+ public:
+  Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+
+  /// The lowest obstacle that contains the object, or that the object contains; nothing where none
+  /// does. Precondition: the surfaces do not touch.
+  std::optional<int> containment(const Pose& X_WB) const;
+
+ private:
+  /// A connected surface: if it touches nothing, one point decides for all of it.
+  struct Component {
+    Vector3 point;
+    Box3 box;
+  };
+  struct Solid {
+    TriangleMesh mesh;  ///< in the world for obstacles, in B for the object
+    Box3 box;
+    bool closed = false;
+    std::vector<Component> components;
+  };
+
+  static Solid makeSolid(const TriangleMesh& mesh);
+  bool objectInside(const Solid& obstacle, const Pose& X_WB) const;
+  bool objectAround(const Solid& obstacle, const Pose& X_BW) const;
+
+  std::vector<Solid> obstacles_;
+  Solid object_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,115 @@
+#include "engine/import/omplapp_config.h"
+
+#include <map>
+#include <optional>
+#include <sstream>
+
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostBytes = 1U << 20;
+
+using Keys = std::map<std::string, std::string>;
+
+Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, place, reason, "Correct the OMPL.app problem file."};
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// The keys of the section [problem].
+Result<Keys> problemSection(const std::string& text, const std::string& file) {
+  Keys keys;
+  std::istringstream stream(text);
+  std::string line;
+  std::string section;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#' || line[0] == ';') continue;
+    if (line[0] == '[') {
+      section = line;
+      continue;
+    }
+    const auto equals = line.find('=');
+    if (equals == std::string::npos) return malformed(file, "line " + std::to_string(number), "is not 'key = value'");
+    if (section == "[problem]") keys[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
+  }
+  if (keys.empty()) return malformed(file, "[problem]", "is missing or empty");
+  return keys;
+}
+
+/// Reads numbers by key and remembers the first that is wrong.
+class Numbers {
+ public:
+  Numbers(const Keys& keys, std::string file) : keys_(keys), file_(std::move(file)) {}
+
+  double get(const std::string& key) {
+    const auto entry = keys_.find(key);
+    if (entry == keys_.end()) {
+      complain(key, "is missing");
+      return 0.0;
+    }
+    const auto number = toNumber(entry->second);
+    if (!number) complain(key, "is not a finite number");
+    return number.value_or(0.0);
+  }
+
+  Vector3 vector(const std::string& key) { return {get(key + ".x"), get(key + ".y"), get(key + ".z")}; }
+
+  Pose pose(const std::string& key) {
+    Pose pose;
+    pose.position = vector(key);
+    const double angle = get(key + ".theta");
+    const Vector3 axis = vector(key + ".axis");
+    if (axis.norm() > 0.0) pose.orientation = Quaternion(Eigen::AngleAxisd(angle, axis.normalized()));
+    if (axis.norm() == 0.0 && angle != 0.0) complain(key + ".axis", "is zero");
+    return pose;
+  }
+
+  const std::optional<Diagnostic>& complaint() const { return complaint_; }
+
+ private:
+  void complain(const std::string& key, const std::string& reason) {
+    if (!complaint_) complaint_ = malformed(file_, key, reason);
+  }
+
+  const Keys& keys_;
+  std::string file_;
+  std::optional<Diagnostic> complaint_;
+};
+
+}  // namespace
+
+Result<OmplAppConfig> readOmplAppConfig(const std::string& file) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return text.error();
+  const auto keys = problemSection(*text, file);
+  if (!keys) return keys.error();
+  const auto textOf = [&](const std::string& key) {
+    const auto entry = keys->find(key);
+    return entry == keys->end() ? std::string() : entry->second;
+  };
+  OmplAppConfig config;
+  config.name = textOf("name");
+  config.robot = textOf("robot");
+  config.world = textOf("world");
+  if (config.robot.empty()) return malformed(file, "robot", "is missing");
+  Numbers numbers(*keys, file);
+  config.start = numbers.pose("start");
+  config.goal = numbers.pose("goal");
+  config.volume = Box3(numbers.vector("volume.min"), numbers.vector("volume.max"));
+  if (numbers.complaint()) return *numbers.complaint();
+  if (config.volume.isEmpty()) return malformed(file, "volume", "has a minimum above its maximum");
+  config.volume.extend(config.start.position);
+  config.volume.extend(config.goal.position);
+  return config;
+}
+
+}  // namespace glissade

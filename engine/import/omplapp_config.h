@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// One of OMPL.app's problem files (INI): what it asks, not yet loaded geometry.
+struct OmplAppConfig {
+  std::string name;
+  std::string robot;  ///< mesh file beside the .cfg; moved so that its vertex mean is the reference point
+  std::string world;  ///< mesh file beside the .cfg; may be empty
+  Pose start;
+  Pose goal;
+  Box3 volume;  ///< grown to contain start and goal, as OMPL.app does
+};
+
+/// Reads a .cfg file; errors are MalformedInput with the line or key as place.
+Result<OmplAppConfig> readOmplAppConfig(const std::string& file);
+
+}  // namespace glissade

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/operator/operator_input.h"
+
+namespace glissade {
+
+/// Several devices in one hand: each moves the object from where the one before has left it.
+class CombinedDevice final : public OperatorDevice {
+ public:
+  explicit CombinedDevice(std::vector<std::unique_ptr<OperatorDevice>> devices) : devices_(std::move(devices)) {}
+
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
+    OperatorView moved = view;
+    for (const auto& device : devices_) moved.q_device = device->advance(dt, moved, bounds);
+    return moved.q_device;
+  }
+  void restart() override {
+    for (const auto& device : devices_) device->restart();
+  }
+
+ private:
+  std::vector<std::unique_ptr<OperatorDevice>> devices_;
+};
+
+}  // namespace glissade

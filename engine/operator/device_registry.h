@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/geometry/se3_metric.h"
+#include "engine/operator/keyboard_device.h"
+#include "engine/operator/operator_input.h"
+
+namespace glissade {
+
+/// What devices are made from. Each takes what it needs.
+struct DeviceContext {
+  std::vector<Pose> route;  ///< a person's plan, the goal last
+  Se3Metric metric{1.0};
+  std::uint64_t seed = 1;
+  std::shared_ptr<const DeflectionMailbox> keys;  ///< may be null: no keys
+};
+
+/// How a device is known and made. Registered by explicit calls.
+struct DeviceEntry {
+  std::string id;
+  std::string label;
+  std::string description;
+  bool simulated = false;  ///< needs no person: may run in lockstep
+  /// Null where the context lacks what the device needs.
+  std::function<std::unique_ptr<OperatorDevice>(const DeviceContext&)> make;
+};
+
+class DeviceRegistry {
+ public:
+  void add(DeviceEntry entry) { entries_.push_back(std::move(entry)); }
+  const DeviceEntry* find(std::string_view id) const;
+  const std::vector<DeviceEntry>& entries() const { return entries_; }
+
+ private:
+  std::vector<DeviceEntry> entries_;
+};
+
+/// hand (keyboard and 6D mouse together), keyboard, expert, default, novice.
+DeviceRegistry makeDeviceRegistry();
+
+}  // namespace glissade

@@ -1,0 +1,156 @@
+#include "engine/operator/simulated_operator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+// In the metric; for an object as large as the papers' (r = 1.5 m) these are the published values.
+constexpr double kReached = 0.3 / 1.536;  ///< times r: the tree is this near a way-point
+constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far behind the hand
+
+constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk movement
+constexpr double kShortestMovement = 0.3;    ///< s
+constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
+constexpr double kPatience = 3.0;            ///< s of waiting for the tree before he fetches it
+constexpr double kTremorTime = 0.3;          ///< s, correlation time
+constexpr double kShortestHesitation = 0.5;  ///< s
+constexpr double kLongestHesitation = 1.0;   ///< s
+
+constexpr std::array<OperatorLevel, 3> kLevels{{
+    {"expert", 1.0, 1.5, 0.20, 0.06, 0.10, 0.01, 0.02, 0.05},
+    {"default", 0.6, 0.9, 0.25, 0.10, 0.18, 0.03, 0.06, 0.05},
+    {"novice", 0.35, 0.5, 0.40, 0.18, 0.30, 0.03, 0.06, 0.30},
+}};
+
+/// Share of a minimum-jerk movement done after the share s of its time.
+double minimumJerk(double s) { return s * s * s * (10.0 + s * (-15.0 + s * 6.0)); }
+
+/// The rotation vector that takes a to b, world frame, the short way.
+Vector3 rotationVector(const Quaternion& a, const Quaternion& b) {
+  Quaternion difference = b * a.conjugate();
+  if (difference.w() < 0.0) difference.coeffs() *= -1.0;
+  const double sine = difference.vec().norm();
+  if (sine < 1e-12) return Vector3::Zero();
+  return difference.vec() * (2.0 * std::atan2(sine, difference.w()) / sine);
+}
+
+Quaternion fromRotationVector(const Vector3& rotation) {
+  const double angle = rotation.norm();
+  if (angle < 1e-12) return Quaternion::Identity();
+  return Quaternion(Eigen::AngleAxisd(angle, rotation / angle));
+}
+
+Vector3 shortened(const Vector3& v, double longest) {
+  const double length = v.norm();
+  return length > longest ? Vector3(v * (longest / length)) : v;
+}
+
+}  // namespace
+
+const std::array<OperatorLevel, 3>& operatorLevels() { return kLevels; }
+
+const OperatorLevel* findOperatorLevel(std::string_view id) {
+  const auto* found = std::find_if(kLevels.begin(), kLevels.end(), [&](const auto& level) { return level.id == id; });
+  return found == kLevels.end() ? nullptr : found;
+}
+
+SimulatedOperator::SimulatedOperator(const OperatorLevel& level, std::vector<Pose> route, const Se3Metric& metric,
+                                     std::uint64_t seed)
+    : level_(level), route_(std::move(route)), metric_(metric), stream_(seed, "simulated operator") {}
+
+void SimulatedOperator::restart() {
+  target_ = 0;
+  shown_.reset();
+  movement_ = SubMovement();
+  rest_ = 0.0;
+  waited_ = 0.0;
+  tremor_.setZero();
+  tremorAngle_.setZero();
+}
+
+Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3& bounds) {
+  if (dt <= 0.0 || route_.empty()) return view.q_device;
+  if (!shown_ || *shown_ != view.q_device) {  // somebody else moved the object
+    aimed_ = view.q_device;
+    movement_ = SubMovement();
+  }
+  chooseTarget(view);
+  if (stream_.uniform() < level_.hesitationsPerSecond * dt) {
+    rest_ += stream_.uniform(kShortestHesitation, kLongestHesitation);
+  }
+  if (rest_ > 0.0) {
+    rest_ -= dt;
+  } else if (!waitsForTheTree(dt, view)) {
+    aimed_ = integrate(aimed_, follow(dt), bounds, dt);
+  }
+  Pose shown = withTremor(dt);
+  shown.position = shown.position.cwiseMax(bounds.min()).cwiseMin(bounds.max());
+  shown_ = shown;
+  return shown;
+}
+
+void SimulatedOperator::chooseTarget(const OperatorView& view) {
+  const bool last = target_ + 1 >= route_.size();
+  if (last || view.distanceToStartTree(route_[target_]) > kReached * metric_.radius()) return;
+  ++target_;
+  movement_ = SubMovement();
+}
+
+bool SimulatedOperator::waitsForTheTree(double dt, const OperatorView& view) {
+  const double lag = view.distanceToStartTree(aimed_);
+  const bool lags = std::isfinite(lag) && lag > kLagging * metric_.radius();
+  if (!lags) {
+    waited_ = 0.0;
+    return false;
+  }
+  waited_ += dt;
+  if (waited_ < kPatience) return true;
+  // Back towards the tree: one way-point at a time, moving although it lags.
+  if (waited_ - dt < kPatience && target_ > 0) {
+    --target_;
+    movement_ = SubMovement();
+  }
+  if (waited_ > 2.0 * kPatience) waited_ = 0.0;
+  return false;
+}
+
+void SimulatedOperator::beginSubMovement() {
+  const Pose& target = route_[target_];
+  const Vector3 aimedAt = target.position + noise(level_.aimError);
+  const Quaternion turnedTo = fromRotationVector(noise(level_.aimErrorAngle)) * target.orientation;
+  movement_.translation = shortened(aimedAt - aimed_.position, kLongestReach);
+  movement_.rotation = shortened(rotationVector(aimed_.orientation, turnedTo), kLongestReach);
+  movement_.duration = std::max({kShortestMovement, kPeakOverMean * movement_.translation.norm() / level_.linearSpeed,
+                                 kPeakOverMean * movement_.rotation.norm() / level_.angularSpeed});
+  movement_.elapsed = 0.0;
+}
+
+Twist SimulatedOperator::follow(double dt) {
+  if (movement_.elapsed >= movement_.duration) beginSubMovement();
+  const double before = minimumJerk(movement_.elapsed / movement_.duration);
+  movement_.elapsed = std::min(movement_.duration, movement_.elapsed + dt);
+  const double share = (minimumJerk(movement_.elapsed / movement_.duration) - before) / dt;
+  if (movement_.elapsed >= movement_.duration) rest_ = level_.delay;
+  return {share * movement_.translation, share * movement_.rotation};
+}
+
+Pose SimulatedOperator::withTremor(double dt) {
+  const double memory = std::exp(-dt / kTremorTime);
+  const double fresh = std::sqrt(1.0 - memory * memory);
+  tremor_ = memory * tremor_ + fresh * noise(level_.tremor);
+  tremorAngle_ = memory * tremorAngle_ + fresh * noise(level_.tremorAngle);
+  return {aimed_.position + tremor_, (fromRotationVector(tremorAngle_) * aimed_.orientation).normalized()};
+}
+
+/// Normal in a random direction: the standard deviation is that of the length's components' total.
+Vector3 SimulatedOperator::noise(double sigma) {
+  const double perAxis = sigma / std::sqrt(3.0);
+  const double x = stream_.normal();
+  const double y = stream_.normal();
+  const double z = stream_.normal();
+  return perAxis * Vector3(x, y, z);
+}
+
+}  // namespace glissade

@@ -1,0 +1,202 @@
+#include "engine/planning/contact/interactive_contact_birrt.h"
+
+#include <cmath>
+
+#include "engine/base/tolerances.h"
+#include "engine/planning/goal_roots.h"
+
+namespace glissade {
+namespace {
+
+/// Configurations shot from one place of an operator who does not move: five seconds at the pace of
+/// the paper's machine. More would only flood the roadmap at today's pace.
+constexpr std::uint64_t kRestBudget = 200;
+
+}  // namespace
+
+InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::uint64_t seed, OperatorUse operatorUse)
+    : problem_(problem),
+      operatorUse_(operatorUse),
+      query_(problem.world->makeQuery()),
+      authorityStream_(seed, "authority"),
+      randomShooter_(problem.bounds, seed),
+      contactSampler_(seed),
+      roadmap_(problem.metric()) {
+  startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});
+  for (const Pose& q : goalRoots(problem_, *query_)) {
+    goalRoots_.push_back(roadmap_.addRoot({q, Author::Computer, TreeSide::Goal}));
+  }
+  updateCounts();
+}
+
+bool InteractiveContactBirrt::solve(PlannerHost& host) {
+  while (!path_) {
+    if (contactSamplesLeft_ > 0) {
+      contactSampling(host);
+    } else {
+      iterate(host);
+    }
+    deliverPath(host);
+    updateCounts();
+    if (!host.afterStep()) break;
+  }
+  return path_.has_value();
+}
+
+/// One pass of Algorithm 1; the numbers are its lines. Lines 9 of the following passes are in solve().
+void InteractiveContactBirrt::iterate(PlannerHost& host) {
+  ++counts_.iterations;
+  const ParameterValues& parameters = host.parameters();
+  std::optional<OperatorSample> device;
+  if (operatorUse_ != OperatorUse::None) device = host.operatorSample();  // 2: found by the operator thread
+  const double a = authorityStream_.uniform();                            // 3
+  if (operatorUse_ == OperatorUse::ContactFirst && device && nearContact(*device, parameters)) {
+    enterContactSampling(*device, parameters);
+    contactSampling(host);
+  } else if (operatorHasAuthority(a, parameters[ParameterId::Alpha], device)) {  // 4
+    if (!nearContact(*device, parameters)) {                                     // 5
+      operatorShooter(*device, host);                                            // 6, 7
+    } else {
+      enterContactSampling(*device, parameters);
+      contactSampling(host);  // 9
+    }
+  } else {
+    randomShooter(host);  // 12, 13
+  }
+}
+
+bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
+                                                   const std::optional<OperatorSample>& device) {
+  if (!device || a <= alpha) return false;
+  if (device->moves != restingAt_) {
+    restingAt_ = device->moves;
+    usedAtRest_ = 0;
+  }
+  return usedAtRest_ < kRestBudget;
+}
+
+/// Line 5, read the other way round: |P_o - P_n| < d. In collision there is no contact mode.
+bool InteractiveContactBirrt::nearContact(const OperatorSample& device, const ParameterValues& parameters) const {
+  if (operatorUse_ == OperatorUse::Guide) return false;
+  const double distance = device.nearest.distance;
+  return distance > 0.0 && distance < parameters[ParameterId::ContactDistance];
+}
+
+void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device, const ParameterValues& parameters) {
+  contactSampler_.enter(device, parameters[ParameterId::ContactGap], parameters[ParameterId::ContactRadius]);
+  contactSamplesLeft_ = parameters.integer(ParameterId::ContactSamples);
+}
+
+void InteractiveContactBirrt::contactSampling(PlannerHost& host) {
+  --contactSamplesLeft_;
+  ++counts_.contactConfigurations;
+  ++usedAtRest_;
+  const Pose q = contactSampler_.sample();
+  if (problem_.bounds.contains(q.position)) {
+    addTree(q, Author::Contact, host);
+  } else {
+    ++counts_.steps;
+    authority_ = Author::Contact;
+  }
+}
+
+void InteractiveContactBirrt::operatorShooter(const OperatorSample& device, PlannerHost& host) {
+  ++counts_.operatorConfigurations;
+  ++usedAtRest_;
+  addTree(device.q_device, Author::Operator, host);
+}
+
+void InteractiveContactBirrt::randomShooter(PlannerHost& host) {
+  ++counts_.randomConfigurations;
+  addTree(randomShooter_.shoot(), Author::Computer, host);
+}
+
+/// Add_Tree(q): one step of the paper's BiRRT. Every component grows straight towards q as far as it
+/// is free; then the new nodes are connected with each other.
+void InteractiveContactBirrt::addTree(const Pose& q, Author author, PlannerHost& host) {
+  ++counts_.steps;
+  authority_ = author;
+  std::vector<RoadmapGraph::Node> added;
+  std::optional<RoadmapGraph::Node> reached;
+  for (const RoadmapGraph::ComponentId component : roadmap_.components()) {
+    if (const auto node = extend(component, q, author, reached, host)) added.push_back(*node);
+    if (host.stopToken().stopRequested()) return;
+  }
+  connect(added, host);
+}
+
+/// Extends one component towards q. `reached` is the node at q itself once some component got there:
+/// the next one that gets there joins it instead of adding q again.
+std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::ComponentId component, const Pose& q,
+                                                                  Author author,
+                                                                  std::optional<RoadmapGraph::Node>& reached,
+                                                                  PlannerHost& host) {
+  const auto near = roadmap_.nearest(component, q);
+  const double radius = problem_.world->objectRadius();
+  const double same = author == Author::Computer ? tolerance::kSameConfiguration : tolerance::kDuplicate;
+  if (near.distance < same * radius) return near.index;  // as good as q itself: worth connecting
+  const RoadmapNode from = roadmap_.nodes()[near.index];
+  const double free = freeFraction(*query_, problem_.world->object(), from.q, q,
+                                   host.parameters()[ParameterId::GrowthStep], host.stopToken());
+  if (free >= 1.0 && reached) {
+    roadmap_.join(near.index, *reached);
+    return std::nullopt;
+  }
+  const double steps = std::floor(free * near.distance / (tolerance::kExtensionStep * radius));
+  if (free < 1.0 && steps < 1.0) return std::nullopt;
+  const double t = free < 1.0 ? steps * tolerance::kExtensionStep * radius / near.distance : 1.0;
+  const Pose last = interpolate(from.q, q, t);
+  if (free < 1.0 && isDuplicate(component, last, author)) return std::nullopt;
+  const RoadmapGraph::Node node = roadmap_.addChild(near.index, {last, author, from.side});
+  if (free >= 1.0) reached = node;
+  return node;
+}
+
+bool InteractiveContactBirrt::isDuplicate(RoadmapGraph::ComponentId component, const Pose& q, Author author) const {
+  if (author == Author::Computer) return false;
+  return roadmap_.nearest(component, q).distance < tolerance::kDuplicate * problem_.world->objectRadius();
+}
+
+void InteractiveContactBirrt::connect(const std::vector<RoadmapGraph::Node>& added, PlannerHost& host) {
+  const double step = host.parameters()[ParameterId::GrowthStep];
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    for (std::size_t j = i + 1; j < added.size(); ++j) {
+      if (roadmap_.connected(added[i], added[j])) continue;
+      const Pose& from = roadmap_.nodes()[added[i]].q;
+      const Pose& to = roadmap_.nodes()[added[j]].q;
+      if (freeFraction(*query_, problem_.world->object(), from, to, step, host.stopToken()) >= 1.0) {
+        roadmap_.join(added[i], added[j]);
+      }
+    }
+  }
+}
+
+/// Certifies the way from start to goal once there is one. An edge that cannot be certified is
+/// dropped and the search goes on.
+void InteractiveContactBirrt::deliverPath(PlannerHost& host) {
+  for (const RoadmapGraph::Node goal : goalRoots_) {
+    const auto way = roadmap_.way(startRoot_, goal);
+    if (!way) continue;
+    Path path;
+    for (const RoadmapGraph::Node node : way->nodes) {
+      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author});
+    }
+    path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
+                                   host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+    if (path.certificate.status == CertificateStatus::Certified) {
+      path_ = std::move(path);
+      return;
+    }
+    if (host.stopToken().stopRequested()) return;
+    roadmap_.dropEdge(way->edges[path.certificate.edge]);
+  }
+}
+
+void InteractiveContactBirrt::updateCounts() {
+  counts_.nodes = roadmap_.nodes().size();
+  counts_.edges = roadmap_.directedEdgeCount();
+  counts_.droppedEdges = roadmap_.droppedEdges().size();
+  counts_.queries = query_->counts();
+}
+
+}  // namespace glissade

@@ -1,0 +1,137 @@
+#include "engine/scenario/json_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/base/tolerances.h"
+
+namespace glissade {
+
+using Json = JsonCursor::Json;
+
+void JsonCursor::fail(const std::string& reason, const std::string& advice) const {
+  throw JsonError{{ErrorKind::MalformedInput, file_, pointer_.empty() ? "/" : pointer_, reason, advice}};
+}
+
+void JsonCursor::expectObject() const {
+  if (!value_->is_object()) fail("is not an object");
+}
+
+void JsonCursor::allowOnly(std::initializer_list<const char*> keys) const {
+  expectObject();
+  for (const auto& item : value_->items()) {
+    const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* key) { return item.key() == key; });
+    if (known) continue;
+    std::string list;
+    for (const char* key : keys) list += (list.empty() ? "" : ", ") + std::string(key);
+    at(item.key()).fail("is an unknown key", "Remove it, or use one of: " + list + ".");
+  }
+}
+
+JsonCursor JsonCursor::at(const std::string& key) const {
+  expectObject();
+  const auto entry = value_->find(key);
+  if (entry == value_->end()) {
+    JsonCursor(*value_, file_, pointer_ + "/" + key).fail("is missing", "Add it.");
+  }
+  return {*entry, file_, pointer_ + "/" + key};
+}
+
+std::optional<JsonCursor> JsonCursor::find(const std::string& key) const {
+  return has(key) ? std::optional<JsonCursor>(at(key)) : std::nullopt;
+}
+
+std::size_t JsonCursor::size() const {
+  if (!value_->is_array()) fail("is not a list");
+  return value_->size();
+}
+
+JsonCursor JsonCursor::element(std::size_t index) const {
+  return {(*value_)[index], file_, pointer_ + "/" + std::to_string(index)};
+}
+
+std::string JsonCursor::text() const {
+  if (!value_->is_string()) fail("is not a text");
+  return value_->get<std::string>();
+}
+
+std::string JsonCursor::nonEmptyText() const {
+  std::string result = text();
+  if (result.empty()) fail("is empty");
+  return result;
+}
+
+double JsonCursor::number() const {
+  if (!value_->is_number()) fail("is not a number");
+  const double result = value_->get<double>();
+  if (!std::isfinite(result)) fail("is not a finite number");
+  return result;
+}
+
+double JsonCursor::positiveNumber() const {
+  const double result = number();
+  if (result <= 0.0) fail("is not above zero");
+  return result;
+}
+
+std::uint64_t JsonCursor::wholeNumber() const {
+  if (!value_->is_number_unsigned()) fail("is not a whole number of zero or more");
+  return value_->get<std::uint64_t>();
+}
+
+bool JsonCursor::boolean() const {
+  if (!value_->is_boolean()) fail("is neither true nor false");
+  return value_->get<bool>();
+}
+
+Vector3 JsonCursor::vector() const {
+  if (size() != 3) fail("is not a list of three numbers");
+  return {element(0).number(), element(1).number(), element(2).number()};
+}
+
+Pose JsonCursor::pose() const {
+  allowOnly({"position", "orientation"});
+  Pose pose;
+  pose.position = at("position").vector();
+  const JsonCursor orientation = at("orientation");
+  if (orientation.size() != 4) orientation.fail("is not a quaternion x, y, z, w");
+  for (std::size_t i = 0; i < 4; ++i) {
+    pose.orientation.coeffs()[static_cast<Eigen::Index>(i)] = orientation.element(i).number();
+  }
+  const double norm = pose.orientation.norm();
+  if (std::abs(norm - 1.0) > tolerance::kQuaternionNorm) {
+    orientation.fail("is not a unit quaternion (its length is " + std::to_string(norm) + ")",
+                     "Divide its four numbers by that length.");
+  }
+  return pose;
+}
+
+Result<Json> parseJson(const std::string& text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a scenario file."};
+  }
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    const std::size_t end = std::min(error.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
+    const std::size_t lineStart = end == 0 ? std::string::npos : text.rfind('\n', end - 1);
+    const std::size_t column = lineStart == std::string::npos ? end : end - lineStart - 1;
+    return Diagnostic{ErrorKind::MalformedInput, file,
+                      "line " + std::to_string(line) + ", column " + std::to_string(column), "is not valid JSON",
+                      "Correct the text there."};
+  } catch (const Json::exception&) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a number that is out of range",
+                      "Correct the number."};
+  }
+}
+
+Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+Json toJson(const Pose& pose) {
+  const Quaternion& q = pose.orientation;
+  return {{"position", toJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
+}
+
+}  // namespace glissade

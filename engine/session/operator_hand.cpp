@@ -1,0 +1,35 @@
+#include "engine/session/operator_hand.h"
+
+namespace glissade {
+
+OperatorHand::OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device)
+    : bounds_(problem.bounds), start_(problem.start), query_(problem.world->makeQuery()), device_(std::move(device)) {
+  sample_.q_device = problem.start;
+}
+
+void OperatorHand::put(const Pose& q_device) {
+  if (q_device == sample_.q_device) return;
+  sample_.q_device = q_device;
+  ++sample_.moves;
+  nearestIsKnown_ = false;
+}
+
+void OperatorHand::restart() {
+  put(start_);
+  if (device_) device_->restart();
+}
+
+void OperatorHand::advance(double dt, const OperatorFrame& frame,
+                           const std::function<double(const Pose&)>& distanceToStartTree) {
+  if (device_) put(device_->advance(dt, {sample_.q_device, frame, distanceToStartTree}, bounds_));
+}
+
+const OperatorSample& OperatorHand::sample() {
+  if (!nearestIsKnown_) {
+    sample_.nearest = query_->nearestObstacle(sample_.q_device);
+    nearestIsKnown_ = true;
+  }
+  return sample_;
+}
+
+}  // namespace glissade

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "engine/operator/operator_input.h"
+#include "engine/planning/operator_sample.h"
+#include "engine/planning/problem.h"
+
+namespace glissade {
+
+/// The operator's side of a session: q_device, what moves it, and its nearest obstacle (paper 1,
+/// section III.A: reading the device, integrating positions, cycling through obstacles). Owned and
+/// used by one thread.
+class OperatorHand {
+ public:
+  /// The object starts at the problem's start. No device: nobody holds it.
+  OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device);
+
+  bool held() const { return device_ != nullptr; }
+  bool connected() const { return device_ == nullptr || device_->connected(); }
+  void put(const Pose& q_device);
+  /// A new run: the object is back at the start and the device begins anew.
+  void restart();
+  /// Lets the object go for good (its device failed).
+  void release() { device_.reset(); }
+  void advance(double dt, const OperatorFrame& frame, const std::function<double(const Pose&)>& distanceToStartTree);
+  /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place.
+  const OperatorSample& sample();
+
+ private:
+  Box3 bounds_;
+  Pose start_;
+  std::unique_ptr<CollisionQuery> query_;
+  std::unique_ptr<OperatorDevice> device_;
+  OperatorSample sample_;
+  bool nearestIsKnown_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,23 @@
+#include "engine/session/roadmap_publisher.h"
+
+namespace glissade {
+
+void RoadmapPublisher::update(const Planner& planner) {
+  const auto& nodes = planner.nodes();
+  const auto& edges = planner.edges();
+  if (nodes.size() > nodes_ || edges.size() > edges_) {
+    auto chunk = std::make_shared<RoadmapChunk>();
+    chunk->nodes.assign(nodes.begin() + static_cast<std::ptrdiff_t>(nodes_), nodes.end());
+    chunk->edges.assign(edges.begin() + static_cast<std::ptrdiff_t>(edges_), edges.end());
+    nodes_ = nodes.size();
+    edges_ = edges.size();
+    chunks_.push_back(std::move(chunk));
+  }
+  for (std::size_t i = dropped_.size(); i < planner.droppedEdges().size(); ++i) {
+    dropped_.push_back(edges[planner.droppedEdges()[i]]);
+  }
+}
+
+void RoadmapPublisher::reset() { *this = RoadmapPublisher(); }
+
+}  // namespace glissade

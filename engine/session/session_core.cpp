@@ -1,0 +1,206 @@
+#include "engine/session/session_core.h"
+
+#include <exception>
+#include <sstream>
+
+#include "engine/session/start_check.h"
+
+namespace glissade {
+namespace {
+
+Diagnostic limit(const ParameterSpec& spec, const std::string& what) {
+  return {ErrorKind::LimitReached, "", "", what + " reached without a path",
+          "Raise " + std::string(spec.option) + ", take part with the device, or try another seed."};
+}
+
+std::string grouped(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
+  return digits;
+}
+
+}  // namespace
+
+/// The planner's view of the session.
+class SessionCore::Host final : public PlannerHost {
+ public:
+  Host(SessionCore& core, const Hooks& hooks) : core_(core), hooks_(hooks), stop_(core.withTimeLimit(hooks.stop)) {}
+
+  std::optional<OperatorSample> operatorSample() override {
+    auto sample = hooks_.operatorSample();
+    if (sample) core_.noteOperator(*sample);
+    return sample;
+  }
+  const ParameterValues& parameters() const override { return core_.parameters_; }
+  bool afterStep() override {
+    if (auto reached = core_.limitReached(); reached && core_.planner_->path() == nullptr) {
+      core_.fail(*std::move(reached));
+      return false;
+    }
+    return hooks_.afterStep();
+  }
+  const StopToken& stopToken() const override { return stop_; }
+
+ private:
+  SessionCore& core_;
+  const Hooks& hooks_;
+  StopToken stop_;
+};
+
+SessionCore::SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed)
+    : problem_(std::move(problem)),
+      registry_(makePlannerRegistry()),
+      parameters_(parameters),
+      plannerId_(std::move(plannerId)),
+      seed_(seed) {}
+
+SessionCore::~SessionCore() = default;
+
+void SessionCore::carryOut(const Command& wanted) {
+  const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
+  if (std::holds_alternative<command::Start>(wanted)) {
+    if (!running) startRun();
+  } else if (std::holds_alternative<command::Pause>(wanted)) {
+    if (state_ == SessionState::Planning) state_ = SessionState::Paused;
+  } else if (std::holds_alternative<command::Resume>(wanted)) {
+    if (state_ == SessionState::Paused) state_ = SessionState::Planning;
+  } else if (std::holds_alternative<command::Stop>(wanted)) {
+    if (running) state_ = SessionState::Stopped;
+  } else if (const auto* seed = std::get_if<command::SetSeed>(&wanted)) {
+    seed_ = seed->seed;
+  } else if (const auto* planner = std::get_if<command::SetPlanner>(&wanted)) {
+    setPlanner(planner->id);
+  } else if (const auto* parameter = std::get_if<command::SetParameter>(&wanted)) {
+    setParameter(parameter->id, parameter->value);
+  }
+}
+
+void SessionCore::setPlanner(const std::string& id) {
+  if (registry_.find(id) != nullptr) {
+    plannerId_ = id;
+    return;
+  }
+  std::string known;
+  for (const PlannerEntry& entry : registry_.entries()) known += (known.empty() ? "" : ", ") + entry.id;
+  trouble_ = Diagnostic{ErrorKind::Usage, "", id, "there is no such planner", "Choose one of " + known + "."};
+}
+
+void SessionCore::setParameter(ParameterId id, double value) {
+  const Outcome outcome = parameters_.set(id, value);
+  if (!outcome) {
+    trouble_ = outcome.error();
+    return;
+  }
+  if (planner_) log_.parameterChanges.push_back({planner_->counts().steps, id, value});
+}
+
+void SessionCore::startRun() {
+  ++run_;
+  trouble_.reset();
+  path_.reset();
+  planner_.reset();
+  roadmap_.reset();
+  log_ = RunLog();
+  log_.initialParameters = parameters_;
+  lastMoves_.reset();
+  spent_ = std::chrono::duration<double>(0);
+  const Outcome startable = checkStart(problem_, parameters_[ParameterId::RequiredClearance]);
+  if (!startable) {
+    fail(startable.error());
+    return;
+  }
+  const PlannerEntry* entry = registry_.find(plannerId_);
+  if (entry == nullptr) {
+    setPlanner(plannerId_);
+    state_ = SessionState::Failed;
+    return;
+  }
+  planner_ = entry->make(problem_, seed_);
+  state_ = SessionState::Planning;
+}
+
+void SessionCore::plan(const Hooks& hooks) {
+  Host host(*this, hooks);
+  planningSince_ = std::chrono::steady_clock::now();
+  try {
+    if (planner_->solve(host)) {
+      path_ = std::make_shared<const Path>(*planner_->path());
+      state_ = SessionState::Solved;
+    }
+  } catch (const std::exception& error) {
+    fail({ErrorKind::Internal, "", plannerId_, std::string("the planner failed: ") + error.what(),
+          "Please report it with the scenario and the seed " + std::to_string(seed_) + "."});
+  }
+  spent_ += std::chrono::steady_clock::now() - *planningSince_;
+  planningSince_.reset();
+}
+
+void SessionCore::noteOperator(const OperatorSample& sample) {
+  if (lastMoves_ == sample.moves) return;
+  lastMoves_ = sample.moves;
+  log_.operatorStream.push_back({planner_->counts().steps, sample.q_device});
+}
+
+void SessionCore::fail(Diagnostic why) {
+  trouble_ = std::move(why);
+  state_ = SessionState::Failed;
+}
+
+std::optional<Diagnostic> SessionCore::limitReached() const {
+  const PlannerCounts& counts = planner_->counts();
+  const auto reached = [&](ParameterId id, double spent) {
+    const double most = parameters_[id];
+    return most > 0.0 && spent >= most;
+  };
+  if (reached(ParameterId::MaxSteps, static_cast<double>(counts.steps))) {
+    return limit(specOf(ParameterId::MaxSteps), "the step limit of " + grouped(counts.steps));
+  }
+  if (reached(ParameterId::MaxSamples, static_cast<double>(counts.randomConfigurations))) {
+    return limit(specOf(ParameterId::MaxSamples),
+                 "the limit of " + grouped(counts.randomConfigurations) + " random configurations");
+  }
+  if (reached(ParameterId::TimeLimit, planningSeconds())) {
+    std::ostringstream what;
+    what << "the time limit of " << parameters_[ParameterId::TimeLimit] << " s";
+    return limit(specOf(ParameterId::TimeLimit), what.str());
+  }
+  return std::nullopt;
+}
+
+/// Long checks end at the time limit, too.
+StopToken SessionCore::withTimeLimit(const StopToken& stop) const {
+  const double limit = parameters_[ParameterId::TimeLimit];
+  if (limit <= 0.0) return stop;
+  const std::chrono::duration<double> left(limit - planningSeconds());
+  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(left));
+}
+
+double SessionCore::planningSeconds() const {
+  auto total = spent_;
+  if (planningSince_) total += std::chrono::steady_clock::now() - *planningSince_;
+  return total.count();
+}
+
+void SessionCore::describe(SessionSnapshot& snapshot) {
+  snapshot.run = run_;
+  snapshot.state = state_;
+  snapshot.problem = trouble_;
+  snapshot.plannerId = plannerId_;
+  snapshot.seed = seed_;
+  snapshot.parameters = parameters_;
+  snapshot.planningSeconds = planningSeconds();
+  snapshot.path = path_;
+  if (planner_) {
+    roadmap_.update(*planner_);
+    snapshot.counts = planner_->counts();
+    snapshot.authority = planner_->authority();
+    snapshot.contactMode = planner_->inContactMode();
+  }
+  snapshot.roadmap = roadmap_.chunks();
+  snapshot.droppedEdges = roadmap_.droppedEdges();
+  const bool ended =
+      state_ == SessionState::Solved || state_ == SessionState::Failed || state_ == SessionState::Stopped;
+  snapshot.log = ended && run_ > 0 ? std::make_shared<const RunLog>(log_) : nullptr;
+}
+
+}  // namespace glissade

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/session/roadmap_publisher.h"
+#include "engine/session/run_log.h"
+#include "engine/session/session.h"
+
+namespace glissade {
+
+/// What a session's two implementations share: the state machine of a run. Lives on the planning
+/// thread (or in the lockstep loop) and knows neither threads nor clocks of the operator.
+class SessionCore {
+ public:
+  SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed);
+  ~SessionCore();
+
+  /// Start, Pause, Resume, Stop, SetSeed, SetPlanner, SetParameter; SetDevicePose is the operator
+  /// side's and does nothing here.
+  void carryOut(const Command& command);
+
+  SessionState state() const { return state_; }
+  /// Counts the runs started so far.
+  std::uint64_t run() const { return run_; }
+
+  /// What plan() needs from the session around it.
+  struct Hooks {
+    std::function<std::optional<OperatorSample>()> operatorSample;
+    std::function<bool()> afterStep;  ///< false: return from plan() (and be called again later)
+    StopToken stop;
+  };
+  /// Grows the roadmap until the run ends or a hook ends the call. Precondition: state() == Planning.
+  /// Exceptions of the planner end the run as an internal error.
+  void plan(const Hooks& hooks);
+
+  /// Fills in the planning side of a snapshot and publishes new roadmap nodes.
+  void describe(SessionSnapshot& snapshot);
+
+  const Problem& problem() const { return problem_; }
+  const ParameterValues& parameters() const { return parameters_; }
+  const Planner* planner() const { return planner_.get(); }
+
+ private:
+  class Host;
+
+  void startRun();
+  void setPlanner(const std::string& id);
+  void setParameter(ParameterId id, double value);
+  void noteOperator(const OperatorSample& sample);
+  void fail(Diagnostic why);
+  std::optional<Diagnostic> limitReached() const;
+  StopToken withTimeLimit(const StopToken& stop) const;
+  double planningSeconds() const;
+
+  Problem problem_;
+  PlannerRegistry registry_;
+  ParameterValues parameters_;
+  std::string plannerId_;
+  std::uint64_t seed_;
+
+  SessionState state_ = SessionState::Idle;
+  std::optional<Diagnostic> trouble_;
+  std::uint64_t run_ = 0;
+  std::unique_ptr<Planner> planner_;
+  RoadmapPublisher roadmap_;
+  std::shared_ptr<const Path> path_;
+  RunLog log_;
+  std::optional<std::uint64_t> lastMoves_;  ///< of the operator sample logged last
+  std::chrono::duration<double> spent_{0};
+  std::optional<std::chrono::steady_clock::time_point> planningSince_;
+};
+
+}  // namespace glissade

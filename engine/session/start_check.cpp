@@ -1,0 +1,58 @@
+#include "engine/session/start_check.h"
+
+#include <sstream>
+
+#include "engine/planning/goal_roots.h"
+
+namespace glissade {
+namespace {
+
+Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const Pose& q, const std::string& which,
+                           double requiredClearance) {
+  const auto& obstacles = problem.world->obstacles();
+  if (!isValid(q)) {
+    return Diagnostic{ErrorKind::MalformedInput, "", which, "is not a valid configuration",
+                      "Give finite numbers and a unit quaternion."};
+  }
+  if (!problem.bounds.contains(q.position)) {
+    return Diagnostic{ErrorKind::MalformedInput, "", which, "lies outside the workspace bounds",
+                      "Enlarge the workspace or move the " + which + " inside."};
+  }
+  if (const auto body = query.collidingBody(q)) {
+    return Diagnostic{ErrorKind::InCollision, "", which,
+                      "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].name + "'",
+                      "Move the " + which + " to a free place."};
+  }
+  const NearestObstacle nearest = query.nearestObstacle(q);
+  if (nearest.distance < requiredClearance) {
+    std::ostringstream reason;
+    reason << "the object is " << nearest.distance << " m from '"
+           << obstacles[static_cast<std::size_t>(nearest.body)].name << "', nearer than the required clearance of "
+           << requiredClearance << " m";
+    return Diagnostic{ErrorKind::InCollision, "", which, reason.str(),
+                      "Move the " + which + " away or lower the required clearance."};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Outcome checkStart(const Problem& problem, double requiredClearance) {
+  if (problem.bounds.isEmpty()) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "workspace", "is empty", "Give a minimum below the maximum."};
+  }
+  const auto query = problem.world->makeQuery();
+  Outcome start = checkConfiguration(problem, *query, problem.start, "start", requiredClearance);
+  if (!start) return start;
+  if (const Pose* goal = std::get_if<Pose>(&problem.goal)) {
+    return checkConfiguration(problem, *query, *goal, "goal", requiredClearance);
+  }
+  if (goalRoots(problem, *query).empty()) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "goal",
+                      "'out' cannot be reached: the workspace holds no place clear of the obstacles' box",
+                      "Enlarge the workspace by the size of the object on one side at least."};
+  }
+  return Done{};
+}
+
+}  // namespace glissade

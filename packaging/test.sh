@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs all tests; needs no display. The last line has the totals.
+# usage: packaging/test.sh
+set -uo pipefail
+cd "$(dirname "$0")/.."
+
+packaging/setup.sh build run test || exit 1
+
+# Nothing of a test may depend on, or write into, the home of whoever runs it.
+home=$(mktemp -d)
+trap 'rm -rf "$home"' EXIT
+mkdir -m 700 "$home/runtime"
+export HOME=$home XDG_RUNTIME_DIR=$home/runtime XDG_CONFIG_HOME=$home/config XDG_CACHE_HOME=$home/cache
+export MESA_SHADER_CACHE_DISABLE=true QT_FONT_DPI=96 LC_ALL=C.UTF-8
+unset DISPLAY WAYLAND_DISPLAY
+
+passed=0
+failed=0
+skipped=0
+
+# run_suite PRESET CTEST_OPTION...: runs the tests of a build and adds to the totals.
+run_suite() {
+  local preset=$1
+  shift
+  local report=$PWD/build/$preset-tests.xml
+  rm -f "$report"
+  ctest --test-dir "build/$preset" --output-on-failure --output-junit "$report" -j "$(nproc)" "$@" \
+    >"build/$preset-tests.log" 2>&1
+  grep -E '\*\*\*|^[0-9]+% tests passed' "build/$preset-tests.log"
+  if [ ! -s "$report" ]; then
+    echo "$preset: the tests did not run (build/$preset-tests.log)"
+    failed=$((failed + 1))
+    return
+  fi
+  local attribute total bad idle
+  attribute() { sed -n "s/.*<testsuite[^>]*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p;s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
+  total=$(attribute tests)
+  bad=$(attribute failures)
+  idle=$(($(attribute skipped) + $(attribute disabled)))
+  passed=$((passed + total - bad - idle))
+  failed=$((failed + bad))
+  skipped=$((skipped + idle))
+  [ "$bad" -eq 0 ] || sed -n '/^[0-9]*: /p' "build/$preset-tests.log" | tail -n 200
+}
+
+# build_and_run PRESET "TARGETS" CTEST_OPTION...
+build_and_run() {
+  local preset=$1 targets=$2
+  shift 2
+  # shellcheck disable=SC2086
+  if packaging/build.sh "$preset" $targets; then
+    run_suite "$preset" "$@"
+  else
+    failed=$((failed + 1))
+  fi
+}
+
+build_and_run release ""
+# Sanitizers where they matter: what reads files, and what runs in threads.
+build_and_run asan "import_test scenario_test glissade-import" -R '^(Import|Scenario)' 
+build_and_run tsan "session_test operator_test" -L 'session|operator'
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" -eq 0 ]

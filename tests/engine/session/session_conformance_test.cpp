@@ -1,0 +1,173 @@
+// The threaded session and its thread-less twin keep the same contract.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "tests/engine/support/session_support.h"
+
+namespace glissade {
+namespace {
+
+using Maker = std::unique_ptr<Session> (*)(SessionConfig);
+
+std::unique_ptr<Session> makeLockstep(SessionConfig config) { return makeLockstepSession(std::move(config)); }
+
+class SessionConformance : public testing::TestWithParam<std::pair<const char*, Maker>> {
+ protected:
+  std::unique_ptr<Session> make(SessionConfig config) const { return GetParam().second(std::move(config)); }
+};
+
+TEST_P(SessionConformance, IsIdleUntilStarted) {
+  const auto session = make(sessionConfig(windowProblem()));
+  const SnapshotPtr snapshot = session->snapshot();
+  ASSERT_NE(snapshot, nullptr);
+  EXPECT_EQ(snapshot->state, SessionState::Idle);
+  EXPECT_TRUE(snapshot->roadmap.empty());
+  EXPECT_EQ(snapshot->device.q_device, windowProblem().start);
+}
+
+TEST_P(SessionConformance, SolvesAndDeliversRoadmapPathAndLog) {
+  const auto session = make(sessionConfig(windowProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const SnapshotPtr snapshot = session->snapshot();
+  ASSERT_EQ(snapshot->state, SessionState::Solved);
+  EXPECT_FALSE(snapshot->problem);
+  ASSERT_NE(snapshot->path, nullptr);
+  EXPECT_EQ(snapshot->path->certificate.status, CertificateStatus::Certified);
+  EXPECT_EQ(allNodes(snapshot->roadmap).size(), snapshot->counts.nodes);
+  EXPECT_NE(snapshot->log, nullptr);
+  EXPECT_GT(snapshot->planningSeconds, 0.0);
+}
+
+TEST_P(SessionConformance, RevisionsGrowAndPublishedChunksAreSharedNotCopied) {
+  const auto session = make(sessionConfig(closedProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.nodes > 20; }));
+  const SnapshotPtr earlier = session->snapshot();
+  ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.nodes > earlier->counts.nodes + 20; }));
+  const SnapshotPtr later = session->snapshot();
+  EXPECT_GT(later->revision, earlier->revision);
+  ASSERT_GE(later->roadmap.size(), earlier->roadmap.size());
+  for (std::size_t i = 0; i < earlier->roadmap.size(); ++i) EXPECT_EQ(later->roadmap[i], earlier->roadmap[i]);
+}
+
+TEST_P(SessionConformance, PauseHoldsTheRoadmapAndResumeGoesOn) {
+  const auto session = make(sessionConfig(closedProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 5; }));
+  session->post(command::Pause{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Paused; }));
+  const std::uint64_t steps = session->snapshot()->counts.steps;
+  waitFor(
+      *session, [](const auto&) { return false; }, std::chrono::seconds(0));
+  EXPECT_EQ(session->snapshot()->counts.steps, steps);
+  session->post(command::Resume{});
+  EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps > steps + 5; }));
+}
+
+TEST_P(SessionConformance, StopKeepsWhatWasFoundAndARestartBeginsAnew) {
+  const auto session = make(sessionConfig(closedProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 5; }));
+  session->post(command::Stop{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Stopped; }));
+  const SnapshotPtr stopped = session->snapshot();
+  EXPECT_GT(stopped->counts.nodes, 2U);
+  EXPECT_FALSE(stopped->roadmap.empty());
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.run == stopped->run + 1; }));
+  EXPECT_NE(session->snapshot()->roadmap.empty() ? nullptr : session->snapshot()->roadmap[0], stopped->roadmap[0]);
+}
+
+TEST_P(SessionConformance, ParametersChangeWhileItRunsAndAreLogged) {
+  const auto session = make(sessionConfig(closedProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 3; }));
+  session->post(command::SetParameter{ParameterId::Alpha, 0.75});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.parameters[ParameterId::Alpha] == 0.75; }));
+  session->post(command::Stop{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const SnapshotPtr snapshot = session->snapshot();
+  ASSERT_EQ(snapshot->log->parameterChanges.size(), 1U);
+  EXPECT_EQ(snapshot->log->parameterChanges[0].value, 0.75);
+  EXPECT_GT(snapshot->log->parameterChanges[0].step, 3U);
+}
+
+TEST_P(SessionConformance, ABadParameterIsRefusedInWordsAndTheRunGoesOn) {
+  const auto session = make(sessionConfig(closedProblem()));
+  session->post(command::Start{});
+  session->post(command::SetParameter{ParameterId::Alpha, 7.0});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
+  EXPECT_EQ(session->snapshot()->state, SessionState::Planning);
+  EXPECT_EQ(session->snapshot()->problem->place, "alpha");
+}
+
+TEST_P(SessionConformance, LimitsEndTheRunWithAReason) {
+  SessionConfig config = sessionConfig(closedProblem());
+  ASSERT_TRUE(config.parameters.set(ParameterId::MaxSteps, 30));
+  const auto session = make(std::move(config));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const SnapshotPtr snapshot = session->snapshot();
+  EXPECT_EQ(snapshot->state, SessionState::Failed);
+  EXPECT_EQ(snapshot->problem->kind, ErrorKind::LimitReached);
+  EXPECT_EQ(snapshot->counts.steps, 30U);
+}
+
+TEST_P(SessionConformance, AStartInCollisionIsRefusedNamingTheBody) {
+  Problem problem = windowProblem();
+  problem.start = Pose::translation({0.0, 1.5, 0.0});
+  const auto session = make(sessionConfig(problem));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  EXPECT_EQ(session->snapshot()->problem->kind, ErrorKind::InCollision);
+  EXPECT_EQ(session->snapshot()->problem->place, "start");
+  EXPECT_NE(session->snapshot()->problem->reason.find("right"), std::string::npos);
+}
+
+TEST_P(SessionConformance, AnUnknownPlannerIsRefusedAndTheOldOneStays) {
+  const auto session = make(sessionConfig(windowProblem()));
+  session->post(command::SetPlanner{"warp-drive"});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
+  EXPECT_EQ(session->snapshot()->plannerId, "contact-birrt");
+}
+
+TEST_P(SessionConformance, TheOperatorMovesTheObjectAndIsPutBackAtAStart) {
+  const auto session = make(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.32, 0, 0))));
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.q_device.position.x() > -0.32 - 1e-8; }));
+  EXPECT_NEAR(session->snapshot()->device.nearest.distance, 0.02, 1e-6);
+  const std::uint64_t moves = session->snapshot()->device.moves;
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves; }));
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.contactConfigurations > 10; }));
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.contactMode; }));
+}
+
+TEST_P(SessionConformance, TheObjectCanBePutSomewhere) {
+  const auto session = make(sessionConfig(closedProblem()));
+  const Pose place = Pose::translation({-1.0, 0.5, 0.5});
+  session->post(command::SetDevicePose{place});
+  EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.q_device == place; }));
+}
+
+TEST_P(SessionConformance, WakesTheWindowUp) {
+  const auto session = make(sessionConfig(closedProblem()));
+  std::atomic<int> calls{0};
+  session->setWakeUp([&] { ++calls; });
+  session->post(command::Start{});
+  EXPECT_TRUE(waitFor(*session, [&](const auto&) { return calls > 0; }));
+  session->setWakeUp({});
+}
+
+std::string testName(const testing::TestParamInfo<std::pair<const char*, Maker>>& parameter) {
+  return parameter.param.first;
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SessionConformance,
+                         testing::Values(std::pair<const char*, Maker>{"lockstep", &makeLockstep},
+                                         std::pair<const char*, Maker>{"threaded", &makeThreadedSession}),
+                         testName);
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+
+#include "tests/engine/support/session_support.h"
+
+namespace glissade {
+namespace {
+
+TEST(ThreadedSession, EndsCleanlyInEveryState) {
+  for (const int steps : {0, 1, 50}) {
+    const auto session = makeThreadedSession(sessionConfig(closedProblem()));
+    session->post(command::Start{});
+    waitFor(*session, [&](const auto& s) { return s.counts.steps >= static_cast<std::uint64_t>(steps); });
+  }
+  const auto idle = makeThreadedSession(sessionConfig(closedProblem()));
+  const auto paused = makeThreadedSession(sessionConfig(closedProblem()));
+  paused->post(command::Start{});
+  paused->post(command::Pause{});
+  EXPECT_TRUE(waitFor(*paused, [](const auto& s) { return s.state == SessionState::Paused; }));
+}
+
+TEST(ThreadedSession, AtMostOneWakeUpIsPending) {
+  const auto session = makeThreadedSession(sessionConfig(closedProblem()));
+  std::atomic<int> calls{0};
+  session->setWakeUp([&] { ++calls; });
+  session->post(command::Start{});
+  while (calls == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  // Nobody reads the snapshot: however long the planner works, nothing more arrives.
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_EQ(calls, 1);
+  session->snapshot();
+  while (calls == 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  session->setWakeUp({});
+}
+
+class FailingDevice final : public OperatorDevice {
+ public:
+  Pose advance(double, const OperatorView&, const Box3&) override { throw std::runtime_error("cable out"); }
+};
+
+TEST(ThreadedSession, AFailingDeviceIsReportedAndPlanningGoesOn) {
+  const auto session = makeThreadedSession(sessionConfig(windowProblem(), std::make_unique<FailingDevice>()));
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
+  EXPECT_NE(session->snapshot()->problem->reason.find("cable out"), std::string::npos);
+  session->post(command::Start{});
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
+}
+
+TEST(ThreadedSession, ManyStartsStopsAndReadersDoNotDisturbEachOther) {
+  const auto session =
+      makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.3, 0, 0))));
+  std::atomic<bool> done{false};
+  std::thread reader([&] {
+    while (!done) {
+      const SnapshotPtr snapshot = session->snapshot();
+      EXPECT_LE(snapshot->counts.edges, 2 * snapshot->counts.nodes);
+    }
+  });
+  for (int i = 0; i < 20; ++i) {
+    session->post(command::Start{});
+    session->post(command::SetParameter{ParameterId::Alpha, 0.05 * i});
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    session->post(command::Stop{});
+  }
+  EXPECT_TRUE(waitFor(*session, [](const auto& s) { return s.run == 20 && s.state == SessionState::Stopped; }));
+  done = true;
+  reader.join();
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QAction>
+#include <QHash>
+#include <QObject>
+#include <QString>
+#include <vector>
+
+namespace glissade {
+
+/// One row of the catalogue: everything that can be done has an id, for scripts and shortcuts.
+struct ActionSpec {
+  const char* id;        ///< "run.start"
+  const char* text;      ///< English, with mnemonic; translated in the context "Actions"
+  const char* shortcut;  ///< portable text; may be empty
+  const char* tip;       ///< what it does, one sentence
+  bool checkable;
+};
+
+/// All actions, in the order of the help page.
+const std::vector<ActionSpec>& actionSpecs();
+
+/// The actions of one window, by id.
+class ActionCatalogue final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ActionCatalogue(QObject* parent);
+
+  /// Precondition: the id is in actionSpecs().
+  QAction* operator[](const QString& id) const { return actions_.value(id); }
+  /// Null where there is none.
+  QAction* find(const QString& id) const { return actions_.value(id, nullptr); }
+  /// "Ctrl+O  Open a scenario" lines as HTML table rows, for the help page.
+  QString shortcutTable() const;
+
+ private:
+  QHash<QString, QAction*> actions_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,60 @@
+#include "widgets/panels/counts_panel.h"
+
+#include <QLocale>
+
+namespace glissade {
+namespace {
+
+QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
+
+QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'f', 1) + QStringLiteral(" mm"); }
+
+}  // namespace
+
+CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
+  layout_->setVerticalSpacing(3);
+  iterations_ = addRow(tr("Iterations"), tr("Passes of the paper's loop"));
+  nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
+  edges_ = addRow(tr("Edges"), tr("Both directions, as the papers count"));
+  random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
+  operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
+  contact_ = addRow(tr("Contact configurations"), tr("Shot on tangent planes, kept or not"));
+  time_ = addRow(tr("Time"), tr("Of planning; pauses do not count"));
+  pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
+  mode_ = addRow(tr("Contact mode"), tr("On while contact samples are shot"));
+  nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
+  distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
+}
+
+QLabel* CountsPanel::addRow(const QString& label, const QString& tip) {
+  auto* value = new QLabel(QStringLiteral("–"), this);
+  value->setAlignment(Qt::AlignRight);
+  value->setToolTip(tip);
+  value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout_->addRow(label, value);
+  return value;
+}
+
+void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario) {
+  const PlannerCounts& counts = snapshot.counts;
+  iterations_->setText(count(counts.iterations));
+  nodes_->setText(count(counts.nodes));
+  edges_->setText(count(counts.edges));
+  random_->setText(count(counts.randomConfigurations));
+  operator_->setText(count(counts.operatorConfigurations));
+  contact_->setText(count(counts.contactConfigurations));
+  time_->setText(QLocale().toString(snapshot.virtualSeconds, 'f', 1) + QStringLiteral(" s"));
+  const double seconds = snapshot.virtualSeconds;
+  pace_->setText(seconds > 0.0 ? count(static_cast<std::uint64_t>(static_cast<double>(counts.steps) / seconds))
+                               : QStringLiteral("–"));
+  mode_->setText(snapshot.contactMode ? tr("on") : tr("off"));
+  const NearestObstacle& nearest = snapshot.device.nearest;
+  const bool known = nearest.body >= 0;
+  nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].name)
+                          : QStringLiteral("–"));
+  distance_->setText(!known                   ? QStringLiteral("–")
+                     : nearest.distance > 0.0 ? millimetres(nearest.distance)
+                                              : tr("in collision"));
+}
+
+}  // namespace glissade

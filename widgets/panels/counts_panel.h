@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QFormLayout>
+#include <QLabel>
+#include <QWidget>
+
+#include "engine/scenario/scenario.h"
+#include "engine/session/session.h"
+
+namespace glissade {
+
+/// Live figures of the run, and the nearest obstacle.
+class CountsPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CountsPanel(QWidget* parent = nullptr);
+
+  void setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario);
+
+ private:
+  QLabel* addRow(const QString& label, const QString& tip);
+
+  QFormLayout* layout_;
+  QLabel* iterations_;
+  QLabel* nodes_;
+  QLabel* edges_;
+  QLabel* random_;
+  QLabel* operator_;
+  QLabel* contact_;
+  QLabel* time_;
+  QLabel* pace_;
+  QLabel* mode_;
+  QLabel* nearest_;
+  QLabel* distance_;
+};
+
+}  // namespace glissade

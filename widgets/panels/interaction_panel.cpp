@@ -1,0 +1,128 @@
+#include "widgets/panels/interaction_panel.h"
+
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <limits>
+
+#include "engine/operator/device_registry.h"
+
+namespace glissade {
+namespace {
+
+QString text(const std::string& value) { return QString::fromStdString(value); }
+
+void select(QComboBox& box, const std::string& id) {
+  const QSignalBlocker block(box);
+  box.setCurrentIndex(box.findData(text(id)));
+}
+
+QComboBox* makeBox(QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  return box;
+}
+
+}  // namespace
+
+InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent)
+    : QWidget(parent),
+      planner_(makeBox(this)),
+      device_(makeBox(this)),
+      seed_(new QSpinBox(this)),
+      authority_(new QLabel(this)) {
+  const PlannerRegistry planners = makePlannerRegistry();
+  for (const PlannerEntry& entry : planners.entries()) {
+    planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
+    planner_->setItemData(planner_->count() - 1, text(entry.description), Qt::ToolTipRole);
+  }
+  const DeviceRegistry devices = makeDeviceRegistry();
+  for (const DeviceEntry& entry : devices.entries()) {
+    if (clock == SessionClock::Lockstep && entry.id == "hand") continue;
+    device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
+    device_->setItemData(device_->count() - 1, text(entry.description), Qt::ToolTipRole);
+  }
+  planner_->setToolTip(tr("The planner of the next run"));
+  device_->setToolTip(tr("Who holds the object"));
+  seed_->setRange(0, std::numeric_limits<int>::max());
+  seed_->setToolTip(tr("Same scenario, seed and inputs: same roadmap"));
+  authority_->setObjectName(QStringLiteral("authority"));
+  authority_->setToolTip(tr("Whose configuration was tried last"));
+
+  auto* form = new QFormLayout;
+  form->setLabelAlignment(Qt::AlignLeft);
+  form->addRow(tr("Planner"), planner_);
+  form->addRow(tr("Operator"), device_);
+  form->addRow(tr("Seed"), seed_);
+  form->addRow(tr("Authority now"), authority_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(10);
+  layout->addWidget(makeButtons(actions));
+  layout->addLayout(form);
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (!spec.live) continue;
+    auto* slider = new ParameterSlider(spec.id, this);
+    connect(slider, &ParameterSlider::valueChosen, this, [this, id = spec.id](double value) {
+      emit commanded(command::SetParameter{id, value});
+    });
+    sliders_.push_back(slider);
+    layout->addWidget(slider);
+  }
+  layout->addStretch();
+  connect(planner_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()}); });
+  connect(device_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit deviceChosen(device_->currentData().toString()); });
+  connect(seed_, QOverload<int>::of(&QSpinBox::valueChanged), this,
+          [this](int seed) { emit commanded(command::SetSeed{static_cast<std::uint64_t>(seed)}); });
+}
+
+QWidget* InteractionPanel::makeButtons(const ActionCatalogue& actions) {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (const char* id : {"run.start", "run.pause", "run.stop"}) {
+    auto* button = new QToolButton(row);
+    button->setDefaultAction(actions[QLatin1String(id)]);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout->addWidget(button);
+  }
+  return row;
+}
+
+void InteractionPanel::setScenario(const LoadedScenario& scenario) {
+  for (ParameterSlider* slider : sliders_) {
+    slider->setObjectRadius(scenario.problem.world->objectRadius());
+    slider->setValue(scenario.parameters[slider->id()]);
+  }
+}
+
+void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
+  select(*planner_, snapshot.plannerId);
+  if (!seed_->hasFocus()) {
+    const QSignalBlocker block(seed_);
+    seed_->setValue(static_cast<int>(snapshot.seed));
+  }
+  for (ParameterSlider* slider : sliders_) {
+    const bool beingDragged = slider->isAncestorOf(focusWidget());
+    if (!beingDragged) slider->setValue(snapshot.parameters[slider->id()]);
+  }
+  if (snapshot.state != SessionState::Planning) {
+    authority_->setText(QStringLiteral("–"));
+  } else if (snapshot.authority == Author::Computer) {
+    authority_->setText(tr("computer"));
+  } else {
+    authority_->setText(snapshot.authority == Author::Operator ? tr("operator") : tr("operator, in contact"));
+  }
+}
+
+void InteractionPanel::setDevice(const std::string& deviceId) { select(*device_, deviceId); }
+
+}  // namespace glissade

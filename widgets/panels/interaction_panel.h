@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSpinBox>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/parameter_slider.h"
+
+namespace glissade {
+
+/// What steers a run: planner, who holds the object, the live parameters, seed, start and stop, and
+/// who has the authority now.
+class InteractionPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent = nullptr);
+
+  void setScenario(const LoadedScenario& scenario);
+  void setSnapshot(const SessionSnapshot& snapshot);
+  void setDevice(const std::string& deviceId);
+
+ signals:
+  void commanded(const glissade::Command& command);
+  void deviceChosen(const QString& deviceId);
+
+ private:
+  QWidget* makeButtons(const ActionCatalogue& actions);
+
+  QComboBox* planner_;
+  QComboBox* device_;
+  QSpinBox* seed_;
+  QLabel* authority_;
+  std::vector<ParameterSlider*> sliders_;
+};
+
+}  // namespace glissade

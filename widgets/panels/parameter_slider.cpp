@@ -1,0 +1,100 @@
+#include "widgets/panels/parameter_slider.h"
+
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+constexpr int kPositions = 1000;
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
+
+}  // namespace
+
+QString parameterLabel(const ParameterSpec& spec) {
+  return QCoreApplication::translate("Parameters", std::string(spec.label).c_str());
+}
+
+ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
+    : QWidget(parent),
+      id_(id),
+      shownPerUnit_(specOf(id).unit == "m" ? 1000.0 : 1.0),
+      slider_(new QSlider(Qt::Horizontal, this)),
+      number_(new QDoubleSpinBox(this)) {
+  const ParameterSpec& spec = specOf(id);
+  const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
+  auto* label = new QLabel(symbol + parameterLabel(spec), this);
+  label->setBuddy(number_);
+  slider_->setRange(0, kPositions);
+  slider_->setAccessibleName(parameterLabel(spec));
+  number_->setAccessibleName(parameterLabel(spec));
+  number_->setDecimals(spec.integer ? 0 : spec.unit == "m" ? 1 : 3);
+  number_->setKeyboardTracking(false);
+  number_->setFixedWidth(88);
+  number_->setAlignment(Qt::AlignRight);
+  if (spec.unit == "m") number_->setSuffix(QStringLiteral(" mm"));
+  const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());
+  setToolTip(help);
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setVerticalSpacing(2);
+  layout->addWidget(label, 0, 0);
+  layout->addWidget(number_, 0, 1);
+  layout->addWidget(slider_, 1, 0, 1, 2);
+  layout->setColumnStretch(0, 1);
+  setObjectName(text(spec.key));
+  setObjectRadius(1.0);
+  connect(slider_, &QSlider::valueChanged, this, &ParameterSlider::sliderMoved);
+  connect(number_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ParameterSlider::numberEdited);
+}
+
+void ParameterSlider::setObjectRadius(double radius) {
+  const QSignalBlocker blockNumber(number_);
+  range_ = rangeOf(id_, radius);
+  logarithmic_ = range_.minimum > 0.0 && range_.maximum / range_.minimum > 100.0;
+  number_->setRange(range_.minimum * shownPerUnit_, range_.maximum * shownPerUnit_);
+  const double step = (range_.maximum - range_.minimum) * shownPerUnit_ / 100.0;
+  number_->setSingleStep(specOf(id_).integer ? 1.0 : step);
+}
+
+void ParameterSlider::setValue(double value) {
+  const QSignalBlocker blockSlider(slider_);
+  const QSignalBlocker blockNumber(number_);
+  slider_->setValue(toPosition(value));
+  number_->setValue(value * shownPerUnit_);
+}
+
+double ParameterSlider::value() const { return number_->value() / shownPerUnit_; }
+
+double ParameterSlider::fromPosition(int position) const {
+  const double share = static_cast<double>(position) / kPositions;
+  const double value = logarithmic_ ? range_.minimum * std::pow(range_.maximum / range_.minimum, share)
+                                    : range_.minimum + share * (range_.maximum - range_.minimum);
+  return specOf(id_).integer ? std::round(value) : value;
+}
+
+int ParameterSlider::toPosition(double value) const {
+  const double share = logarithmic_ ? std::log(value / range_.minimum) / std::log(range_.maximum / range_.minimum)
+                                    : (value - range_.minimum) / (range_.maximum - range_.minimum);
+  return static_cast<int>(std::lround(share * kPositions));
+}
+
+void ParameterSlider::sliderMoved(int position) {
+  const double chosen = fromPosition(position);
+  const QSignalBlocker block(number_);
+  number_->setValue(chosen * shownPerUnit_);
+  emit valueChosen(chosen);
+}
+
+void ParameterSlider::numberEdited(double shown) {
+  const QSignalBlocker block(slider_);
+  slider_->setValue(toPosition(shown / shownPerUnit_));
+  emit valueChosen(shown / shownPerUnit_);
+}
+
+}  // namespace glissade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QWidget>
+
+#include "engine/base/parameters.h"
+
+namespace glissade {
+
+/// One live parameter of the table as a slider with a number beside it. Lengths are shown in
+/// millimetres; ranges over more than two decades are logarithmic.
+class ParameterSlider final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ParameterSlider(ParameterId id, QWidget* parent = nullptr);
+
+  ParameterId id() const { return id_; }
+  /// The range for an object of this size; keeps the value where it fits.
+  void setObjectRadius(double radius);
+  /// Shows a value (engine units) without announcing it.
+  void setValue(double value);
+  double value() const;
+
+ signals:
+  /// The user chose another value (engine units).
+  void valueChosen(double value);
+
+ private:
+  double fromPosition(int position) const;
+  int toPosition(double value) const;
+  void sliderMoved(int position);
+  void numberEdited(double shown);
+
+  ParameterId id_;
+  double shownPerUnit_;  ///< millimetres per metre, or 1
+  ParameterRange range_{0.0, 1.0};
+  bool logarithmic_ = false;
+  QSlider* slider_;
+  QDoubleSpinBox* number_;
+};
+
+/// The table's label in the window's language.
+QString parameterLabel(const ParameterSpec& spec);
+
+}  // namespace glissade

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QLabel>
+#include <QSlider>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/planning/path.h"
+#include "engine/scenario/scenario.h"
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// The path found: its certificate and figures, and a slider that moves the object along it.
+class PathPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  PathPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
+
+  /// Null: there is no path.
+  void setPath(const std::shared_ptr<const Path>& path, const LoadedScenario& scenario);
+  void setPlaying(bool playing);
+
+ signals:
+  /// The pose to show, or nothing when playback is over and the hand is shown again.
+  void poseShown(const std::optional<glissade::Pose>& pose);
+  void playbackEnded();
+
+ private:
+  void showAt(int position);
+  void tick();
+
+  std::shared_ptr<const Path> path_;
+  std::vector<double> arrival_;  ///< metric length from the start to each configuration
+  QLabel* certificate_;
+  QLabel* figures_;
+  QLabel* shares_;
+  QSlider* slider_;
+  QTimer timer_;
+};
+
+}  // namespace glissade

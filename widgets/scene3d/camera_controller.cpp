@@ -1,0 +1,92 @@
+#include "widgets/scene3d/camera_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFieldOfView = 35.0 * kPi / 180.0;
+/// Drag over the view's height turns by this much.
+constexpr double kTurnPerHeight = kPi;
+
+/// The view frame that looks along -z_V with y_V up.
+Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
+  Eigen::Matrix3d R;
+  R.col(2) = toEye.normalized();
+  R.col(0) = up.cross(R.col(2)).normalized();
+  R.col(1) = R.col(2).cross(R.col(0));
+  return Quaternion(R);
+}
+
+}  // namespace
+
+void CameraController::fit(const Box3& box) {
+  if (box.isEmpty()) return;
+  sceneCentre_ = box.center();
+  sceneRadius_ = std::max(1e-6, 0.5 * box.diagonal().norm());
+  focus_ = sceneCentre_;
+  // The nearest distance from which every corner is inside the frustum.
+  const double tanV = std::tan(0.5 * kFieldOfView);
+  const double tanH = tanV * aspect_;
+  const Quaternion toView = orientation_.conjugate();
+  double needed = 1e-6;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3 p = toView * (box.corner(static_cast<Box3::CornerType>(corner)) - focus_);
+    needed = std::max({needed, p.z() + std::abs(p.y()) / tanV, p.z() + std::abs(p.x()) / tanH});
+  }
+  distance_ = 1.05 * needed;
+}
+
+void CameraController::setStandardView(StandardView view) {
+  const Vector3 z = Vector3::UnitZ();
+  switch (view) {
+    case StandardView::Front: orientation_ = viewAlong(-Vector3::UnitY(), z); break;
+    case StandardView::Back: orientation_ = viewAlong(Vector3::UnitY(), z); break;
+    case StandardView::Left: orientation_ = viewAlong(-Vector3::UnitX(), z); break;
+    case StandardView::Right: orientation_ = viewAlong(Vector3::UnitX(), z); break;
+    case StandardView::Top: orientation_ = viewAlong(z, Vector3::UnitY()); break;
+    case StandardView::Bottom: orientation_ = viewAlong(-z, Vector3::UnitY()); break;
+    case StandardView::Isometric: orientation_ = viewAlong({-1.0, -1.2, 0.9}, z); break;
+  }
+}
+
+void CameraController::orbit(double dx, double dy) {
+  // About the world's vertical and the view's own horizontal: the horizon stays level.
+  const Quaternion yaw(Eigen::AngleAxisd(-dx * kTurnPerHeight, Vector3::UnitZ()));
+  const Quaternion pitch(Eigen::AngleAxisd(-dy * kTurnPerHeight, Vector3::UnitX()));
+  orientation_ = (yaw * orientation_ * pitch).normalized();
+}
+
+void CameraController::pan(double dx, double dy) {
+  const double perHeight = 2.0 * distance_ * std::tan(0.5 * kFieldOfView);
+  focus_ += orientation_ * Vector3(-dx * perHeight, dy * perHeight, 0.0);
+}
+
+void CameraController::zoom(double factor, double x, double y) {
+  const double before = distance_;
+  distance_ = std::clamp(distance_ / factor, 1e-3 * sceneRadius_, 50.0 * sceneRadius_);
+  // The point of the focal plane under the pointer stays there.
+  const double moved = 2.0 * (before - distance_) * std::tan(0.5 * kFieldOfView);
+  focus_ += orientation_ * Vector3(x * moved, -y * moved, 0.0);
+}
+
+void CameraController::setAspect(double widthOverHeight) {
+  if (widthOverHeight > 0.0) aspect_ = widthOverHeight;
+}
+
+Quaternion CameraController::R_WV() const { return orientation_; }
+
+Vector3 CameraController::eye() const { return focus_ + orientation_ * Vector3(0.0, 0.0, distance_); }
+
+double CameraController::verticalFieldOfView() const { return kFieldOfView; }
+
+double CameraController::nearPlane() const {
+  const double toScene = (eye() - sceneCentre_).norm() - 2.0 * sceneRadius_;
+  return std::max(toScene, 1e-3 * farPlane());
+}
+
+double CameraController::farPlane() const { return (eye() - sceneCentre_).norm() + 2.0 * sceneRadius_; }
+
+}  // namespace glissade

@@ -1,0 +1,70 @@
+#include "widgets/scene3d/contact_layer.h"
+
+#include <osg/Depth>
+#include <osg/Point>
+
+#include <cmath>
+
+#include "widgets/scene3d/body_layer.h"
+#include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/osg_convert.h"
+
+namespace glissade {
+namespace {
+
+constexpr float kPointSize = 8.0F;
+constexpr float kPathWidth = 4.0F;
+constexpr std::size_t kGhosts = 7;
+/// Share of the contact disc that is drawn: all of it would hide the scene.
+constexpr double kDrawnDisc = 0.5;
+
+osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size) {
+  osg::ref_ptr<osg::Geometry> geometry = makeLines(points, LineKind::Segments, colour, 1.0F);
+  geometry->removePrimitiveSet(0);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(points.size())));
+  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(size));
+  return geometry;
+}
+
+}  // namespace
+
+osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const ScenePalette& palette) {
+  osg::ref_ptr<osg::Group> group = new osg::Group;
+  const NearestObstacle& nearest = snapshot.device.nearest;
+  if (nearest.body < 0 || nearest.distance <= 0.0 || !std::isfinite(nearest.distance)) return group;
+  const bool near = nearest.distance < snapshot.parameters[ParameterId::ContactDistance];
+  const osg::Vec4 colour = near ? palette.contact : palette.nearest;
+  osg::ref_ptr<osg::Geode> marks = new osg::Geode;
+  const std::vector<Vector3> pair{nearest.p_WPo, nearest.p_WPn};
+  marks->addDrawable(makeLines(pair, LineKind::Segments, colour, (near ? 3.0F : 1.5F) * palette.pixelScale));
+  marks->addDrawable(makePoints(pair, colour, kPointSize * palette.pixelScale));
+  // Seen through whatever lies in front: it tells where contact is.
+  marks->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  group->addChild(marks);
+  if (!near) return group;
+  const double radius = kDrawnDisc * snapshot.parameters[ParameterId::ContactRadius];
+  osg::ref_ptr<osg::Geode> plane = new osg::Geode;
+  osg::Vec4 fill = palette.contact;
+  fill.a() = snapshot.contactMode ? 0.35F : 0.15F;
+  plane->addDrawable(makeDisc(nearest.p_WPo, nearest.normal_W(), radius, fill));
+  group->addChild(plane);
+  return group;
+}
+
+osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette) {
+  osg::ref_ptr<osg::Group> group = new osg::Group;
+  std::vector<Vector3> way;
+  for (const PathPoint& point : path.points) way.push_back(point.q.position);
+  osg::ref_ptr<osg::Geode> line = new osg::Geode;
+  line->addDrawable(makeLines(way, LineKind::Strip, palette.path, kPathWidth * palette.pixelScale));
+
+  group->addChild(line);
+  const std::size_t count = std::min(kGhosts, path.points.size());
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const Pose& q = path.points[i * (path.points.size() - 1) / (count - 1)].q;
+    group->addChild(makeBody(object, q, palette.path, BodyStyle::Ghost, palette));
+  }
+  return group;
+}
+
+}  // namespace glissade

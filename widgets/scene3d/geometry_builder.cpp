@@ -1,0 +1,137 @@
+#include "widgets/scene3d/geometry_builder.h"
+
+#include <osg/BlendFunc>
+#include <osg/Depth>
+#include <osg/LineWidth>
+#include <osg/Point>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "widgets/scene3d/osg_convert.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kFeatureCosine = 0.866;  ///< of 30 degrees
+constexpr int kDiscSegments = 48;
+
+void setOneColour(osg::Geometry& geometry, const osg::Vec4& colour) {
+  auto* colours = new osg::Vec4Array;
+  colours->push_back(colour);
+  geometry.setColorArray(colours, osg::Array::BIND_OVERALL);
+}
+
+Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& t) {
+  return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).normalized();
+}
+
+}  // namespace
+
+osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const osg::Vec3 normal = toOsg(faceNormal(mesh, triangle));
+    for (const auto vertex : triangle) {
+      vertices->push_back(toOsg(mesh.vertices[vertex]));
+      normals->push_back(normal);
+    }
+  }
+  geometry->setVertexArray(vertices);
+  geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+  setOneColour(*geometry, colour);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices->size())));
+  geometry->setUseVertexBufferObjects(true);
+  return geometry;
+}
+
+osg::ref_ptr<osg::Geometry> makeFeatureEdges(const TriangleMesh& input, const osg::Vec4& colour, float width) {
+  const TriangleMesh mesh = welded(input);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vector3>> facesOf;
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const Vector3 normal = faceNormal(mesh, triangle);
+    for (std::size_t i = 0; i < 3; ++i) {
+      facesOf[std::minmax(triangle[i], triangle[(i + 1) % 3])].push_back(normal);
+    }
+  }
+  std::vector<Vector3> points;
+  for (const auto& [edge, normals] : facesOf) {
+    const bool smooth = normals.size() == 2 && normals[0].dot(normals[1]) > kFeatureCosine;
+    if (smooth) continue;
+    points.push_back(mesh.vertices[edge.first]);
+    points.push_back(mesh.vertices[edge.second]);
+  }
+  return makeLines(points, LineKind::Segments, colour, width);
+}
+
+osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
+                                      float width) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  for (const Vector3& point : points) vertices->push_back(toOsg(point));
+  geometry->setVertexArray(vertices);
+  setOneColour(*geometry, colour);
+  const GLenum mode = kind == LineKind::Segments ? GL_LINES : GL_LINE_STRIP;
+  geometry->addPrimitiveSet(new osg::DrawArrays(mode, 0, static_cast<int>(vertices->size())));
+  geometry->setUseVertexBufferObjects(true);
+  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::LineWidth(width));
+  makeDrawing(*geometry);
+  return geometry;
+}
+
+osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& normal, double radius,
+                                     const osg::Vec4& colour) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().minCoeff(&axis);
+  const Vector3 u = normal.cross(Vector3::Unit(axis)).normalized();
+  const Vector3 v = normal.cross(u);
+  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
+  vertices->push_back(toOsg(centre));
+  for (int i = 0; i <= kDiscSegments; ++i) {
+    const double angle = 2.0 * std::acos(-1.0) * i / kDiscSegments;
+    vertices->push_back(toOsg(centre + radius * (std::cos(angle) * u + std::sin(angle) * v)));
+  }
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setVertexArray(vertices);
+  setOneColour(*geometry, colour);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLE_FAN, 0, static_cast<int>(vertices->size())));
+  makeUnlit(*geometry);
+  makeTransparent(*geometry);
+  return geometry;
+}
+
+std::vector<Vector3> boxEdges(const Box3& box) {
+  std::vector<Vector3> points;
+  for (int corner = 0; corner < 8; ++corner) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int other = corner | (1 << axis);
+      if (other == corner) continue;
+      points.push_back(box.corner(static_cast<Box3::CornerType>(corner)));
+      points.push_back(box.corner(static_cast<Box3::CornerType>(other)));
+    }
+  }
+  return points;
+}
+
+void makeUnlit(osg::Node& node) { node.getOrCreateStateSet()->setMode(GL_LIGHTING, osg::StateAttribute::OFF); }
+
+void makeDrawing(osg::Node& node) {
+  constexpr int kAfterTransparent = 11;  // OSG's transparent bin is number 10
+  makeUnlit(node);
+  osg::StateSet* state = node.getOrCreateStateSet();
+  state->setRenderBinDetails(kAfterTransparent, "RenderBin");
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
+}
+
+void makeTransparent(osg::Node& node) {
+  osg::StateSet* state = node.getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
+  state->setRenderingHint(osg::StateSet::TRANSPARENT_BIN);
+}
+
+}  // namespace glissade

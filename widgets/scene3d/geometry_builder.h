@@ -1,0 +1,38 @@
+#pragma once
+
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/ref_ptr>
+#include <vector>
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// Flat-shaded triangles of a mesh; one colour for all of it.
+osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour);
+
+/// The edges that a draughtsman would draw: open ones, and those whose faces meet at more than 30
+/// degrees.
+osg::ref_ptr<osg::Geometry> makeFeatureEdges(const TriangleMesh& mesh, const osg::Vec4& colour, float width);
+
+/// A set of separate line segments, or a polyline.
+enum class LineKind { Segments, Strip };
+osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
+                                      float width);
+
+/// A filled disc about `centre` with the given normal.
+osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& normal, double radius,
+                                     const osg::Vec4& colour);
+
+/// The twelve edges of a box as segment ends.
+std::vector<Vector3> boxEdges(const Box3& box);
+
+/// For lines and points: unlit, and drawn after the see-through surfaces, which would paint over them.
+void makeDrawing(osg::Node& node);
+/// For surfaces that are seen through: blended, hiding nothing.
+void makeTransparent(osg::Node& node);
+/// Without lighting: the colour as it is.
+void makeUnlit(osg::Node& node);
+
+}  // namespace glissade

@@ -1,0 +1,52 @@
+#include "widgets/scene3d/mouse_navigation.h"
+
+#include <cmath>
+
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+namespace {
+
+/// One notch of a wheel (120 eighths of a degree) comes nearer by this factor.
+constexpr double kPerNotch = 1.15;
+/// A drag over the whole height zooms by this factor.
+constexpr double kPerHeight = 8.0;
+
+}  // namespace
+
+bool MouseNavigation::press(const QMouseEvent& event) {
+  last_ = event.localPos();
+  return false;
+}
+
+bool MouseNavigation::move(const QMouseEvent& event, const QWidget& widget, SceneView& view) {
+  const QPointF by = (event.localPos() - last_) / std::max(1, widget.height());
+  last_ = event.localPos();
+  const bool left = event.buttons().testFlag(Qt::LeftButton);
+  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+  if (event.buttons().testFlag(Qt::MiddleButton) || (left && shift)) {
+    view.camera().pan(by.x(), by.y());
+  } else if (left) {
+    view.camera().orbit(by.x(), by.y());
+  } else if (event.buttons().testFlag(Qt::RightButton)) {
+    view.camera().zoom(std::pow(kPerHeight, -by.y()));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool MouseNavigation::doubleClick(SceneView& view) {
+  view.fit();
+  return true;
+}
+
+bool MouseNavigation::wheel(const QWheelEvent& event, const QWidget& widget, SceneView& view) {
+  const double notches = event.angleDelta().y() / 120.0;
+  const QPointF fromCentre =
+      (event.position() - QPointF(widget.width(), widget.height()) / 2.0) / std::max(1, widget.height());
+  view.camera().zoom(std::pow(kPerNotch, notches), fromCentre.x(), fromCentre.y());
+  return notches != 0.0;
+}
+
+}  // namespace glissade

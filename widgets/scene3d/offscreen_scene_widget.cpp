@@ -1,0 +1,78 @@
+#include <QPaintEvent>
+#include <QPainter>
+
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/mouse_navigation.h"
+#include "widgets/scene3d/offscreen_context.h"
+#include "widgets/scene3d/scene_renderer.h"
+#include "widgets/scene3d/scene_widget.h"
+
+namespace glissade {
+namespace {
+
+/// Smoothing: rendered larger by this factor, then scaled down.
+constexpr int kOversampling = 2;
+
+class OffscreenSceneWidget final : public QWidget, public SceneWidget {
+ public:
+  explicit OffscreenSceneWidget(QWidget* parent) : QWidget(parent), context_(makeOsMesaContext()), renderer_(view_) {
+    view_.setPixelScale(kOversampling);
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+  }
+
+  SceneView& view() override { return view_; }
+  QWidget* widget() override { return this; }
+  void refresh() override {
+    stale_ = true;
+    update();
+  }
+  QImage picture() override {
+    if (stale_ || image_.size() != size()) render();
+    return image_;
+  }
+  void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override { QPainter(this).drawImage(0, 0, picture()); }
+  void resizeEvent(QResizeEvent* /*event*/) override {
+    view_.camera().setAspect(double(width()) / std::max(1, height()));
+  }
+
+  void mousePressEvent(QMouseEvent* event) override { mouse_.press(*event); }
+  void mouseMoveEvent(QMouseEvent* event) override { moved(mouse_.move(*event, *this, view_)); }
+  void mouseDoubleClickEvent(QMouseEvent* /*event*/) override { moved(mouse_.doubleClick(view_)); }
+  void wheelEvent(QWheelEvent* event) override { moved(mouse_.wheel(*event, *this, view_)); }
+
+ private:
+  void render() {
+    const QSize pixels = size().expandedTo(QSize(1, 1)) * kOversampling;
+    context_->makeCurrent(pixels.width(), pixels.height());
+    renderer_.resize(pixels.width(), pixels.height());
+    renderer_.render(0);
+    image_ = context_->read().scaled(size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    stale_ = false;
+  }
+
+  void moved(bool camera) {
+    if (!camera) return;
+    if (cameraMoved_) cameraMoved_();
+    refresh();
+  }
+
+  std::unique_ptr<OffscreenContext> context_;
+  SceneView view_;
+  SceneRenderer renderer_;
+  MouseNavigation mouse_;
+  QImage image_;
+  bool stale_ = true;
+  std::function<void()> cameraMoved_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneWidget> makeOffscreenSceneWidget(QWidget* parent) {
+  return std::make_unique<OffscreenSceneWidget>(parent);
+}
+
+}  // namespace glissade

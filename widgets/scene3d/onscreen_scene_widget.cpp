@@ -1,0 +1,58 @@
+#include <QOpenGLWidget>
+
+#include "widgets/scene3d/mouse_navigation.h"
+#include "widgets/scene3d/scene_renderer.h"
+#include "widgets/scene3d/scene_widget.h"
+
+namespace glissade {
+namespace {
+
+class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
+ public:
+  explicit OnscreenSceneWidget(QWidget* parent) : QOpenGLWidget(parent), renderer_(view_) {
+    QSurfaceFormat format;
+    format.setSamples(4);
+    format.setDepthBufferSize(24);
+    format.setProfile(QSurfaceFormat::CompatibilityProfile);
+    setFormat(format);
+    setFocusPolicy(Qt::StrongFocus);
+  }
+
+  SceneView& view() override { return view_; }
+  QWidget* widget() override { return this; }
+  void refresh() override { update(); }
+  QImage picture() override { return grabFramebuffer(); }
+  void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
+
+ protected:
+  void resizeGL(int width, int height) override {
+    view_.setPixelScale(devicePixelRatioF());
+    renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
+  }
+  void paintGL() override { renderer_.render(defaultFramebufferObject()); }
+
+  void mousePressEvent(QMouseEvent* event) override { mouse_.press(*event); }
+  void mouseMoveEvent(QMouseEvent* event) override { moved(mouse_.move(*event, *this, view_)); }
+  void mouseDoubleClickEvent(QMouseEvent* /*event*/) override { moved(mouse_.doubleClick(view_)); }
+  void wheelEvent(QWheelEvent* event) override { moved(mouse_.wheel(*event, *this, view_)); }
+
+ private:
+  void moved(bool camera) {
+    if (!camera) return;
+    if (cameraMoved_) cameraMoved_();
+    update();
+  }
+
+  SceneView view_;
+  SceneRenderer renderer_;
+  MouseNavigation mouse_;
+  std::function<void()> cameraMoved_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneWidget> makeOnscreenSceneWidget(QWidget* parent) {
+  return std::make_unique<OnscreenSceneWidget>(parent);
+}
+
+}  // namespace glissade

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <osg/Geode>
+#include <osg/Geometry>
+#include <osg/Group>
+#include <osg/ref_ptr>
+#include <vector>
+
+#include "engine/session/session.h"
+#include "widgets/scene3d/palette.h"
+
+namespace glissade {
+
+/// The two trees, growing: segments live in preallocated chunks of which only the last is uploaded
+/// again; operator and contact nodes are points besides.
+class RoadmapLayer {
+ public:
+  RoadmapLayer();
+
+  osg::Group* node() const { return root_; }
+  void setPalette(const ScenePalette& palette);
+  /// Takes in what is new; another run begins anew.
+  void update(const SessionSnapshot& snapshot);
+  void clear();
+
+  std::size_t segments() const { return segmentsDrawn_; }
+  /// How many chunk uploads there have been: grows with what is new, not with what is there.
+  std::size_t uploads() const { return uploads_; }
+
+ private:
+  /// A preallocated geometry that fills up.
+  struct Batch {
+    osg::ref_ptr<osg::Geometry> geometry;
+    osg::ref_ptr<osg::Vec3Array> vertices;
+    osg::ref_ptr<osg::Vec4ubArray> colours;
+    osg::ref_ptr<osg::DrawArrays> range;
+    int used = 0;
+  };
+
+  void take(const RoadmapChunk& chunk);
+  void drop(const RoadmapEdge& edge);
+  void addVertex(std::vector<Batch>& batches, GLenum mode, const Vector3& position, const osg::Vec4ub& colour);
+  Batch makeBatch(GLenum mode);
+
+  osg::ref_ptr<osg::Group> root_;
+  osg::ref_ptr<osg::Geode> geode_;
+  ScenePalette palette_;
+  std::uint64_t run_ = 0;
+  std::size_t chunksTaken_ = 0;
+  std::size_t droppedTaken_ = 0;
+  std::size_t segmentsDrawn_ = 0;
+  std::size_t uploads_ = 0;
+  std::vector<RoadmapNode> nodes_;
+  std::vector<RoadmapEdge> edges_;  ///< in the order drawn
+  std::vector<Batch> lines_;
+  std::vector<Batch> points_;
+};
+
+}  // namespace glissade

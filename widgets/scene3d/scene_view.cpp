@@ -1,0 +1,171 @@
+#include "widgets/scene3d/scene_view.h"
+
+#include <osg/BlendFunc>
+#include <osg/ColorMask>
+#include <osg/Group>
+#include <osg/LightModel>
+#include <osg/MatrixTransform>
+
+#include <array>
+
+#include "widgets/scene3d/backdrop.h"
+#include "widgets/scene3d/body_layer.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/roadmap_layer.h"
+
+namespace glissade {
+
+struct SceneView::Impl {
+  osg::ref_ptr<osg::Group> root = new osg::Group;
+  osg::ref_ptr<osg::Group> backdrop = new osg::Group;
+  std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
+  osg::ref_ptr<osg::MatrixTransform> object;
+  RoadmapLayer roadmap;
+  CameraController camera;
+  ScenePalette palette = paletteOf(Theme::Light);
+  std::shared_ptr<const LoadedScenario> scenario;
+  SnapshotPtr snapshot;
+  std::shared_ptr<const Path> drawnPath;
+  std::optional<Pose> playback;
+
+  osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
+
+  void rebuild() {
+    backdrop->removeChildren(0, backdrop->getNumChildren());
+    backdrop->addChild(makeBackdrop(palette));
+    for (const SceneLayer id : {SceneLayer::Bodies, SceneLayer::Object, SceneLayer::StartAndGoal, SceneLayer::Workspace,
+                                SceneLayer::Path, SceneLayer::Contact}) {
+      layer(id).removeChildren(0, layer(id).getNumChildren());
+    }
+    object = nullptr;
+    drawnPath.reset();
+    if (!scenario) return;
+    for (const RigidBody& body : scenario->obstacles) {
+      layer(SceneLayer::Bodies)
+          .addChild(makeBody(*body.mesh, body.X_WB, toOsg(body.colour), BodyStyle::SeeThrough, palette));
+    }
+    const RigidBody& moved = scenario->object;
+    object = makeBody(*moved.mesh, moved.X_WB, toOsg(moved.colour), BodyStyle::Solid, palette);
+    layer(SceneLayer::Object).addChild(object);
+    osg::Group& ends = layer(SceneLayer::StartAndGoal);
+    ends.addChild(makeBody(*moved.mesh, scenario->problem.start, palette.start, BodyStyle::Ghost, palette));
+    if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
+      ends.addChild(makeBody(*moved.mesh, *goal, palette.goal, BodyStyle::Ghost, palette));
+    }
+    layer(SceneLayer::Workspace)
+        .addChild(makeLines(boxEdges(scenario->scenario.workspace), LineKind::Segments,
+                            osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F),
+                            palette.pixelScale));
+    showSnapshot();
+  }
+
+  void showSnapshot() {
+    if (!snapshot || !scenario) return;
+    roadmap.update(*snapshot);
+    showPath();
+    osg::Group& contact = layer(SceneLayer::Contact);
+    contact.removeChildren(0, contact.getNumChildren());
+    if (!playback) contact.addChild(makeContact(*snapshot, palette));
+    placeObject();
+  }
+
+  void showPath() {
+    if (snapshot->path == drawnPath) return;
+    drawnPath = snapshot->path;
+    osg::Group& group = layer(SceneLayer::Path);
+    group.removeChildren(0, group.getNumChildren());
+    if (drawnPath) group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette));
+  }
+
+  void placeObject() {
+    if (!object || !snapshot) return;
+    object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+  }
+
+  Box3 extent() const {
+    Box3 box;
+    if (!scenario) return box;
+    for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+    box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
+    if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
+      box.extend(boundingBox(*scenario->object.mesh, *goal));
+    }
+    return box;
+  }
+};
+
+SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
+  osg::StateSet* state = impl_->root->getOrCreateStateSet();
+  osg::ref_ptr<osg::LightModel> lightModel = new osg::LightModel;
+  lightModel->setTwoSided(true);
+  state->setAttributeAndModes(lightModel);
+  state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));
+  // Blending would leave the framebuffer's alpha below one and the picture whitish.
+  state->setAttribute(new osg::ColorMask(true, true, true, false));
+  state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
+  state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
+  impl_->root->addChild(impl_->backdrop);
+  for (auto& layer : impl_->layers) {
+    layer = new osg::Group;
+    impl_->root->addChild(layer);
+  }
+  impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
+  impl_->camera.setStandardView(StandardView::Isometric);
+  impl_->rebuild();
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
+  impl_->scenario = std::move(scenario);
+  impl_->snapshot.reset();
+  impl_->playback.reset();
+  impl_->roadmap.clear();
+  impl_->rebuild();
+  fit();
+}
+
+void SceneView::fit() { impl_->camera.fit(impl_->extent()); }
+
+void SceneView::setSnapshot(SnapshotPtr snapshot) {
+  impl_->snapshot = std::move(snapshot);
+  impl_->showSnapshot();
+}
+
+void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
+  impl_->playback = X_WB;
+  impl_->placeObject();
+}
+
+void SceneView::setTheme(Theme theme) {
+  const float scale = impl_->palette.pixelScale;
+  impl_->palette = paletteOf(theme);
+  impl_->palette.pixelScale = scale;
+  impl_->roadmap.setPalette(impl_->palette);
+  impl_->rebuild();
+}
+
+void SceneView::setPixelScale(double scale) {
+  if (static_cast<float>(scale) == impl_->palette.pixelScale) return;
+  impl_->palette.pixelScale = static_cast<float>(scale);
+  impl_->roadmap.setPalette(impl_->palette);
+  impl_->rebuild();
+}
+
+void SceneView::setLayerVisible(SceneLayer layer, bool visible) { impl_->layer(layer).setNodeMask(visible ? ~0U : 0U); }
+
+bool SceneView::layerVisible(SceneLayer layer) const { return impl_->layer(layer).getNodeMask() != 0U; }
+
+CameraController& SceneView::camera() { return impl_->camera; }
+const CameraController& SceneView::camera() const { return impl_->camera; }
+osg::Group* SceneView::root() const { return impl_->root; }
+
+Colour SceneView::background() const {
+  const osg::Vec4& colour = impl_->palette.backgroundTop;
+  return {colour.r(), colour.g(), colour.b()};
+}
+
+}  // namespace glissade
