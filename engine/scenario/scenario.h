@@ -9,17 +9,19 @@
 
 #include "engine/base/parameters.h"
 #include "engine/environment/rigid_body.h"
-#include "engine/import/mesh_import.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {
 
+enum class UpAxis { Y, Z };
+
 /// A file that geometry comes from.
 struct Asset {
   std::string id;
-  std::string path;                   ///< relative to the scenario's folder, '/' separated, never leaving the folder
-  std::string sha256;                 ///< of the content when the scenario was saved; empty: unknown
-  MeshInterpretation interpretation;  ///< the chosen one; a URDF file is always in metres and Z-up
+  std::string path;    ///< relative to the scenario's folder, '/' separated, never leaving the folder
+  std::string sha256;  ///< of the content when the scenario was saved; empty: unknown
+  double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
+  UpAxis up = UpAxis::Z;
 };
 
 struct MeshGeometry {

@@ -47,7 +47,7 @@ TEST_F(PathFiles, CsvRoundTrips) {
   const std::string text = test::readWhole(file);
   EXPECT_THAT(text, testing::StartsWith(
                         "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author\n0,0,-3,0,0,0,0,0,1,2.25,0,computer\n"));
-  EXPECT_THAT(text, testing::HasSubstr(",1,operator\n"));  // 0.05 m from the wall: nearer than d
+  EXPECT_THAT(text, testing::HasSubstr(",1,contact\n"));
 }
 
 TEST_F(PathFiles, OmplAndJsonRoundTrip) {
@@ -70,7 +70,8 @@ TEST(ReadPath, NamesTheLineOfAFault) {
       {header + "0,0,0,0,0,0,0,0,1,1,0,nobody\n", "line 2"},
       {header + "0,0,0,0,0,0,0,0,1,1,0\n", "line 2"},
       {header, ""},
-      {"{\"format\": \"glissade-path\", \"version\": 1, \"points\": [{\"author\": \"contact\"}]}", "/points/0"},
+      {"{\"format\": \"glissade-path\", \"version\": 1, \"configurations\": [{\"author\": \"contact\"}]}",
+       "/configurations/0"},
       {"{\"format\": \"glissade-scenario\"}", "/format"},
       {"{", "line 1"},
       {"", ""},

@@ -31,10 +31,11 @@ inline Scenario boxScenario() {
 inline Scenario fullScenario() {
   Scenario scenario = boxScenario();
   scenario.description = "Wände – \"quoted\"\n";
-  scenario.assets = {{"part", "meshes/part.stl", std::string(64, 'a'), {0.001, UpAxis::Y}},
-                     {"robot", "robot.urdf", "", {}}};
+  scenario.assets = {{"part", "meshes/part.stl", std::string(64, 'a'), 0.001, UpAxis::Y},
+                     {"robot", "robot.urdf", "", 1.0, UpAxis::Z}};
   BodyDescription mesh;
   mesh.id = "mesh";
+  mesh.name = "The mesh";
   mesh.mobility = Mobility::Mobile;
   mesh.geometry = MeshGeometry{"part"};
   mesh.pose = {{0.1, 1.0 / 3.0, -1e-17}, fromRollPitchYaw(0.1, 0.2, 0.3)};
@@ -42,9 +43,11 @@ inline Scenario fullScenario() {
   mesh.attributes = {{"complexity", 3.0}, {"cluttered", true}, {"shape", std::string("star")}};
   BodyDescription urdf;
   urdf.id = "robot";
+  urdf.name = "The robot";
   urdf.geometry = UrdfGeometry{"robot"};
   BodyDescription pin;
   pin.id = "pin";
+  pin.name = "The pin";
   pin.geometry = CylinderGeometry{0.25, 2.0};
   scenario.bodies.insert(scenario.bodies.end(), {mesh, urdf, pin});
   scenario.object.geometry = SphereGeometry{0.125};
@@ -52,7 +55,7 @@ inline Scenario fullScenario() {
   scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
   scenario.planner = "birrt";
   scenario.parameters = {{ParameterId::Alpha, 0.7}, {ParameterId::ContactSamples, 5}};
-  scenario.seed = 18446744073709551615U;
+  scenario.seed = 9223372036854775807U;
   return scenario;
 }
 

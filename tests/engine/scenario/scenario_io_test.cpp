@@ -5,7 +5,7 @@
 
 #include <clocale>
 
-#include "engine/import/sha256.h"
+#include "engine/base/file.h"
 #include "tests/engine/scenario/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -31,8 +31,8 @@ TEST(ScenarioFile, KeepsEveryValue) {
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(read->description, written.description);
   ASSERT_EQ(read->assets.size(), 2U);
-  EXPECT_EQ(read->assets[0].interpretation.unit, 0.001);
-  EXPECT_EQ(read->assets[0].interpretation.up, UpAxis::Y);
+  EXPECT_EQ(read->assets[0].unit, 0.001);
+  EXPECT_EQ(read->assets[0].up, UpAxis::Y);
   ASSERT_EQ(read->bodies.size(), 4U);
   EXPECT_EQ(read->bodies[1].pose, written.bodies[1].pose);  // bit by bit
   EXPECT_EQ(read->bodies[1].mobility, Mobility::Mobile);
@@ -56,9 +56,9 @@ TEST(ScenarioFile, SamplesAreCanonical) {
 
 TEST(ScenarioFile, VersionOneLoadsWithDefaults) {
   const Result<Scenario> read = parseScenario(R"({"format": "glissade-scenario", "version": 1,
-    "object": {"id": "ball", "geometry": {"type": "sphere", "radius": 1}},
+    "object": {"id": "ball", "geometry": {"sphere": {"radius": 1}}},
     "start": {"position": [0, 0, 0], "orientation": [0, 0, 0, 1]}, "goal": "out",
-    "workspace": {"min": [-1, -1, -1], "max": [1, 1, 1]}})",
+    "bodies": [], "workspace": {"min": [-1, -1, -1], "max": [1, 1, 1]}})",
                                               "v1.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(read->planner, "contact-birrt");
@@ -73,7 +73,7 @@ TEST(ScenarioFile, DoesNotDependOnTheLocale) {
   std::setlocale(LC_ALL, "C");
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(writeScenario(fullScenario()), text);
-  EXPECT_EQ(read->assets[0].interpretation.unit, 0.001);
+  EXPECT_EQ(read->assets[0].unit, 0.001);
 }
 
 TEST(SaveScenario, RecordsTheContentOfItsAssets) {

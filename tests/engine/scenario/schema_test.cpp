@@ -65,13 +65,15 @@ TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
 
 TEST(RunSchema, AcceptsWhatIsWritten) {
   Schema schema("run-1");
+  const test::TemporaryFolder folder;
   RunRecord record;
   record.planner = "birrt";
-  record.scenario.path = "scenario.json";
+  record.scenario = "scenario.json";
   record.parameters = {{ParameterId::Alpha, 0.2}};
-  record.changes = {{3, ParameterId::Alpha, 0.5}};
+  record.parameterChanges = {{3, ParameterId::Alpha, 0.5}};
   record.operatorStream = {{0, Pose::identity()}};
-  EXPECT_EQ(schema.complaint(writeRunRecord(record)), "");
+  ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
+  EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
   EXPECT_NE(schema.complaint("{}"), "");
 }
 
