@@ -86,7 +86,7 @@ QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget*
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + bar);
+  scroll->setMinimumWidth(content->minimumSizeHint().width() + 2 * bar);
   dock->setWidget(scroll);
   addDockWidget(area, dock);
   return dock;

@@ -43,6 +43,12 @@ Diagnostic ScriptRunner::wrong(const ScriptCommand& command, const std::string& 
   return {ErrorKind::MalformedInput, file_, "line " + std::to_string(command.line), reason, advice};
 }
 
+Diagnostic ScriptRunner::failed(const ScriptCommand& command, const std::string& reason) const {
+  Diagnostic why = wrong(command, reason);
+  why.kind = ErrorKind::NoPath;
+  return why;
+}
+
 Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   const QString first = command.arguments.empty() ? QString() : QString::fromStdString(command.arguments[0]);
   if (command.name == "action") return trigger(command);
@@ -135,12 +141,12 @@ Outcome ScriptRunner::wait(const ScriptCommand& command) {
       QThread::msleep(2);
     }
   }
-  return isIn(state) ? Outcome(Done{}) : wrong(command, "the session did not come to be " + state);
+  return isIn(state) ? Outcome(Done{}) : failed(command, "the session did not come to be " + state);
 }
 
 Outcome ScriptRunner::expect(const ScriptCommand& command) {
   if (isIn(command.arguments[0])) return Done{};
-  return wrong(command, "the session is not " + command.arguments[0]);
+  return failed(command, "the session is not " + command.arguments[0]);
 }
 
 }  // namespace glissade

@@ -25,6 +25,8 @@ class ScriptRunner {
   Outcome wait(const ScriptCommand& command);
   Outcome expect(const ScriptCommand& command);
   Diagnostic wrong(const ScriptCommand& command, const std::string& reason, const std::string& advice = "") const;
+  /// The script is right and the session did not do what it waits for or expects.
+  Diagnostic failed(const ScriptCommand& command, const std::string& reason) const;
   bool isIn(const std::string& state) const;
 
   MainWindow& window_;

@@ -35,7 +35,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setAccessibleName(parameterLabel(spec));
   number_->setDecimals(spec.integer ? 0 : spec.unit == "m" ? 1 : 3);
   number_->setKeyboardTracking(false);
-  number_->setFixedWidth(88);
+  number_->setFixedWidth(96);
   number_->setAlignment(Qt::AlignRight);
   if (spec.unit == "m") number_->setSuffix(QStringLiteral(" mm"));
   const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());

@@ -1,0 +1,255 @@
+// glissade-cli as its user runs it: exit codes, messages, JSON, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Finished {
+  int exitCode = -1;
+  std::string out;
+  std::string err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             ("glissade-cli-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  Finished run(const std::string& arguments) const {
+    const std::string err = (folder / "stderr").string();
+    const std::string command = std::string(GLISSADE_BIN_DIR) + "/glissade-cli " + arguments + " 2>" + err;
+    Finished result;
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    std::size_t count = 0;
+    while ((count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0) result.out.append(buffer.data(), count);
+    result.exitCode = WEXITSTATUS(pclose(pipe));
+    result.err = read(err);
+    return result;
+  }
+
+  static std::string read(const fs::path& file) {
+    std::ifstream stream(file);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+  }
+  std::string write(const std::string& name, const std::string& content) const {
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return (folder / name).string();
+  }
+  static std::string sample(const std::string& name) {
+    return std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + "/scenario.json";
+  }
+
+  /// A scenario of primitives with something about it changed.
+  std::string scenario(const std::function<void(Json&)>& change) const {
+    Json json = Json::parse(R"({
+      "format": "glissade-scenario", "version": 1, "name": "t",
+      "bodies": [{"id": "wall", "geometry": {"box": [1, 1, 1]}}],
+      "object": {"id": "cube", "geometry": {"box": [0.2, 0.2, 0.2]}},
+      "start": {"position": [-1, 0, 0], "orientation": [0, 0, 0, 1]},
+      "goal": {"position": [1, 0, 0], "orientation": [0, 0, 0, 1]},
+      "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]},
+      "planner": "birrt"})");
+    change(json);
+    return write("scenario.json", json.dump());
+  }
+
+  fs::path folder;
+};
+
+TEST_F(Cli, PlansCertifiesAndChecks) {
+  const std::string file = scenario([](Json&) {});
+  const Finished plan = run("plan " + file + " --seed 3 --json --out " + (folder / "path.csv").string());
+  ASSERT_EQ(plan.exitCode, 0) << plan.err;
+  const Json report = Json::parse(plan.out);
+  for (const char* key : {"solved", "status", "strategy", "wall_s", "planning_s", "virtual_s", "nodes", "edges",
+                          "iterations", "random_configurations", "operator_configurations", "contact_configurations",
+                          "collision_queries", "distance_queries", "path", "certificate", "seed", "version"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  EXPECT_EQ(report["solved"], true);
+  EXPECT_EQ(report["seed"], 3);
+  EXPECT_EQ(report["edges"], 2 * report["nodes"].get<int>() - 2);
+  EXPECT_EQ(report["certificate"]["status"], "certified");
+  for (const std::string ending : {"csv", "path", "json"}) {
+    const std::string path = (folder / ("again." + ending)).string();
+    ASSERT_EQ(run("plan " + file + " --seed 3 --out " + path).exitCode, 0);
+    const Finished check = run("check " + file + " " + path + " --json");
+    EXPECT_EQ(check.exitCode, 0) << ending << check.out << check.err;
+    EXPECT_EQ(Json::parse(check.out)["valid"], true);
+  }
+}
+
+TEST_F(Cli, APathThroughTheWallIsInvalid) {
+  const std::string file = scenario([](Json&) {});
+  const std::string path = write("through.path", "-1 0 0 0 0 0 1\n1 0 0 0 0 0 1\n");
+  const Finished check = run("check " + file + " " + path + " --json");
+  EXPECT_EQ(check.exitCode, 1);
+  EXPECT_EQ(Json::parse(check.out)["valid"], false);
+  EXPECT_EQ(Json::parse(check.out)["certificate"]["body"], "wall");
+}
+
+TEST_F(Cli, LimitsHaveTheirExitCode) {
+  const std::string closed = scenario([](Json& json) { json["bodies"][0]["geometry"]["box"] = {0.1, 9, 9}; });
+  const Finished steps = run("plan " + closed + " --max-steps 50 --json");
+  EXPECT_EQ(steps.exitCode, 5);
+  EXPECT_EQ(Json::parse(steps.out)["status"], "limit-reached");
+  EXPECT_EQ(run("plan " + closed + " --max-samples 50").exitCode, 5);
+  EXPECT_EQ(run("plan " + closed + " --time-limit 0.2").exitCode, 5);
+}
+
+TEST_F(Cli, StartAndGoalInCollisionNameTheBody) {
+  for (const char* end : {"start", "goal"}) {
+    const Finished plan = run("plan " + scenario([&](Json& json) { json[end]["position"] = {0, 0, 0}; }));
+    EXPECT_EQ(plan.exitCode, 4);
+    EXPECT_NE(plan.err.find(end), std::string::npos) << plan.err;
+    EXPECT_NE(plan.err.find("wall"), std::string::npos) << plan.err;
+  }
+}
+
+TEST_F(Cli, BadInputGetsOneClearMessage) {
+  struct Bad {
+    const char* what;
+    std::string file;
+    const char* mentions;
+  };
+  const auto changed = [this](const char* name, const std::function<void(Json&)>& change) {
+    fs::rename(scenario(change), folder / name);
+    return (folder / name).string();
+  };
+  std::string stl(84, '\0');
+  stl[83] = '\x28';  // claims 671 million triangles
+  write("huge.stl", stl);
+  write("broken.urdf",
+        "<robot name='x'><link name='a'><collision><geometry><box size='1 1 oops'/></geometry>"
+        "</collision></link></robot>");
+  const auto withAsset = [](const char* path, const char* kind) {
+    return [=](Json& json) {
+      json["assets"] = {{{"id", "a"}, {"path", path}}};
+      json["bodies"][0]["geometry"] = {{kind, "a"}};
+    };
+  };
+  const std::vector<Bad> table{
+      {"missing file", (folder / "nothing.json").string(), "nothing.json"},
+      {"empty file", write("empty.json", ""), "empty"},
+      {"folder", folder.string(), "regular file"},
+      {"syntax", write("syntax.json", "{\n  \"format\": ,\n}"), "line 2"},
+      {"unknown key", changed("key.json", [](Json& json) { json["gaol"] = 1; }), "/gaol"},
+      {"missing mesh", changed("mesh.json", withAsset("no.stl", "mesh")), "no.stl"},
+      {"escaping path", changed("escape.json", withAsset("../../etc/passwd", "mesh")), "leaves"},
+      {"2 GB claimed by 84 bytes", changed("claim.json", withAsset("huge.stl", "mesh")), "claims"},
+      {"broken URDF", changed("urdf.json", withAsset("broken.urdf", "urdf")), "broken.urdf"},
+      {"NaN in a pose", write("nan.json", read(scenario([](Json&) {})).replace(0, 1, "{\"seed\": NaN, ")), "line 1"},
+      {"overflow in a pose", changed("inf.json", [](Json& json) { json["start"]["position"][0] = "1e999"; }), "/start"},
+      {"bad quaternion",
+       changed("quat.json",
+               [](Json& json) {
+                 json["goal"]["orientation"] = {1, 1, 1, 1};
+               }),
+       "/goal"},
+      {"parameter out of range", changed("alpha.json", [](Json& json) { json["parameters"]["alpha"] = 2; }), "alpha"},
+  };
+  for (const Bad& bad : table) {
+    const Finished plan = run("plan " + bad.file + " --max-steps 1");
+    EXPECT_EQ(plan.exitCode, 3) << bad.what << ": " << plan.err;
+    EXPECT_NE(plan.err.find(bad.mentions), std::string::npos) << bad.what << ": " << plan.err;
+    EXPECT_EQ(std::count(plan.err.begin(), plan.err.end(), '\n'), 1) << bad.what << ": " << plan.err;
+  }
+}
+
+TEST_F(Cli, WrongUsage) {
+  const std::string file = scenario([](Json&) {});
+  EXPECT_EQ(run("").exitCode, 2);
+  EXPECT_EQ(run("plan").exitCode, 2);
+  EXPECT_EQ(run("plan " + file + " --frobnicate").exitCode, 2);
+  EXPECT_EQ(run("plan " + file + " --alpha 3").exitCode, 2);
+  EXPECT_EQ(run("plan " + file + " --strategy warp").exitCode, 2);
+  EXPECT_EQ(run("plan " + file + " --operator ghost").exitCode, 2);
+  EXPECT_EQ(run("--help").exitCode, 0);
+  EXPECT_EQ(run("--version").exitCode, 0);
+}
+
+TEST_F(Cli, AnInteractiveRunReplaysBitByBit) {
+  const std::string record = (folder / "run.json").string();
+  const std::string first = (folder / "first.path").string();
+  ASSERT_EQ(
+      run("plan " + sample("environment-1") + " --operator expert --seed 5 --record " + record + " --out " + first)
+          .exitCode,
+      0);
+  const std::string original = read(first);
+  ASSERT_FALSE(original.empty());
+  for (int i = 0; i < 10; ++i) {
+    const std::string again = (folder / "again.path").string();
+    const std::string recordAgain = (folder / "again.json").string();
+    const Finished replay = run("plan " + sample("environment-1") + " --operator replay:" + record + " --record " +
+                           recordAgain + " --out " + again);
+    ASSERT_EQ(replay.exitCode, 0) << replay.err;
+    EXPECT_EQ(read(again), original);
+    EXPECT_EQ(read(recordAgain), read(record));
+  }
+}
+
+TEST_F(Cli, InfoTellsWhatIsThere) {
+  const Finished info = run("info " + sample("environment-1") + " --json");
+  ASSERT_EQ(info.exitCode, 0) << info.err;
+  const Json report = Json::parse(info.out);
+  EXPECT_EQ(report["bodies"].size(), 10U);
+  for (const Json& body : report["bodies"]) EXPECT_EQ(body["closed"], true);
+  EXPECT_NEAR(report["object"]["radius_m"].get<double>(), 1.536, 0.001);
+}
+
+TEST_F(Cli, ConvertsPathsBackAndForth) {
+  const std::string file = scenario([](Json&) {});
+  const std::string csv = (folder / "a.csv").string();
+  const std::string ompl = (folder / "b.path").string();
+  const std::string json = (folder / "c.json").string();
+  const std::string back = (folder / "d.path").string();
+  ASSERT_EQ(run("plan " + file + " --out " + csv).exitCode, 0);
+  ASSERT_EQ(run("convert " + csv + " " + ompl).exitCode, 0);
+  ASSERT_EQ(run("convert " + ompl + " " + json + " --scenario " + file).exitCode, 0);
+  ASSERT_EQ(run("convert " + json + " " + back).exitCode, 0);
+  EXPECT_EQ(read(back), read(ompl));
+  EXPECT_EQ(run("convert " + ompl + " " + csv).exitCode, 2) << "a CSV holds clearances: it needs the scenario";
+}
+
+TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {
+  for (const std::string name : {"environment-1", "environment-2", "sliding-plane"}) {
+    fs::copy(fs::path(sample(name)).parent_path(), folder / name);
+    const std::string file = (folder / name / "scenario.json").string();
+    ASSERT_EQ(run("convert " + file + " " + file).exitCode, 0);
+    EXPECT_EQ(read(file), read(sample(name))) << name << ": load then save is not byte-identical";
+  }
+  EXPECT_EQ(run("plan " + sample("sliding-plane") + " --operator expert --max-steps 8000").exitCode, 0);
+}
+
+TEST_F(Cli, OmplAppsProblemsAreReadAsOmplAppReadsThem) {
+  const fs::path problems = fs::path(GLISSADE_SOURCE_DIR) / "../shared/problems/omplapp";
+  if (!fs::exists(problems)) GTEST_SKIP() << "the public problems are not here";
+  for (const std::string name : {"Easy", "cubicles", "alpha-1.5"}) {
+    const Finished check = run("check " + (problems / (name + ".cfg")).string() + " " +
+                          (problems / (name + ".path")).string() + " --json --required-clearance 1e-4");
+    EXPECT_EQ(Json::parse(check.out)["certificate"]["status"], "certified") << name << check.out;
+  }
+  EXPECT_EQ(run("plan " + (problems / "Easy.cfg").string() + " --seed 1 --time-limit 60").exitCode, 0);
+}
+
+}  // namespace

@@ -1,0 +1,28 @@
+#include "app/window/script.h"
+
+#include <gtest/gtest.h>
+
+namespace glissade {
+namespace {
+
+TEST(Script, ReadsCommandsAndSkipsCommentsAndEmptyLines) {
+  const auto script = parseScript("# a comment\n\n  action run.start  # go\nwait solved 100\nquit\n", "a.script");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script->size(), 3U);
+  EXPECT_EQ((*script)[0].name, "action");
+  EXPECT_EQ((*script)[0].arguments, (std::vector<std::string>{"run.start"}));
+  EXPECT_EQ((*script)[1].line, 4);
+}
+
+TEST(Script, ErrorsNameFileAndLine) {
+  for (const char* bad : {"action run.start\nexplode\n", "action run.start\nwait solved\n"}) {
+    const auto script = parseScript(bad, "a.script");
+    ASSERT_FALSE(script);
+    EXPECT_EQ(script.error().kind, ErrorKind::MalformedInput);
+    EXPECT_EQ(script.error().file, "a.script");
+    EXPECT_EQ(script.error().place, "line 2");
+  }
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,72 @@
+#include "widgets/bridge/session_bridge.h"
+
+#include <gtest/gtest.h>
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+namespace {
+
+ScenarioPtr slidingPlane() {
+  auto loaded = loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/sliding-plane/scenario.json");
+  return std::make_shared<const LoadedScenario>(std::move(*loaded));
+}
+
+/// Lets time pass in either kind of session until the state is reached.
+bool reach(SessionBridge& bridge, SessionState state) {
+  QElapsedTimer timer;
+  timer.start();
+  while (bridge.snapshot()->state != state && timer.elapsed() < 30000) {
+    bridge.advance(20);
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+  }
+  return bridge.snapshot()->state == state;
+}
+
+class Bridge : public testing::TestWithParam<SessionClock> {};
+
+TEST_P(Bridge, SolvesWithASimulatedOperatorAndSignalsOnTheGuiThread) {
+  SessionBridge bridge(GetParam());
+  bridge.open(slidingPlane());
+  bridge.setDevice("expert");
+  QSignalSpy spy(&bridge, &SessionBridge::snapshotChanged);
+  bridge.post(command::Start{});
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  QCoreApplication::processEvents();
+  EXPECT_GT(spy.count(), 0);
+}
+
+TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
+  SessionBridge bridge(GetParam());
+  bridge.open(slidingPlane());
+  bridge.post(command::SetParameter{ParameterId::Alpha, 0.625});
+  bridge.post(command::SetSeed{77});
+  QElapsedTimer timer;
+  timer.start();
+  while (bridge.snapshot()->seed != 77 && timer.elapsed() < 10000) QCoreApplication::processEvents();
+  bridge.setDevice("novice");
+  EXPECT_EQ(bridge.snapshot()->parameters[ParameterId::Alpha], 0.625);
+  EXPECT_EQ(bridge.snapshot()->seed, 77U);
+  EXPECT_EQ(bridge.deviceId(), "novice");
+}
+
+TEST_P(Bridge, OpensOneScenarioAfterAnotherWhileItRuns) {
+  SessionBridge bridge(GetParam());
+  for (int i = 0; i < 3; ++i) {
+    bridge.open(slidingPlane());
+    bridge.post(command::Start{});
+    bridge.advance(3);
+  }
+  EXPECT_NE(bridge.snapshot(), nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Bridge, testing::Values(SessionClock::Lockstep, SessionClock::RealTime),
+                         [](const testing::TestParamInfo<SessionClock>& parameter) {
+                           return parameter.param == SessionClock::Lockstep ? "lockstep" : "realtime";
+                         });
+
+}  // namespace
+}  // namespace glissade

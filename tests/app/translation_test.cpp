@@ -1,0 +1,40 @@
+#include <gtest/gtest.h>
+
+#include <QFile>
+
+#include "engine/operator/device_registry.h"
+#include "engine/planning/planner.h"
+#include "widgets/panels/engine_texts.h"
+
+namespace glissade {
+namespace {
+
+TEST(Translation, NothingIsLeftUntranslated) {
+  QFile file(QStringLiteral(GLISSADE_SOURCE_DIR "/resources/i18n/glissade_fr.ts"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(file.readAll());
+  EXPECT_FALSE(text.contains(QStringLiteral("type=\"unfinished\"")));
+  EXPECT_FALSE(text.contains(QStringLiteral("<translation></translation>")));
+  EXPECT_GT(text.count(QStringLiteral("<message>")), 150);
+}
+
+TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) {
+  const auto listed = [](const std::string& text) {
+    for (const char* entry : kEngineTexts) {
+      if (text == entry) return true;
+    }
+    return false;
+  };
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (!spec.live) continue;
+    EXPECT_TRUE(listed(std::string(spec.label))) << spec.label;
+    EXPECT_TRUE(listed(std::string(spec.help))) << spec.help;
+  }
+  const PlannerRegistry planners = makePlannerRegistry();
+  for (const PlannerEntry& entry : planners.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+  const DeviceRegistry devices = makeDeviceRegistry();
+  for (const DeviceEntry& entry : devices.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The real OpenGL window on a virtual display, with real keys and mouse: it opens, draws, orbits,
+# steers, starts and quits.
+# usage: xvfb_smoke.sh GLISSADE SOURCE_DIR
+set -u
+glissade=$1
+source_dir=$2
+for tool in Xvfb xdotool xwd; do
+  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
+done
+work=$(mktemp -d)
+display=:$((90 + RANDOM % 900))
+Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp >"$work/xvfb.log" 2>&1 &
+server=$!
+trap 'kill $window $server 2>/dev/null; rm -rf "$work"' EXIT
+window=
+export DISPLAY=$display QT_QPA_PLATFORM=xcb XDG_RUNTIME_DIR=$work LIBGL_ALWAYS_SOFTWARE=1
+
+fail() {
+  echo "failed: $1"
+  cat "$work/glissade.log"
+  exit 1
+}
+picture() { xwd -root -silent -display "$display" >"$work/$1" || fail "no picture can be taken"; }
+changed() { ! cmp -s "$work/$1" "$work/$2"; }
+
+for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
+picture empty
+"$glissade" "$source_dir/samples/environment-1/scenario.json" --size 1280x720 >"$work/glissade.log" 2>&1 &
+window=$!
+for _ in $(seq 100); do
+  id=$(xdotool search --name 'Glissade' 2>/dev/null | tail -n 1)
+  [ -n "$id" ] && break
+  kill -0 "$window" 2>/dev/null || fail "the program ended"
+  sleep 0.1
+done
+[ -n "$id" ] || fail "no window appeared"
+sleep 1.5
+picture opened
+changed empty opened || fail "nothing is drawn"
+
+# Drag in the middle of the view: the camera orbits.
+xdotool mousemove 640 360 mousedown 1 mousemove 700 380 mousemove 760 400 mouseup 1
+sleep 0.7
+picture orbited
+changed opened orbited || fail "dragging does not orbit"
+
+# Keys over the view: the object moves.
+xdotool windowfocus "$id" 2>/dev/null
+xdotool mousemove 640 360 click 1
+xdotool keydown d; sleep 1; xdotool keyup d
+sleep 0.5
+picture steered
+changed orbited steered || fail "keys do not steer"
+
+xdotool key F5
+sleep 2
+picture planning
+changed steered planning || fail "F5 does not start"
+xdotool key shift+F5
+sleep 0.5
+kill -0 "$window" 2>/dev/null || fail "the program ended"
+xdotool key ctrl+q
+for _ in $(seq 50); do kill -0 "$window" 2>/dev/null || { echo "passed"; exit 0; }; sleep 0.1; done
+fail "Ctrl+Q does not quit"
