@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -52,6 +53,12 @@ Result<std::string> readAll(int fd, const std::string& file, std::size_t mostByt
   }
 }
 
+/// Permissions of the file that is replaced, or the usual ones.
+mode_t modeFor(const std::string& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777 : 0644;
+}
+
 bool writeAll(int fd, const std::string& content) {
   std::size_t done = 0;
   while (done < content.size()) {
@@ -78,22 +85,26 @@ Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
 }
 
 Outcome writeFileAtomically(const std::string& file, const std::string& content) {
-  const std::string beside = file + ".saving-" + std::to_string(::getpid());
+  std::error_code notThereYet;
+  const auto followed = std::filesystem::canonical(file, notThereYet);  // a link stays a link
+  const std::string target = notThereYet ? file : followed.string();
+  std::string beside = target + ".saving-XXXXXX";
   const auto failed = [&](const std::string& what) {
     const Diagnostic why = unwritable(file, what);
     ::unlink(beside.c_str());
     return why;
   };
   {
-    const Descriptor descriptor(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    const Descriptor descriptor(::mkostemp(beside.data(), O_CLOEXEC));
     if (!descriptor.valid()) return unwritable(file, "the folder refuses a new file");
+    if (::fchmod(descriptor.get(), modeFor(target)) != 0) return failed("setting its permissions");
     if (!writeAll(descriptor.get(), content)) return failed("writing");
     if (::fsync(descriptor.get()) != 0) return failed("flushing");
   }
   const auto written = readFile(beside, content.size());
   if (!written || *written != content) return failed("what was written reads back differently");
-  if (::rename(beside.c_str(), file.c_str()) != 0) return failed("renaming");
-  const Descriptor folder(::open(folderOf(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (::rename(beside.c_str(), target.c_str()) != 0) return failed("renaming");
+  const Descriptor folder(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.valid()) ::fsync(folder.get());
   return Done{};
 }

@@ -1,5 +1,6 @@
 #include "engine/import/confined_import.h"
 
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <seccomp.h>
@@ -10,6 +11,7 @@
 #include <assimp/Importer.hpp>
 #include <cerrno>
 #include <exception>
+#include <string_view>
 #include <vector>
 
 #include "engine/import/import_protocol.h"
@@ -84,6 +86,7 @@ struct Arrays {
 
 void gather(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, Arrays& arrays) {
   const aiMatrix4x4 transform = parent * node.mTransformation;
+  const bool mirrored = transform.Determinant() < 0.0F;
   for (unsigned int m = 0; m < node.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
     if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) continue;
@@ -94,7 +97,9 @@ void gather(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent,
     }
     for (unsigned int f = 0; f < mesh.mNumFaces; ++f) {
       if (mesh.mFaces[f].mNumIndices != 3) continue;
-      for (unsigned int i = 0; i < 3; ++i) arrays.indices.push_back(base + mesh.mFaces[f].mIndices[i]);
+      const unsigned int* corner = mesh.mFaces[f].mIndices;
+      arrays.indices.insert(arrays.indices.end(),
+                            {base + corner[0], base + corner[mirrored ? 2 : 1], base + corner[mirrored ? 1 : 2]});
     }
   }
   for (unsigned int c = 0; c < node.mNumChildren; ++c) gather(scene, *node.mChildren[c], transform, arrays);
@@ -108,10 +113,29 @@ std::array<float, 3> meanOf(const std::vector<float>& vertices) {
   return mean;
 }
 
+/// Assimp also chooses importers by what the content looks like; a PLY called .stl must not reach the
+/// PLY importer, which is known to crash and hang.
+void keepOnlyImportersOf(Assimp::Importer& importer, const std::string& ending) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    const std::string endings = std::string(" ") + importer.GetImporterInfo(i)->mFileExtensions + " ";
+    const bool wanted = endings.find(" " + ending + " ") != std::string::npos;
+    if (!wanted) importer.UnregisterLoader(importer.GetImporter(i));
+  }
+}
+
+/// Assimp drops the first line of an OBJ after a byte-order mark, and all indices shift.
+void dropByteOrderMark(std::vector<char>& content) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  const std::string_view text(content.data(), content.size());
+  if (text.substr(0, kMark.size()) == kMark) content.erase(content.begin(), content.begin() + kMark.size());
+}
+
 int import(const std::string& ending) {
-  const std::vector<char> content = readStandardInput();
+  std::vector<char> content = readStandardInput();
   if (content.empty()) return fail("it is empty or too large");
+  dropByteOrderMark(content);
   Assimp::Importer importer;
+  keepOnlyImportersOf(importer, ending);
   // The flags of OMPL.app, on whose results its problems' reference points depend.
   constexpr unsigned int kFlags = aiProcess_GenNormals | aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                                   aiProcess_SortByPType | aiProcess_OptimizeGraph;

@@ -57,6 +57,13 @@ class Message {
   std::size_t position_ = 0;
 };
 
+/// A truncated text STL would silently lose its tail. Binary ones, which may begin with the same
+/// word, hold zero bytes.
+bool isTruncatedTextStl(const std::string& ending, const std::string& content) {
+  const bool text = ending == "stl" && content.rfind("solid", 0) == 0 && content.find('\0') == std::string::npos;
+  return text && content.find("endsolid") == std::string::npos;
+}
+
 /// STL claims its size in a header: believe the file's length instead, before anything is allocated.
 std::optional<std::string> headerLie(const std::string& ending, const std::string& content) {
   constexpr std::size_t kHeader = 84;
@@ -75,7 +82,12 @@ Result<ImportedMesh> decode(const std::string& file, const std::string& output) 
   protocol::Header header;
   if (!message.take(&header, 1) || header.magic != protocol::kMagic)
     return malformed(file, "the importer failed on it");
-  if (header.kind == protocol::kError) return malformed(file, "cannot be read: " + message.rest());
+  if (header.kind == protocol::kError) {
+    Diagnostic why = malformed(file, "cannot be read: " + message.rest());
+    const bool external = why.reason.find("referenced file") != std::string::npos;
+    if (external) why.advice = "Buffers in files of their own are not read: export it as one .glb file.";
+    return why;
+  }
   if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
     return malformed(file, "is too large");
   }
@@ -87,8 +99,11 @@ Result<ImportedMesh> decode(const std::string& file, const std::string& output) 
     return malformed(file, "the importer failed on it");
   }
   if (triangles.empty()) return malformed(file, "holds no triangle");
-  const bool finite = std::all_of(coordinates.begin(), coordinates.end(), [](float x) { return std::isfinite(x); });
-  if (!finite) return malformed(file, "has a vertex that is not a finite number");
+  constexpr float kLargestCoordinate = 1e9F;
+  const auto sane = [](float x) { return std::isfinite(x) && std::abs(x) <= kLargestCoordinate; };
+  if (!std::all_of(coordinates.begin(), coordinates.end(), sane)) {
+    return malformed(file, "has a vertex that is not a finite number, or beyond all measure");
+  }
   for (const auto& triangle : triangles) {
     if (*std::max_element(triangle.begin(), triangle.end()) >= header.vertices) {
       return malformed(file, "has a triangle with a corner that does not exist");
@@ -120,6 +135,7 @@ Result<ImportedMesh> importMesh(const std::string& file) {
   if (!content) return content.error();
   if (content->empty()) return malformed(file, "is empty");
   if (const auto lie = headerLie(ending, *content)) return malformed(file, *lie);
+  if (isTruncatedTextStl(ending, *content)) return malformed(file, "ends before 'endsolid'");
   const std::size_t mostOutput = sizeof(protocol::Header) + std::size_t{24} * protocol::kMostElements + 64;
   const auto child = runChild(importerProgram(), {ending}, file, std::chrono::milliseconds(4500), mostOutput);
   if (!child) return child.error();

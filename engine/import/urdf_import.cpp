@@ -17,6 +17,8 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostBytes = 16U << 20;
+/// Metres; beyond it a size is damage, and computing with it overflows.
+constexpr double kLargestSize = 1e9;
 
 Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, place, reason, "Correct the URDF file."};
@@ -52,6 +54,8 @@ Pose toPose(const urdf::Pose& pose) {
   return result;
 }
 
+bool isSound(const Pose& pose) { return isValid(pose) && pose.position.cwiseAbs().maxCoeff() <= kLargestSize; }
+
 /// Turns one parsed file into links; the first thing wrong ends it.
 class LinkBuilder {
  public:
@@ -71,7 +75,7 @@ class LinkBuilder {
           return malformed(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
         }
         const Pose X_LC = toPose(joint->parent_to_joint_origin_transform);
-        if (!isValid(X_LC)) return malformed(file_, "joint '" + joint->name + "'", "has an origin that is not finite");
+        if (!isSound(X_LC)) return malformed(file_, "joint '" + joint->name + "'", "has an origin that is not finite");
         open.emplace_back(model.getLink(joint->child_link_name), X_RL * X_LC);
       }
     }
@@ -88,7 +92,7 @@ class LinkBuilder {
         auto part = meshOf(*shape->geometry, place);
         if (!part) return part.error();
         const Pose X_LS = toPose(shape->origin);
-        if (!isValid(X_LS)) return malformed(file_, place, "has an origin that is not finite");
+        if (!isSound(X_LS)) return malformed(file_, place, "has an origin that is not finite");
         append(mesh, transformed(*part, X_LS));
       }
       return Done{};
@@ -100,7 +104,7 @@ class LinkBuilder {
 
   Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& place) {
     const auto sized = [](std::initializer_list<double> sizes) {
-      return std::all_of(sizes.begin(), sizes.end(), [](double size) { return std::isfinite(size) && size > 0.0; });
+      return std::all_of(sizes.begin(), sizes.end(), [](double size) { return size > 0.0 && size <= kLargestSize; });
     };
     const Diagnostic badSize = malformed(file_, place, "has a shape whose size is not a positive number");
     switch (geometry.type) {
@@ -126,13 +130,17 @@ class LinkBuilder {
 
   Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& place) {
     constexpr const char* kPackage = "package://";
+    const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
+    if (!scale.allFinite() || scale.prod() == 0.0 || scale.cwiseAbs().maxCoeff() > kLargestSize) {
+      return malformed(file_, place, "has a mesh whose scale is zero or not a number");
+    }
     std::string name = mesh.filename;
     if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
     const auto path = resolveBelow(packageFolder_, name, file_, place);
     if (!path) return path.error();
     const auto imported = importMesh(*path);
     if (!imported) return imported.error();
-    return scaled(welded(imported->mesh), {mesh.scale.x, mesh.scale.y, mesh.scale.z});
+    return scaled(welded(imported->mesh), scale);
   }
 
   static std::optional<std::array<double, 3>> colourOf(const urdf::Link& link) {

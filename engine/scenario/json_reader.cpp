@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "engine/base/tolerances.h"
 
@@ -107,12 +110,42 @@ Pose JsonCursor::pose() const {
   return pose;
 }
 
+namespace {
+
+/// What JSON allows and we do not; the first is said.
+struct Refusal {
+  std::string reason;
+};
+
+/// Watches the parser: keys given twice would lose a value in silence, deep documents would
+/// take many times their size in memory.
+class ParserGuard {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    using Event = Json::parse_event_t;
+    constexpr int kDeepest = 32;
+    if (depth > kDeepest) throw Refusal{"is nested too deeply"};
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
+      throw Refusal{"holds the key '" + parsed.get<std::string>() + "' twice in one object"};
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
 Result<Json> parseJson(const std::string& text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a scenario file."};
   }
   try {
-    return Json::parse(text);
+    ParserGuard guard;
+    return Json::parse(text, std::ref(guard));
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
@@ -121,6 +154,8 @@ Result<Json> parseJson(const std::string& text, const std::string& file) {
     return Diagnostic{ErrorKind::MalformedInput, file,
                       "line " + std::to_string(line) + ", column " + std::to_string(column), "is not valid JSON",
                       "Correct the text there."};
+  } catch (const Refusal& refusal) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", refusal.reason, "Correct the file."};
   } catch (const Json::exception&) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a number that is out of range",
                       "Correct the number."};

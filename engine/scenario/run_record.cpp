@@ -18,6 +18,13 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   return *id;
 }
 
+/// A step that does not come before the one above it: a replay goes through them in order.
+std::uint64_t readStep(const JsonCursor& at, std::uint64_t earliest) {
+  const std::uint64_t step = at.wholeNumber();
+  if (step < earliest) at.fail("comes before the step above it");
+  return step;
+}
+
 RunRecord read(const JsonCursor& root) {
   root.allowOnly({"format", "version", "program", "scenario", "scenario_sha256", "planner", "seed", "parameters",
                   "parameter_changes", "had_operator", "operator_stream", "nodes"});
@@ -39,7 +46,8 @@ RunRecord read(const JsonCursor& root) {
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const JsonCursor at = changes.element(i);
     at.allowOnly({"step", "parameter", "value"});
-    record.parameterChanges.push_back({at.at("step").wholeNumber(),
+    const std::uint64_t earliest = record.parameterChanges.empty() ? 0 : record.parameterChanges.back().step;
+    record.parameterChanges.push_back({readStep(at.at("step"), earliest),
                                        readParameterId(at.at("parameter"), at.at("parameter").text()),
                                        at.at("value").number()});
   }
@@ -47,7 +55,8 @@ RunRecord read(const JsonCursor& root) {
   for (std::size_t i = 0; i < stream.size(); ++i) {
     const JsonCursor at = stream.element(i);
     at.allowOnly({"step", "q"});
-    record.operatorStream.push_back({at.at("step").wholeNumber(), at.at("q").pose()});
+    const std::uint64_t earliest = record.operatorStream.empty() ? 0 : record.operatorStream.back().step;
+    record.operatorStream.push_back({readStep(at.at("step"), earliest), at.at("q").pose()});
   }
   return record;
 }

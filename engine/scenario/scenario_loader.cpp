@@ -14,10 +14,12 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostScenarioBytes = 64U << 20;
+constexpr std::size_t kMostScenarioBytes = 16U << 20;
 constexpr Colour kStaticColour{0.62, 0.66, 0.72};
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
+
+Pose normalized(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
 
 /// One rigid part of a body's or the object's geometry.
 struct Part {
@@ -89,6 +91,11 @@ class GeometryLoader {
 
   Result<std::vector<Part>> loadUrdf(const std::string& id) {
     const Asset& asset = assetById(id);
+    if (asset.unit != 1.0 || asset.up != UpAxis::Z) {
+      return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
+                        "has a unit or an up-axis, but a URDF file is always in metres and z up",
+                        "Leave out 'unit' and 'up_axis'."};
+    }
     const auto path = fileOf(asset);
     if (!path) return path.error();
     auto links = importUrdf(*path, folderOf(*path));
@@ -120,7 +127,7 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<
     body.name = several ? part.name : description.name;
     body.mobility = description.mobility;
     body.mesh = std::make_shared<const TriangleMesh>(std::move(part.mesh));
-    body.X_WB = description.pose * part.X_BP;
+    body.X_WB = normalized(description.pose) * part.X_BP;
     const Colour usual = description.mobility == Mobility::Static ? kStaticColour : kMobileColour;
     body.colour = description.colour ? *description.colour : part.colour.value_or(usual);
     bodies.push_back(std::move(body));
@@ -139,7 +146,7 @@ Result<RigidBody> loadObject(const Scenario& scenario, GeometryLoader& loader) {
   object.name = scenario.object.name;
   object.mobility = Mobility::Mobile;
   object.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
-  object.X_WB = scenario.start;
+  object.X_WB = normalized(scenario.start);
   object.colour = scenario.object.colour ? *scenario.object.colour : parts->front().colour.value_or(kObjectColour);
   return object;
 }
@@ -217,8 +224,10 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
   warnIfOpen(loaded.object, file, loaded.warnings);
 
   loaded.problem.world = CollisionWorld::build(loaded.obstacles, loaded.object.mesh);
-  loaded.problem.start = scenario.start;
+  // Files may be off by kQuaternionNorm; a rotation that stretches would falsify every distance.
+  loaded.problem.start = normalized(scenario.start);
   loaded.problem.goal = scenario.goal;
+  if (Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) *goal = normalized(*goal);
   loaded.problem.bounds = scenario.workspace;
   loaded.parameters = ParameterValues(loaded.problem.world->objectRadius());
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
@@ -237,7 +246,9 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
     if (!content) return content.error();
     asset.sha256 = sha256(*content);
   }
-  return writeFileAtomically(file, writeScenario(hashed));
+  const std::string text = writeScenario(hashed);
+  if (const auto readBack = parseScenario(text, file); !readBack) return readBack.error();
+  return writeFileAtomically(file, text);
 }
 
 }  // namespace glissade

@@ -101,7 +101,11 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
   object.id = at.at("id").nonEmptyText();
   object.name = at.has("name") ? at.at("name").text() : object.id;
   object.geometry = readGeometry(at.at("geometry"), assets);
-  if (const auto centre = at.find("centre_on_vertex_mean")) object.centreOnVertexMean = centre->boolean();
+  if (const auto centre = at.find("centre_on_vertex_mean")) {
+    object.centreOnVertexMean = centre->boolean();
+    const bool mesh = std::holds_alternative<MeshGeometry>(object.geometry);
+    if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
+  }
   if (const auto colour = at.find("colour")) object.colour = readColour(*colour);
   object.attributes = readAttributes(at.find("attributes"));
   return object;
@@ -131,8 +135,11 @@ std::map<ParameterId, double> readParameters(const std::optional<JsonCursor>& at
   return values;
 }
 
-void refuseTwice(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
-  if (!seen.insert(id).second) at.fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
+/// Ids are unique and leave "<body>/<link>" to the links of URDF files.
+void checkId(std::set<std::string>& seen, const std::string& id, const JsonCursor& at) {
+  if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
+  if (!seen.insert(id).second)
+    at.at("id").fail("has the id '" + id + "' a second time", "Give every one an id of its own.");
 }
 
 Scenario readScenario(const JsonCursor& root) {
@@ -145,15 +152,16 @@ Scenario readScenario(const JsonCursor& root) {
   const auto assetList = root.find("assets");
   for (std::size_t i = 0; assetList && i < assetList->size(); ++i) {
     scenario.assets.push_back(readAsset(assetList->element(i)));
-    refuseTwice(assets, scenario.assets.back().id, assetList->element(i));
+    checkId(assets, scenario.assets.back().id, assetList->element(i));
   }
   std::set<std::string> bodies;
   const JsonCursor bodyList = root.at("bodies");
   for (std::size_t i = 0; i < bodyList.size(); ++i) {
     scenario.bodies.push_back(readBody(bodyList.element(i), assets));
-    refuseTwice(bodies, scenario.bodies.back().id, bodyList.element(i));
+    checkId(bodies, scenario.bodies.back().id, bodyList.element(i));
   }
   scenario.object = readObject(root.at("object"), assets);
+  checkId(bodies, scenario.object.id, root.at("object"));
   scenario.start = root.at("start").pose();
   scenario.goal = readGoal(root.at("goal"));
   scenario.workspace = readWorkspace(root.at("workspace"));

@@ -1,0 +1,139 @@
+#include "engine/import/urdf_import.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/geometry/mesh_audit.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using test::TemporaryFolder;
+
+std::string robot(const std::string& content) {
+  return "<?xml version=\"1.0\"?>\n<robot name=\"r\">" + content + "</robot>\n";
+}
+std::string link(const std::string& name, const std::string& content = "") {
+  return "<link name=\"" + name + "\">" + content + "</link>";
+}
+std::string collision(const std::string& geometry, const std::string& origin = "") {
+  return "<collision>" + origin + "<geometry>" + geometry + "</geometry></collision>";
+}
+std::string joint(const std::string& type, const std::string& child, const std::string& origin) {
+  return "<joint name=\"to_" + child + "\" type=\"" + type + "\"><parent link=\"root\"/><child link=\"" + child +
+         "\"/><axis xyz=\"0 0 1\"/><limit effort=\"1\" velocity=\"1\" lower=\"0\" upper=\"1\"/>" + origin + "</joint>";
+}
+const std::string kBox = "<box size=\"1 2 3\"/>";
+const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+Result<std::vector<UrdfLink>> import(const TemporaryFolder& folder, const std::string& text) {
+  return importUrdf(folder.write("model.urdf", text), folder.path());
+}
+
+TEST(Urdf, ReadsShapesJointsAndColours) {
+  const TemporaryFolder folder;
+  const Result<std::vector<UrdfLink>> model = import(
+      folder,
+      robot("<material name=\"blue\"><color rgba=\"0 0 1 1\"/></material>" + link("root") +
+            link("wall", "<visual><geometry>" + kBox + "</geometry><material name=\"blue\"/></visual>" +
+                             collision(kBox, "<origin xyz=\"0 0 1.5\"/>")) +
+            joint("fixed", "wall", "<origin xyz=\"1 0 0\" rpy=\"0 0 1.5707963267948966\"/>") +
+            link("ball", collision("<sphere radius=\"0.5\"/>") + collision("<cylinder radius=\"1\" length=\"2\"/>")) +
+            joint("fixed", "ball", "<origin xyz=\"0 5 0\"/>")));
+  ASSERT_TRUE(model.ok()) << toString(model.error());
+  ASSERT_EQ(model->size(), 2U);  // the root has no geometry
+
+  const UrdfLink& wall = (*model)[1];
+  EXPECT_EQ(wall.name, "wall");
+  EXPECT_TRUE(boundingBox(wall.mesh).max().isApprox(Vector3(0.5, 1, 3)));
+  EXPECT_TRUE((wall.X_RL * Vector3(0, 1, 0)).isApprox(Vector3::Zero(), 1e-12) ||
+              (wall.X_RL * Vector3(0, 1, 0)).norm() < 1e-12);
+  ASSERT_TRUE(wall.colour.has_value());
+  EXPECT_EQ(*wall.colour, (std::array<double, 3>{0, 0, 1}));
+
+  const UrdfLink& ball = (*model)[0];
+  EXPECT_EQ(audit(ball.mesh).components, 2U);  // both collision shapes
+  EXPECT_GE(boundingBox(ball.mesh).max().x(), 1.0);
+  EXPECT_EQ(ball.X_RL.position, Vector3(0, 5, 0));
+  EXPECT_FALSE(ball.colour.has_value());
+}
+
+TEST(Urdf, VisualGeometryStandsInForMissingCollisionGeometry) {
+  const TemporaryFolder folder;
+  const auto model = import(folder, robot(link("root", "<visual><geometry>" + kBox + "</geometry></visual>")));
+  ASSERT_TRUE(model.ok()) << toString(model.error());
+  EXPECT_EQ((*model)[0].mesh.triangles.size(), 12U);
+}
+
+TEST(Urdf, MeshFilesAreFoundInsideTheFolder) {
+  const TemporaryFolder folder;
+  folder.write("meshes/part.obj", kObj);
+  for (const std::string name : {"meshes/part.obj", "package://meshes/part.obj"}) {
+    const auto model =
+        import(folder, robot(link("root", collision("<mesh filename=\"" + name + "\" scale=\"2 1 1\"/>"))));
+    ASSERT_TRUE(model.ok()) << toString(model.error());
+    EXPECT_TRUE(boundingBox((*model)[0].mesh).max().isApprox(Vector3(2, 2, 3)));
+  }
+}
+
+struct Malformed {
+  const char* what;
+  std::string text;
+  const char* place;
+  const char* reason;
+};
+
+std::vector<Malformed> table() {
+  std::string deep;
+  for (int i = 0; i < 50'000; ++i) deep += "<a>";
+  return {
+      {"a broken number", robot(link("root", collision("<box size=\"1 x 3\"/>"))), "", ""},
+      {"an unknown shape", robot(link("root", collision("<cone/>"))), "", ""},
+      {"a negative box", robot(link("root", collision("<box size=\"1 -2 3\"/>"))), "link 'root'", "positive"},
+      {"a flat cylinder", robot(link("root", collision("<cylinder radius=\"0\" length=\"1\"/>"))), "link 'root'",
+       "positive"},
+      {"an enormous sphere", robot(link("root", collision("<sphere radius=\"1e300\"/>"))), "link 'root'", "positive"},
+      {"a NaN", robot(link("root", collision("<sphere radius=\"nan\"/>"))), "", ""},
+      {"a far origin", robot(link("root", collision(kBox, "<origin xyz=\"1e200 0 0\"/>"))), "link 'root'",
+       "not finite"},
+      {"a movable joint", robot(link("root") + link("arm", collision(kBox)) + joint("revolute", "arm", "")),
+       "joint 'to_arm'", "not fixed"},
+      {"a lost parent", robot(link("arm", collision(kBox)) + joint("fixed", "arm", "")), "", ""},
+      {"two roots", robot(link("a", collision(kBox)) + link("b", collision(kBox))), "", ""},
+      {"equal names", robot(link("a", collision(kBox)) + link("a", collision(kBox))), "", ""},
+      {"no geometry", robot(link("root")), "", "holds no shape"},
+      {"a missing mesh", robot(link("root", collision("<mesh filename=\"gone.stl\"/>"))), "", "No such file"},
+      {"a mesh outside", robot(link("root", collision("<mesh filename=\"../gone.stl\"/>"))), "link 'root'", "leaves"},
+      {"a mesh by address", robot(link("root", collision("<mesh filename=\"file:///etc/passwd.stl\"/>"))), "", ""},
+      {"a package outside", robot(link("root", collision("<mesh filename=\"package://a/../../gone.stl\"/>"))),
+       "link 'root'", "leaves"},
+      {"broken XML", "<robot name=\"r\">\n<link name=\"a\"", "", ""},
+      {"deep XML", "<robot>" + deep, "line 1", "nested too deeply"},
+      {"another root", "<sdf/>", "", ""},
+      {"a document type", "<!DOCTYPE r [<!ENTITY a \"b\">]><robot name=\"r\"/>", "", ""},
+      {"invalid UTF-8", robot(link("ro\xff\xfeot", collision(kBox))), "", ""},
+      {"an empty file", "", "", ""},
+      {"text", "hello", "", ""},
+  };
+}
+
+TEST(Urdf, MalformedFilesGiveOneClearMessage) {
+  for (const Malformed& row : table()) {
+    SCOPED_TRACE(row.what);
+    const TemporaryFolder folder;
+    const Result<std::vector<UrdfLink>> model = import(folder, row.text);
+    ASSERT_FALSE(model.ok());
+    EXPECT_EQ(model.error().kind, ErrorKind::MalformedInput);
+    EXPECT_THAT(model.error().file, testing::StartsWith(folder.path()));
+    EXPECT_THAT(model.error().place, testing::StartsWith(row.place));
+    EXPECT_FALSE(model.error().reason.empty());
+    EXPECT_THAT(model.error().reason, testing::HasSubstr(row.reason));
+    EXPECT_FALSE(model.error().advice.empty());
+  }
+}
+
+}  // namespace
+}  // namespace glissade

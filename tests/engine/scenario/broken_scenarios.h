@@ -1,0 +1,69 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/scenario_io.h"
+#include "tests/engine/scenario/scenario_fixture.h"
+
+namespace glissade::test {
+
+/// A fault in an otherwise sound file.
+struct BrokenScenario {
+  const char* patch;  ///< JSON Patch (RFC 6902) of fullScenario()
+  const char* place;  ///< where the reader must see it
+  const char* reason;
+  bool schemaSees = true;  ///< false: a JSON schema cannot express it
+};
+
+inline std::string broken(const BrokenScenario& row) {
+  const auto sound = nlohmann::json::parse(writeScenario(fullScenario()));
+  return sound.patch(nlohmann::json::parse(row.patch)).dump();
+}
+
+inline const std::vector<BrokenScenario>& brokenScenarios() {
+  static const std::vector<BrokenScenario> kRows{
+      {R"([{"op": "replace", "path": "", "value": []}])", "/", "not an object"},
+      {R"([{"op": "replace", "path": "/format", "value": "gltf"}])", "/format", "is not \"glissade-scenario\""},
+      {R"([{"op": "remove", "path": "/format"}])", "/format", "missing"},
+      {R"([{"op": "replace", "path": "/version", "value": 2}])", "/version", "version 2"},
+      {R"([{"op": "replace", "path": "/version", "value": 0}])", "/version", "version 0"},
+      {R"([{"op": "replace", "path": "/version", "value": "1"}])", "/version", "not a whole number"},
+      {R"([{"op": "add", "path": "/colour", "value": 1}])", "/colour", "unknown key"},
+      {R"([{"op": "add", "path": "/bodies/1/pose/angle", "value": 1}])", "/bodies/1/pose/angle", "unknown"},
+      {R"([{"op": "remove", "path": "/start"}])", "/start", "missing"},
+      {R"([{"op": "replace", "path": "/start/position/1", "value": null}])", "/start/position/1", "not a number"},
+      {R"([{"op": "replace", "path": "/start/position", "value": [1, 2]}])", "/start/position", "three numbers"},
+      {R"([{"op": "replace", "path": "/start/orientation/3", "value": 2}])", "/start/orientation", "unit quaternion"},
+      {R"([{"op": "replace", "path": "/start/orientation/3", "value": 0.5}])", "/start/orientation", "unit quaternion",
+       false},
+      {R"([{"op": "replace", "path": "/goal", "value": "in"}])", "/goal", "neither"},
+      {R"([{"op": "replace", "path": "/workspace/min/0", "value": 50}])", "/workspace", "above", false},
+      {R"([{"op": "replace", "path": "/bodies/1/id", "value": "wall"}])", "/bodies/1/id", "a second time", false},
+      {R"([{"op": "replace", "path": "/object/id", "value": "wall"}])", "/object/id", "a second time", false},
+      {R"([{"op": "replace", "path": "/assets/1/id", "value": "part"}])", "/assets/1/id", "a second time", false},
+      {R"([{"op": "replace", "path": "/bodies/1/id", "value": "a/b"}])", "/bodies/1/id", "'/'"},
+      {R"([{"op": "replace", "path": "/bodies/1/id", "value": ""}])", "/bodies/1/id", "empty"},
+      {R"([{"op": "replace", "path": "/bodies/1/mobility", "value": "fixed"}])", "/bodies/1/mobility", "neither"},
+      {R"([{"op": "replace", "path": "/bodies/1/geometry/mesh", "value": "gone"}])", "/bodies/1/geometry/mesh",
+       "not in /assets", false},
+      {R"([{"op": "add", "path": "/bodies/1/geometry/step", "value": "x"}])", "/bodies/1/geometry/step", "unknown key"},
+      {R"([{"op": "replace", "path": "/bodies/0/geometry/box/1", "value": -1}])", "/bodies/0/geometry/box",
+       "above zero"},
+      {R"([{"op": "replace", "path": "/bodies/1/colour/0", "value": 1.5}])", "/bodies/1/colour", "not a colour"},
+      {R"([{"op": "add", "path": "/bodies/1/attributes/x", "value": []}])", "/bodies/1/attributes/x", "not a number"},
+      {R"([{"op": "add", "path": "/object/centre_on_vertex_mean", "value": true}])", "/object/centre_on_vertex_mean",
+       "mesh files only", false},
+      {R"([{"op": "replace", "path": "/assets/0/unit", "value": 0}])", "/assets/0/unit", "above zero"},
+      {R"([{"op": "replace", "path": "/assets/0/up_axis", "value": "x"}])", "/assets/0/up_axis", "neither"},
+      {R"([{"op": "add", "path": "/parameters/speed", "value": 1}])", "/parameters/speed", "not a parameter"},
+      {R"([{"op": "replace", "path": "/parameters/alpha", "value": "high"}])", "/parameters/alpha", "not a number"},
+      {R"([{"op": "replace", "path": "/seed", "value": -1}])", "/seed", "whole number"},
+      {R"([{"op": "replace", "path": "/seed", "value": 1.5}])", "/seed", "whole number"},
+      {R"([{"op": "replace", "path": "/planner", "value": ""}])", "/planner", "empty"},
+  };
+  return kRows;
+}
+
+}  // namespace glissade::test

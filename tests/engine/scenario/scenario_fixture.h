@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+
+#include "engine/scenario/scenario.h"
+
+namespace glissade::test {
+
+inline std::string sample(const std::string& name) {
+  return std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + "/scenario.json";
+}
+
+/// A scenario of boxes that needs no file: the object passes beside a wall.
+inline Scenario boxScenario() {
+  Scenario scenario;
+  scenario.name = "Boxes";
+  BodyDescription wall;
+  wall.id = "wall";
+  wall.name = "The wall";
+  wall.geometry = BoxGeometry{{1, 4, 1}};
+  scenario.bodies = {wall};
+  scenario.object.name = "Brick";
+  scenario.object.geometry = BoxGeometry{{0.5, 0.5, 0.5}};
+  scenario.start = Pose::translation({-3, 0, 0});
+  scenario.goal = Pose::translation({3, 0, 0});
+  scenario.workspace = Box3(Vector3(-5, -5, -5), Vector3(5, 5, 5));
+  return scenario;
+}
+
+/// Every key of the format, with numbers that are awkward to print.
+inline Scenario fullScenario() {
+  Scenario scenario = boxScenario();
+  scenario.description = "Wände – \"quoted\"\n";
+  scenario.assets = {{"part", "meshes/part.stl", std::string(64, 'a'), 0.001, UpAxis::Y},
+                     {"robot", "robot.urdf", "", 1.0, UpAxis::Z}};
+  BodyDescription mesh;
+  mesh.id = "mesh";
+  mesh.name = "The mesh";
+  mesh.mobility = Mobility::Mobile;
+  mesh.geometry = MeshGeometry{"part"};
+  mesh.pose = {{0.1, 1.0 / 3.0, -1e-17}, fromRollPitchYaw(0.1, 0.2, 0.3)};
+  mesh.colour = Colour{0.25, 0.5, 1.0};
+  mesh.attributes = {{"complexity", 3.0}, {"cluttered", true}, {"shape", std::string("star")}};
+  BodyDescription urdf;
+  urdf.id = "robot";
+  urdf.name = "The robot";
+  urdf.geometry = UrdfGeometry{"robot"};
+  BodyDescription pin;
+  pin.id = "pin";
+  pin.name = "The pin";
+  pin.geometry = CylinderGeometry{0.25, 2.0};
+  scenario.bodies.insert(scenario.bodies.end(), {mesh, urdf, pin});
+  scenario.object.geometry = SphereGeometry{0.125};
+  scenario.goal = GoalOut{};
+  scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
+  scenario.planner = "birrt";
+  scenario.parameters = {{ParameterId::Alpha, 0.7}, {ParameterId::ContactSamples, 5}};
+  scenario.seed = 9223372036854775807U;
+  return scenario;
+}
+
+}  // namespace glissade::test

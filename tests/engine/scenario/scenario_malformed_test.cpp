@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/scenario/scenario_io.h"
+#include "tests/engine/scenario/broken_scenarios.h"
+
+namespace glissade {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+void expectRefused(const std::string& text, const std::string& place, const std::string& reason) {
+  const Result<Scenario> read = parseScenario(text, "broken.json");
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
+  EXPECT_EQ(read.error().file, "broken.json");
+  EXPECT_THAT(read.error().place, StartsWith(place));
+  EXPECT_THAT(read.error().reason, HasSubstr(reason));
+  EXPECT_FALSE(read.error().advice.empty());
+}
+
+TEST(MalformedScenario, EachFaultIsNamedWithItsPlace) {
+  for (const test::BrokenScenario& row : test::brokenScenarios()) {
+    SCOPED_TRACE(row.patch);
+    expectRefused(test::broken(row), row.place, row.reason);
+  }
+}
+
+TEST(MalformedScenario, SyntaxErrorsHaveLineAndColumn) {
+  expectRefused("{\n  \"format\": \"glissade-scenario\",\n  oops\n}", "line 3, column 3", "not valid JSON");
+  expectRefused("", "", "empty");
+  expectRefused("{\"a\": NaN}", "line 1, column 7", "not valid JSON");
+  expectRefused("{\"a\": 1e999}", "", "out of range");
+  expectRefused("{\"a\": 1, \"a\": 2}", "", "'a' twice");
+  expectRefused("\xff\xfe{", "line 1", "not valid JSON");
+  const std::string good = writeScenario(test::fullScenario());
+  for (std::size_t length = 1; length + 2 < good.size(); length += 37) {
+    EXPECT_FALSE(parseScenario(good.substr(0, length), "truncated").ok()) << length;
+  }
+}
+
+TEST(MalformedScenario, DeepDocumentsAreRefused) {
+  expectRefused(std::string(8'000'000, '['), "", "too deeply");
+  std::string deep;
+  for (int i = 0; i < 1'000'000; ++i) deep += "{\"a\":";
+  expectRefused(deep, "", "too deeply");
+}
+
+TEST(MalformedScenario, AByteOrderMarkIsNoFault) {
+  EXPECT_TRUE(parseScenario("\xEF\xBB\xBF" + writeScenario(test::fullScenario()), "bom.json").ok());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "engine/scenario/run_record.h"
+#include "tests/engine/scenario/broken_scenarios.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+class Schema {
+ public:
+  explicit Schema(const std::string& name)
+      : document_(nlohmann::json::parse(
+            test::readWhole(std::string(GLISSADE_SOURCE_DIR) + "/resources/schema/" + name + ".schema.json"))) {
+    valijson::SchemaParser().populateSchema(Adapter(document_), schema_);
+  }
+
+  /// Empty where the document is valid.
+  std::string complaint(const std::string& text) {
+    const auto document = nlohmann::json::parse(text);
+    valijson::Validator validator;
+    valijson::ValidationResults results;
+    if (validator.validate(schema_, Adapter(document), &results)) return {};
+    valijson::ValidationResults::Error error;
+    return results.popError(error) ? error.description : "invalid";
+  }
+
+ private:
+  nlohmann::json document_;
+  valijson::Schema schema_;
+};
+
+TEST(ScenarioSchema, AcceptsWhatIsWritten) {
+  Schema schema("scenario-1");
+  EXPECT_EQ(schema.complaint(writeScenario(test::boxScenario())), "");
+  EXPECT_EQ(schema.complaint(writeScenario(test::fullScenario())), "");
+  for (const char* name : {"environment-1", "environment-2", "sliding-plane"}) {
+    EXPECT_EQ(schema.complaint(test::readWhole(test::sample(name))), "") << name;
+  }
+}
+
+TEST(ScenarioSchema, KnowsEveryParameter) {
+  Schema schema("scenario-1");
+  for (const ParameterSpec& spec : parameterTable()) {
+    Scenario scenario = test::boxScenario();
+    scenario.parameters[spec.id] = spec.defaultValue;
+    EXPECT_EQ(schema.complaint(writeScenario(scenario)), "") << spec.key;
+  }
+}
+
+TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
+  Schema schema("scenario-1");
+  for (const test::BrokenScenario& row : test::brokenScenarios()) {
+    EXPECT_EQ(schema.complaint(test::broken(row)).empty(), !row.schemaSees) << row.patch;
+  }
+}
+
+TEST(RunSchema, AcceptsWhatIsWritten) {
+  Schema schema("run-1");
+  const test::TemporaryFolder folder;
+  RunRecord record;
+  record.planner = "birrt";
+  record.scenario = "scenario.json";
+  record.parameters = {{ParameterId::Alpha, 0.2}};
+  record.parameterChanges = {{3, ParameterId::Alpha, 0.5}};
+  record.operatorStream = {{0, Pose::identity()}};
+  ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
+  EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
+  EXPECT_NE(schema.complaint("{}"), "");
+}
+
+}  // namespace
+}  // namespace glissade
