@@ -9,10 +9,11 @@
 namespace glissade::cli {
 namespace {
 
+/// Files may round their quaternions; a rotation has to be one exactly.
 std::vector<Pose> configurations(const std::vector<PathPoint>& points) {
   std::vector<Pose> poses;
   poses.reserve(points.size());
-  for (const PathPoint& point : points) poses.push_back(point.q);
+  for (const PathPoint& point : points) poses.push_back({point.q.position, point.q.orientation.normalized()});
   return poses;
 }
 
