@@ -19,6 +19,7 @@ enum class ParameterId : std::size_t {
   ContactGap,
   RequiredClearance,
   GrowthStep,
+  ExtensionStep,
   StepsPerSecond,
   MaxSteps,
   MaxSamples,

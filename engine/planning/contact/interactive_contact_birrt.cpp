@@ -142,9 +142,11 @@ std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::
     roadmap_.join(near.index, *reached);
     return std::nullopt;
   }
-  const double steps = std::floor(free * near.distance / (tolerance::kExtensionStep * radius));
+  const double step = author == Author::Computer ? host.parameters()[ParameterId::ExtensionStep]
+                                                 : tolerance::kGuidedExtensionStep * radius;
+  const double steps = std::floor(free * near.distance / step);
   if (free < 1.0 && steps < 1.0) return std::nullopt;
-  const double t = free < 1.0 ? steps * tolerance::kExtensionStep * radius / near.distance : 1.0;
+  const double t = free < 1.0 ? steps * step / near.distance : 1.0;
   const Pose last = interpolate(from.q, q, t);
   if (free < 1.0 && isDuplicate(component, last, author)) return std::nullopt;
   const RoadmapGraph::Node node = roadmap_.addChild(near.index, {last, author, from.side});
