@@ -48,7 +48,7 @@ build_and_run() {
   local preset=$1 targets=$2
   shift 2
   # shellcheck disable=SC2086
-  if packaging/build.sh "$preset" $targets; then
+  if packaging/build.sh "$preset" $targets -- -DGLISSADE_TESTS=ON; then  # run.sh may have left them out
     run_suite "$preset" "$@"
   else
     failed=$((failed + 1))
