@@ -43,6 +43,14 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      false, "Stop after this many random configurations; 0 is no limit."},
     {Id::TimeLimit, "time_limit", "--time-limit", "", "Time limit", "s", 0.0, 1e7, 0.0, Scale::Absolute, false, false,
      "Stop after this many seconds of planning; 0 is no limit."},
+    {Id::GlobalSamples, "global_samples", "--global-samples", "", "Samples of strategy G", "", 1.0, 1e9, 1e6,
+     Scale::Absolute, true, false, "Strategy G gives up after this many random configurations."},
+    {Id::StepSamples, "step_samples", "--step-samples", "", "Samples a step", "", 1.0, 1e9, 1e5, Scale::Absolute, true,
+     false, "A topological step fails after this many random configurations."},
+    {Id::BorderSamples, "border_samples", "--border-samples", "", "Samples a border", "", 1.0, 1e6, 2000.0,
+     Scale::Absolute, true, false, "Random configurations drawn in a border to find its milestone."},
+    {Id::CoarsePaths, "coarse_paths", "--coarse-paths", "", "Coarse paths", "", 1.0, 1000.0, 12.0, Scale::Absolute,
+     true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

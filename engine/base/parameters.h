@@ -24,6 +24,10 @@ enum class ParameterId : std::size_t {
   MaxSteps,
   MaxSamples,
   TimeLimit,
+  GlobalSamples,
+  StepSamples,
+  BorderSamples,
+  CoarsePaths,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -10,6 +10,7 @@
 
 #include "engine/base/parameters.h"
 #include "engine/base/stop_token.h"
+#include "engine/planning/coarse/coarse_plan.h"
 #include "engine/planning/operator_sample.h"
 #include "engine/planning/path.h"
 #include "engine/planning/problem.h"
@@ -44,6 +45,8 @@ class PlannerHost {
   /// false to end the run (stopped, or a limit reached).
   virtual bool afterStep() = 0;
   virtual const StopToken& stopToken() const = 0;
+  /// The user's semantic edits in force from this iteration on; null: those of the problem.
+  virtual SemanticEditsPtr semanticEdits() const { return nullptr; }
 };
 
 /// A growing, single-threaded planner. Created for one problem and seed; `solve` runs until solved
@@ -67,6 +70,10 @@ class Planner {
   virtual Author authority() const = 0;
   /// Contact mode is on: contact samples are being shot.
   virtual bool inContactMode() const = 0;
+  /// Why going on is pointless; nothing while it is not. No path can come after it.
+  virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
+  /// What the coarse planning decided; null for planners without one.
+  virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
 };
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).
@@ -75,6 +82,7 @@ struct PlannerEntry {
   std::string label;        ///< in the window
   std::string description;  ///< one sentence with the source
   bool usesOperator = false;
+  bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
   std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;
 };
 
@@ -89,7 +97,11 @@ class PlannerRegistry {
   std::vector<PlannerEntry> entries_;
 };
 
-/// Every planner of the engine.
+/// Every planner that takes a whole problem: the strategies of both papers.
 PlannerRegistry makePlannerRegistry();
+
+/// Every planner that can cross one place for the fine planning (paper 2, section 4.2). The first
+/// paper's and OMPL's are in both.
+PlannerRegistry makeLocalPlannerRegistry();
 
 }  // namespace glissade

@@ -1,16 +1,37 @@
 #include <algorithm>
 
 #include "engine/planning/contact/interactive_contact_birrt.h"
+#include "engine/planning/direct_planner.h"
+#include "engine/planning/fine/multi_layer_planner.h"
 #include "engine/planning/planner.h"
+#include "engine/planning/rrt.h"
 
 namespace glissade {
 namespace {
 
 PlannerEntry interactive(std::string id, std::string label, std::string description, OperatorUse use) {
   return {std::move(id), std::move(label), std::move(description), use != OperatorUse::None,
-          [use](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+          true, [use](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
             return std::make_unique<InteractiveContactBirrt>(problem, seed, use);
           }};
+}
+
+PlannerEntry multiLayer(const std::string& id, std::string label, std::string description) {
+  const bool loops = id == "gts" || id == "own";
+  return {id, std::move(label), std::move(description), loops, loops,
+          [id](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+            const bool own = id == "own" && problem.scene.rules != nullptr;
+            return std::make_unique<MultiLayerPlanner>(problem, seed, own ? *problem.scene.rules : presetRules(id));
+          }};
+}
+
+void addFirstPapersPlanners(PlannerRegistry& registry) {
+  registry.add(interactive("contact-birrt", "Interactive BiRRT with contact",
+                           "Operator and computer share authority; near an obstacle the object slides on it "
+                           "(Blin et al. 2016, Algorithm 1).",
+                           OperatorUse::GuideAndContact));
+  registry.add(
+      interactive("birrt", "BiRRT", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
 }
 
 }  // namespace
@@ -24,19 +45,45 @@ const PlannerEntry* PlannerRegistry::find(std::string_view id) const {
 
 PlannerRegistry makePlannerRegistry() {
   PlannerRegistry registry;
-  registry.add(interactive("contact-birrt", "Interactive BiRRT with contact",
-                           "Operator and computer share authority; near an obstacle the object slides on it "
-                           "(Blin et al. 2016, Algorithm 1).",
-                           OperatorUse::GuideAndContact));
+  addFirstPapersPlanners(registry);
   registry.add(interactive("interactive-birrt", "Interactive BiRRT",
                            "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).",
                            OperatorUse::Guide));
-  registry.add(
-      interactive("birrt", "BiRRT", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
   registry.add(interactive("contact-first-birrt", "Interactive BiRRT, contact first",
                            "As the papers' software of 2016: near an obstacle contact sampling pre-empts the "
                            "authority draw.",
                            OperatorUse::ContactFirst));
+  registry.add({"g", "G: geometry", "One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).", false, false,
+                [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                  return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
+                }});
+  registry.add(multiLayer("gt", "GT: and topology", "The shortest way through the places, RRT in each of them "
+                          "(Cailhol et al. 2019, section 6.1)."));
+  registry.add(multiLayer("gts1", "GTS1: and semantics, same shape", "Holes of the object's shape and easy places "
+                          "first (Cailhol et al. 2019, section 6.2)."));
+  registry.add(multiLayer("gts2", "GTS2: and semantics, compatible", "Holes that the object fits and easy places "
+                          "first (Cailhol et al. 2019, section 6.2, table 1)."));
+  registry.add(multiLayer("gts", "GTS: in a loop, with scores", "Computed compatibility as a score, passages crossed "
+                          "where they fit best, and the next best way where one fails."));
+  registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
+  return registry;
+}
+
+PlannerRegistry makeLocalPlannerRegistry() {
+  PlannerRegistry registry;
+  registry.add({"linear", "Linear interpolation", "The straight motion, where it is free.", false, false,
+                [](const Problem& problem, std::uint64_t) -> std::unique_ptr<Planner> {
+                  return std::make_unique<LinearPlanner>(problem);
+                }});
+  registry.add({"rrt", "RRT", "One tree (LaValle 1998).", false, true,
+                [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                  return std::make_unique<Rrt>(problem, seed);
+                }});
+  registry.add({"potential-field", "Potential field", "Down the slope to the goal (Khatib 1985).", false, false,
+                [](const Problem& problem, std::uint64_t) -> std::unique_ptr<Planner> {
+                  return std::make_unique<PotentialFieldPlanner>(problem);
+                }});
+  addFirstPapersPlanners(registry);
   return registry;
 }
 

@@ -11,14 +11,22 @@ constexpr double kPi = 3.14159265358979323846;
 
 Pose RandomShooter::shoot() {
   Pose q;
-  for (int axis = 0; axis < 3; ++axis) q.position[axis] = stream_.uniform(bounds_.min()[axis], bounds_.max()[axis]);
-  const double u1 = stream_.uniform();
-  const double u2 = 2.0 * kPi * stream_.uniform();
-  const double u3 = 2.0 * kPi * stream_.uniform();
+  if (region_) {
+    q.position = region_->sample(stream_);
+  } else {
+    for (int axis = 0; axis < 3; ++axis) q.position[axis] = stream_.uniform(bounds_.min()[axis], bounds_.max()[axis]);
+  }
+  q.orientation = orientation(stream_);
+  return q;
+}
+
+Quaternion RandomShooter::orientation(RandomStream& stream) {
+  const double u1 = stream.uniform();
+  const double u2 = 2.0 * kPi * stream.uniform();
+  const double u3 = 2.0 * kPi * stream.uniform();
   const double a = std::sqrt(1.0 - u1);
   const double b = std::sqrt(u1);
-  q.orientation = Quaternion(b * std::cos(u3), a * std::sin(u2), a * std::cos(u2), b * std::sin(u3)).normalized();
-  return q;
+  return Quaternion(b * std::cos(u3), a * std::sin(u2), a * std::cos(u2), b * std::sin(u3)).normalized();
 }
 
 }  // namespace glissade

@@ -1,20 +1,24 @@
 #pragma once
 
 #include "engine/base/random_stream.h"
-#include "engine/geometry/pose.h"
+#include "engine/planning/problem.h"
 
 namespace glissade {
 
-/// Random_Shooter() of Algorithm 1: position uniform in the bounds, orientation uniform in SO(3)
-/// (Shoemake 1992).
+/// Random_Shooter() of Algorithm 1: position uniform in the problem's region, or its bounds where it
+/// has none, orientation uniform in SO(3) (Shoemake 1992).
 class RandomShooter {
  public:
-  RandomShooter(const Box3& bounds, std::uint64_t seed) : bounds_(bounds), stream_(seed, "random shooter") {}
+  RandomShooter(const Problem& problem, std::uint64_t seed)
+      : bounds_(problem.bounds), region_(problem.region), stream_(seed, "random shooter") {}
 
   Pose shoot();
+  /// Uniform in SO(3).
+  static Quaternion orientation(RandomStream& stream);
 
  private:
   Box3 bounds_;
+  SamplingRegionPtr region_;
   RandomStream stream_;
 };
 

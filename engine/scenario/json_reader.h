@@ -22,6 +22,7 @@ class JsonCursor {
   [[noreturn]] void fail(const std::string& reason, const std::string& advice = "Correct the file.") const;
 
   const Json& json() const { return *value_; }
+  const std::string& file() const { return file_; }
   bool isString() const { return value_->is_string(); }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   /// An object whose keys are all among those given; anything else is an error at that key.

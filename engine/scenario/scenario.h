@@ -43,9 +43,6 @@ struct SphereGeometry {
 };
 using Geometry = std::variant<MeshGeometry, UrdfGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
 
-/// A semantic attribute as stored in a file; typed meaning comes with the semantic layer.
-using AttributeValue = std::variant<bool, double, std::string>;
-
 struct BodyDescription {
   std::string id;
   std::string name;
@@ -53,7 +50,7 @@ struct BodyDescription {
   Geometry geometry;
   Pose pose;  ///< X_WB; for URDF the pose of its root
   std::optional<Colour> colour;
-  std::map<std::string, AttributeValue> attributes;
+  Attributes attributes;
 };
 
 struct ObjectDescription {
@@ -63,7 +60,7 @@ struct ObjectDescription {
   /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point.
   bool centreOnVertexMean = false;
   std::optional<Colour> colour;
-  std::map<std::string, AttributeValue> attributes;
+  Attributes attributes;
 };
 
 /// A person's plan for the simulated operator: free configurations to pass through in order.
@@ -82,8 +79,17 @@ struct Scenario {
   WayPoints wayPoints;
   std::string planner = "contact-birrt";
   std::map<ParameterId, double> parameters;  ///< only what differs from the defaults
+  EnvironmentOptions environment;
+  std::vector<AttributeDefinition> attributeDefinitions;  ///< the user's own attributes
+  std::vector<PlaceEdit> places;
+  std::vector<MilestoneEdit> milestones;
+  std::optional<StrategyRules> rules;  ///< of strategy "own"
   std::uint64_t seed = 1;
 };
+
+/// What the user has said about places and bodies, as the semantic layer takes it; and back.
+SemanticEdits semanticEditsOf(const Scenario& scenario);
+void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario);
 
 /// A scenario with its geometry loaded and checked: ready to be planned and drawn.
 struct LoadedScenario {

@@ -118,6 +118,13 @@ void warnIfOpen(const RigidBody& body, const std::string& file, Warnings& warnin
                       "Being inside it is not seen as a collision; close its surface."});
 }
 
+/// What an edit of the attribute says goes before the body's own.
+Mobility mobilityOf(const BodyDescription& description) {
+  const auto edited = description.attributes.find("mobility");
+  if (edited == description.attributes.end()) return description.mobility;
+  return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
+}
+
 std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<Part> parts) {
   std::vector<RigidBody> bodies;
   for (Part& part : parts) {
@@ -125,10 +132,10 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<
     const bool several = !part.name.empty();
     body.id = several ? description.id + "/" + part.name : description.id;
     body.name = several ? part.name : description.name;
-    body.mobility = description.mobility;
+    body.mobility = mobilityOf(description);
     body.mesh = std::make_shared<const TriangleMesh>(std::move(part.mesh));
     body.X_WB = normalized(description.pose) * part.X_BP;
-    const Colour usual = description.mobility == Mobility::Static ? kStaticColour : kMobileColour;
+    const Colour usual = body.mobility == Mobility::Static ? kStaticColour : kMobileColour;
     body.colour = description.colour ? *description.colour : part.colour.value_or(usual);
     bodies.push_back(std::move(body));
   }
@@ -162,6 +169,15 @@ Outcome applyParameters(const Scenario& scenario, const std::string& file, Param
     return why;
   }
   return Done{};
+}
+
+SceneDescription describeScene(const Scenario& scenario) {
+  SceneDescription scene;
+  scene.objectId = scenario.object.id;
+  scene.environment = scenario.environment;
+  scene.edits = std::make_shared<const SemanticEdits>(semanticEditsOf(scenario));
+  if (scenario.rules) scene.rules = std::make_shared<const StrategyRules>(*scenario.rules);
+  return scene;
 }
 
 Scenario toScenario(const OmplAppConfig& config) {
@@ -229,6 +245,7 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
   loaded.problem.goal = scenario.goal;
   if (Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) *goal = normalized(*goal);
   loaded.problem.bounds = scenario.workspace;
+  loaded.problem.scene = describeScene(scenario);
   loaded.parameters = ParameterValues(loaded.problem.world->objectRadius());
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
   if (!parameters) return parameters.error();

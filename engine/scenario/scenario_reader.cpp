@@ -3,6 +3,7 @@
 
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/scenario/semantics_json.h"
 
 namespace glissade {
 namespace {
@@ -60,22 +61,6 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   const JsonCursor sphere = at.at("sphere");
   sphere.allowOnly({"radius"});
   return SphereGeometry{sphere.at("radius").positiveNumber()};
-}
-
-std::map<std::string, AttributeValue> readAttributes(const std::optional<JsonCursor>& at) {
-  std::map<std::string, AttributeValue> attributes;
-  if (!at) return attributes;
-  for (const auto& item : at->json().items()) {
-    const JsonCursor value = at->at(item.key());
-    if (value.json().is_boolean()) {
-      attributes[item.key()] = value.boolean();
-    } else if (value.isString()) {
-      attributes[item.key()] = value.text();
-    } else {
-      attributes[item.key()] = value.number();
-    }
-  }
-  return attributes;
 }
 
 BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
@@ -144,7 +129,8 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format", "version", "name", "description", "assets", "bodies", "object", "start", "goal",
-                  "workspace", "way_points", "planner", "parameters", "seed"});
+                  "workspace", "way_points", "planner", "parameters", "environment", "attributes", "places", "milestones",
+                  "rules", "seed"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -171,6 +157,7 @@ Scenario readScenario(const JsonCursor& root) {
   }
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
   scenario.parameters = readParameters(root.find("parameters"));
+  readSemantics(root, scenario);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   return scenario;
 }

@@ -1,5 +1,6 @@
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/scenario/semantics_json.h"
 
 namespace glissade {
 namespace {
@@ -42,7 +43,7 @@ Json toJson(const Geometry& geometry) {
                     geometry);
 }
 
-Json toJson(const std::map<std::string, AttributeValue>& attributes) {
+Json toJson(const Attributes& attributes) {
   Json json = Json::object();
   for (const auto& [key, value] : attributes) {
     std::visit([&, name = key](const auto& typed) { json[name] = typed; }, value);
@@ -51,7 +52,7 @@ Json toJson(const std::map<std::string, AttributeValue>& attributes) {
 }
 
 void addAppearance(Json& json, const std::optional<Colour>& colour,
-                   const std::map<std::string, AttributeValue>& attributes) {
+                   const Attributes& attributes) {
   if (colour) json["colour"] = *colour;
   if (!attributes.empty()) json["attributes"] = toJson(attributes);
 }
@@ -104,6 +105,7 @@ std::string writeScenario(const Scenario& scenario) {
   json["planner"] = scenario.planner;
   json["parameters"] = Json::object();
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
+  addSemantics(scenario, json);
   json["seed"] = scenario.seed;
   return json.dump(2) + "\n";
 }

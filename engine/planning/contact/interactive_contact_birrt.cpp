@@ -19,7 +19,7 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       operatorUse_(operatorUse),
       query_(problem.world->makeQuery()),
       authorityStream_(seed, "authority"),
-      randomShooter_(problem.bounds, seed),
+      randomShooter_(problem, seed),
       contactSampler_(seed),
       roadmap_(problem.metric()) {
   startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});

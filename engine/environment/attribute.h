@@ -1,0 +1,108 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/geometry/pose.h"
+
+namespace glissade {
+
+/// A semantic attribute's value; integers are whole numbers, choices one of the texts allowed.
+using AttributeValue = std::variant<bool, double, std::string>;
+using Attributes = std::map<std::string, AttributeValue>;
+
+enum class AttributeType { Bool, Integer, Number, Text, Choice };
+/// What an attribute describes.
+enum class AttributeOwner { Place, Body };
+
+/// What an attribute is: its type decides how it is edited, checked and used in rules (paper 2,
+/// section 5.1.1: actual attributes are derived from a generic one).
+struct AttributeDefinition {
+  std::string name;  ///< in files and rules: lower case, digits, '_'
+  std::string label;
+  AttributeType type = AttributeType::Text;
+  AttributeOwner owner = AttributeOwner::Place;
+  std::string unit;  ///< "m"; for people
+  double minimum = -1e9;
+  double maximum = 1e9;
+  std::vector<std::string> choices;
+  std::string description;
+  AttributeValue initial = std::string();  ///< where nothing was computed or edited
+  bool builtIn = false;                    ///< cannot be renamed or removed
+
+  friend bool operator==(const AttributeDefinition& a, const AttributeDefinition& b) {
+    return a.name == b.name && a.label == b.label && a.type == b.type && a.owner == b.owner && a.unit == b.unit &&
+           a.minimum == b.minimum && a.maximum == b.maximum && a.choices == b.choices &&
+           a.description == b.description && a.initial == b.initial && a.builtIn == b.builtIn;
+  }
+};
+
+/// "bool", "integer", "number", "text", "choice".
+std::string_view toText(AttributeType type);
+std::optional<AttributeType> attributeTypeByName(std::string_view name);
+/// The value as a person writes it: yes, 3, 0.25, circle.
+std::string toText(const AttributeValue& value);
+/// A first value of the right type.
+AttributeValue initialValue(const AttributeDefinition& definition);
+
+/// Refuses (ErrorKind::MalformedInput, place empty) a value of the wrong type or out of range.
+Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& value);
+
+/// All attributes there are: the built-in ones, then the user's.
+class AttributeTable {
+ public:
+  /// complexity, cluttered, narrowness, shape, compatibility, forbidden, preference on places;
+  /// mobility and shape on bodies.
+  AttributeTable();
+
+  /// Refuses a name that is taken for the same owner, or is not a word of lower-case letters, digits
+  /// and '_', and choices without any choice.
+  Outcome add(AttributeDefinition definition);
+  /// Null where there is none.
+  const AttributeDefinition* find(AttributeOwner owner, std::string_view name) const;
+  const std::vector<AttributeDefinition>& definitions() const { return definitions_; }
+
+ private:
+  std::vector<AttributeDefinition> definitions_;
+};
+
+/// A user's edit of one place, bound to where the place is: identification may number it anew.
+struct PlaceEdit {
+  Vector3 at = Vector3::Zero();  ///< a point inside the place, world
+  std::string name;              ///< a name of the user's; empty: the computed one
+  Attributes attributes;
+
+  friend bool operator==(const PlaceEdit& a, const PlaceEdit& b) {
+    return a.at == b.at && a.name == b.name && a.attributes == b.attributes;
+  }
+};
+
+/// A milestone that a user has put into a border (paper 2, section 4.1), instead of a random one.
+struct MilestoneEdit {
+  Vector3 at = Vector3::Zero();  ///< a point inside the border's overlap, world
+  Pose q;                        ///< the configuration to pass through
+
+  friend bool operator==(const MilestoneEdit& a, const MilestoneEdit& b) { return a.at == b.at && a.q == b.q; }
+};
+
+/// Everything that a user has said about the scene, over what was computed.
+struct SemanticEdits {
+  std::vector<AttributeDefinition> definitions;  ///< the user's own attributes
+  std::vector<PlaceEdit> places;
+  std::map<std::string, Attributes> bodies;  ///< by body id; the object's, too
+  std::vector<MilestoneEdit> milestones;
+
+  friend bool operator==(const SemanticEdits& a, const SemanticEdits& b) {
+    return a.definitions == b.definitions && a.places == b.places && a.bodies == b.bodies && a.milestones == b.milestones;
+  }
+};
+
+/// The built-in attributes with the user's. Definitions that clash are an error naming the attribute.
+Result<AttributeTable> attributeTableOf(const SemanticEdits& edits);
+
+}  // namespace glissade

@@ -1,0 +1,115 @@
+#include "engine/environment/coverage.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/environment/inside_columns.h"
+#include "engine/geometry/triangle_box.h"
+
+namespace glissade {
+namespace {
+
+/// Goes down the octree along a surface, in Z order.
+class SurfaceWalk {
+ public:
+  SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth)
+      : frame_(frame), depth_(depth) {
+    triangles_.reserve(mesh_W.triangles.size());
+    for (const auto& [a, b, c] : mesh_W.triangles) {
+      triangles_.push_back({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
+    }
+    if (closed) columns_.emplace(mesh_W, frame, depth);
+    candidates_.resize(static_cast<std::size_t>(depth) + 1);
+  }
+
+  CellRuns run() {
+    auto& all = candidates_.front();
+    all.resize(triangles_.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+    const Box3 root = frame_.box(Cell{});
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](std::uint32_t i) {
+                               return !triangleEntersCube(triangles_[i], root.center(), frame_.side / 2.0);
+                             }),
+              all.end());
+    visit(Cell{});
+    return std::move(runs_);
+  }
+
+ private:
+  /// Precondition: candidates_[level] are the triangles that enter the cell.
+  void visit(const Cell& cell) {
+    const auto& entering = candidates_[static_cast<std::size_t>(cell.level)];
+    if (entering.empty()) {
+      const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
+      const std::array<std::uint32_t, 3> finest{cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift};
+      if (columns_ && columns_->inside(finest)) occupy(cell);
+    } else if (cell.level == depth_) {
+      occupy(cell);
+    } else {
+      for (std::uint32_t child = 0; child < 8; ++child) visitChild(cell, child);
+    }
+  }
+
+  void visitChild(const Cell& cell, std::uint32_t child) {
+    Cell part{cell.level + 1,
+              {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
+               2 * cell.index[2] + (child & 1U)}};
+    const double half = frame_.cellSize(part.level) / 2.0;
+    const Vector3 centre = frame_.origin + half * (2.0 * Vector3(part.index[0], part.index[1], part.index[2]) +
+                                                   Vector3::Ones());
+    auto& entering = candidates_[static_cast<std::size_t>(part.level)];
+    entering.clear();
+    for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level)]) {
+      if (triangleEntersCube(triangles_[i], centre, half)) entering.push_back(i);
+    }
+    visit(part);
+  }
+
+  void occupy(const Cell& cell) {
+    const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
+    const std::uint64_t begin =
+        mortonCode({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
+    const std::uint64_t end = begin + finestCellsIn(cell.level, depth_);
+    if (!runs_.empty() && runs_.back().end == begin) {
+      runs_.back().end = end;
+    } else {
+      runs_.push_back({begin, end});
+    }
+  }
+
+  CellFrame frame_;
+  int depth_;
+  std::vector<std::array<Vector3, 3>> triangles_;
+  std::optional<InsideColumns> columns_;
+  std::vector<std::vector<std::uint32_t>> candidates_;  ///< per level, of the cell being visited
+  CellRuns runs_;
+};
+
+}  // namespace
+
+CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth) {
+  return SurfaceWalk(mesh_W, closed, frame, depth).run();
+}
+
+CellRuns difference(const CellRuns& a, const CellRuns& b) {
+  CellRuns result;
+  auto cut = b.begin();
+  for (CellRun run : a) {
+    while (cut != b.end() && cut->end <= run.begin) ++cut;
+    for (auto next = cut; next != b.end() && next->begin < run.end; ++next) {
+      if (next->begin > run.begin) result.push_back({run.begin, next->begin});
+      run.begin = std::min(run.end, next->end);
+    }
+    if (run.begin < run.end) result.push_back(run);
+  }
+  return result;
+}
+
+std::uint64_t cellCount(const CellRuns& runs) {
+  std::uint64_t count = 0;
+  for (const CellRun& run : runs) count += run.end - run.begin;
+  return count;
+}
+
+}  // namespace glissade

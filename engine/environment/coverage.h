@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/environment/cell.h"
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// Finest cells [begin, end) on the Z-order curve.
+struct CellRun {
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
+
+  friend bool operator==(const CellRun& a, const CellRun& b) { return a.begin == b.begin && a.end == b.end; }
+};
+/// Ascending, disjoint, not adjacent: equal sets of cells are equal lists.
+using CellRuns = std::vector<CellRun>;
+
+/// The finest cells (at `depth`) that a body occupies: those that its surface crosses, and where
+/// `closed` those inside its solid. A cell that the surface merely touches is not occupied.
+/// `mesh_W` is in world coordinates; parts outside the root cube are left out.
+CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth);
+
+/// The cells of a that are not in b.
+CellRuns difference(const CellRuns& a, const CellRuns& b);
+
+std::uint64_t cellCount(const CellRuns& runs);
+
+}  // namespace glissade

@@ -1,0 +1,62 @@
+#include "engine/environment/environment_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
+  const auto refuse = [](const std::string& key, const std::string& reason, const std::string& advice) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "/environment/" + key, reason, advice};
+  };
+  const double side = workspace.isEmpty() ? 0.0 : workspace.sizes().maxCoeff();
+  if (!(side > 0.0)) return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", "is flat", "Give it a size."};
+  const double finest = side / (1 << Octree::kDeepest);
+  if (options.cellSize < 0.0 || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
+    return refuse("cell_size", "is too small for this workspace", "Give 0, or at least " + std::to_string(finest) + ".");
+  }
+  if (!(options.memory >= 1.0 && options.memory <= 4096.0)) {
+    return refuse("memory", "is out of range", "Give 1 to 4096 MiB.");
+  }
+  if (options.topologyLevel < 2 || options.topologyLevel > 8) {
+    return refuse("topology_level", "is out of range", "Give 2 to 8.");
+  }
+  const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
+  if (registry.find(options.identifier) != nullptr) return Done{};
+  std::string known;
+  for (const auto& entry : registry.entries()) known += (known.empty() ? "" : ", ") + entry.id;
+  return refuse("places", "names no way to find places: '" + options.identifier + "'", "Give one of " + known + ".");
+}
+
+}  // namespace
+
+Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
+                                             const EnvironmentOptions& options) {
+  const Outcome sound = check(options, workspace);
+  if (!sound) return sound.error();
+  auto model = std::make_shared<EnvironmentModel>();
+  model->options = options;
+  const OctreeResolution resolution{options.cellSize, static_cast<std::size_t>(options.memory * (1U << 20))};
+  model->octree = std::make_shared<const Octree>(bodies, workspace, resolution);
+  model->space = freeSpaceOf(*model->octree, std::min(options.topologyLevel, model->octree->depth()));
+  for (const RigidBody& body : bodies) {
+    if (body.mobility == Mobility::Static) append(model->statics_W, transformed(*body.mesh, body.X_WB));
+  }
+  const std::vector<double> clearance = distanceTransform(model->space);
+  const std::vector<Passage> passages = findPassages(model->space);
+  const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
+  const PlaceLabels labels = registry.find(options.identifier)->identify({model->space, clearance, passages});
+  model->map = makeTopologicalMap(model->space, labels, clearance, passages, model->statics_W);
+  model->clearance = distanceTransform(model->space, true);
+  model->cluttered.assign(model->map.places.size(), false);
+  for (std::size_t cell = 0; cell < model->map.placeOf.size(); ++cell) {
+    const int place = model->map.placeOf[cell];
+    if (place != kNoPlace && model->space.kinds[cell] == CellKind::Mobile) {
+      model->cluttered[static_cast<std::size_t>(place)] = true;
+    }
+  }
+  return EnvironmentModelPtr(std::move(model));
+}
+
+}  // namespace glissade

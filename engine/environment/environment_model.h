@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/base/result.h"
+#include "engine/environment/topological_map.h"
+
+namespace glissade {
+
+/// How the environment is modelled; kept in the scenario.
+struct EnvironmentOptions {
+  double cellSize = 0.0;     ///< metres, of the octree's finest cells; 0: by memory
+  double memory = 16.0;      ///< MiB for the octree where cellSize is 0
+  int topologyLevel = 7;     ///< level of the cells that places consist of, at most the octree's depth
+  std::string identifier = "region-growing";  ///< id in the place identifier registry
+
+  friend bool operator==(const EnvironmentOptions& a, const EnvironmentOptions& b) {
+    return a.cellSize == b.cellSize && a.memory == b.memory && a.topologyLevel == b.topologyLevel &&
+           a.identifier == b.identifier;
+  }
+};
+
+/// The geometrical and topological layers of paper 2 for one placement of the bodies. Immutable,
+/// shared by threads.
+struct EnvironmentModel {
+  EnvironmentOptions options;
+  std::shared_ptr<const Octree> octree;
+  FreeSpace space;
+  TopologicalMap map;
+  std::vector<bool> cluttered;  ///< per place: mobile bodies reach into it
+  std::vector<double> clearance;  ///< per cell: to the nearest cell with any body, metres
+  TriangleMesh statics_W;         ///< the static bodies, world
+};
+using EnvironmentModelPtr = std::shared_ptr<const EnvironmentModel>;
+
+/// Unknown identifiers are ErrorKind::MalformedInput, as are options out of range.
+Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
+                                             const EnvironmentOptions& options);
+
+}  // namespace glissade

@@ -1,0 +1,87 @@
+#include "engine/environment/inside_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+/// Where in a cell its ray goes: off the centre, so that it hardly ever meets an edge of a body
+/// that is aligned with the cells.
+constexpr std::array<double, 3> kRay{0.5003173, 0.4991271, 0.5};
+
+/// The side of the line through a and b on which (x, y) lies: the same answer for both triangles
+/// of an edge, whatever the rounding, because the ends are taken in one order.
+bool leftOf(const Vector3& a, const Vector3& b, double x, double y) {
+  const bool swapped = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
+  const Vector3& p = swapped ? b : a;
+  const Vector3& q = swapped ? a : b;
+  const bool left = (q.x() - p.x()) * (y - p.y()) - (q.y() - p.y()) * (x - p.x()) >= 0.0;
+  return left != swapped;
+}
+
+}  // namespace
+
+InsideColumns::InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame, int depth)
+    : frame_(frame), size_(frame.cellSize(depth)) {
+  const Box3 box = boundingBox(mesh_W);
+  const double most = static_cast<double>((1U << static_cast<unsigned>(depth)) - 1U);
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto at = [&](double value) {
+      return static_cast<std::uint32_t>(std::clamp(std::floor((value - frame.origin[axis]) / size_), 0.0, most));
+    };
+    const auto a = static_cast<std::size_t>(axis);
+    first_[a] = at(box.min()[axis]);
+    counts_[a] = at(box.max()[axis]) - first_[a] + 1;
+  }
+  crossings_.resize(static_cast<std::size_t>(counts_[0]) * counts_[1]);
+  for (const auto& [a, b, c] : mesh_W.triangles) {
+    addTriangle({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
+  }
+}
+
+double InsideColumns::coordinate(std::uint32_t index, int axis) const {
+  return frame_.origin[axis] + (index + kRay[static_cast<std::size_t>(axis)]) * size_;
+}
+
+void InsideColumns::addTriangle(const std::array<Vector3, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const Vector3 normal = (b - a).cross(c - a);
+  if (normal.z() == 0.0) return;
+  std::array<std::array<std::uint32_t, 2>, 2> range{};  // per axis: first and last column
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const double low = std::min({a[axis], b[axis], c[axis]});
+    const double high = std::max({a[axis], b[axis], c[axis]});
+    const auto at = [&](double value) {
+      const double offset = std::floor((value - frame_.origin[axis]) / size_) - first_[i];
+      return static_cast<std::uint32_t>(std::clamp(offset, 0.0, counts_[i] - 1.0)) + first_[i];
+    };
+    range[i] = {at(low), at(high)};
+  }
+  for (std::uint32_t ix = range[0][0]; ix <= range[0][1]; ++ix) {
+    const double x = coordinate(ix, 0);
+    for (std::uint32_t iy = range[1][0]; iy <= range[1][1]; ++iy) {
+      const double y = coordinate(iy, 1);
+      const bool left = leftOf(a, b, x, y);
+      if (leftOf(b, c, x, y) != left || leftOf(c, a, x, y) != left) continue;
+      const double z = a.z() - (normal.x() * (x - a.x()) + normal.y() * (y - a.y())) / normal.z();
+      crossings_[column(ix, iy)].push_back({z, left ? 1 : -1});
+    }
+  }
+}
+
+bool InsideColumns::inside(const std::array<std::uint32_t, 3>& index) const {
+  if (index[0] < first_[0] || index[0] - first_[0] >= counts_[0] || index[1] < first_[1] ||
+      index[1] - first_[1] >= counts_[1]) {
+    return false;
+  }
+  const double z = coordinate(index[2], 2);
+  int winding = 0;
+  for (const Crossing& crossing : crossings_[column(index[0], index[1])]) {
+    if (crossing.z > z) winding += crossing.turns;
+  }
+  return winding != 0;
+}
+
+}  // namespace glissade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/environment/cell.h"
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// Tells for finest cells that a closed surface does not cross whether they lie in its solid: one
+/// vertical ray a column of cells, all crossings found in one pass over the triangles.
+class InsideColumns {
+ public:
+  InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame, int depth);
+
+  /// Precondition: the surface does not cross the finest cell at `index`.
+  bool inside(const std::array<std::uint32_t, 3>& index) const;
+
+ private:
+  struct Crossing {
+    double z;
+    int turns;  ///< +1 where the surface faces up, -1 where down
+  };
+
+  void addTriangle(const std::array<Vector3, 3>& triangle);
+  std::size_t column(std::uint32_t x, std::uint32_t y) const { return (x - first_[0]) * counts_[1] + (y - first_[1]); }
+  double coordinate(std::uint32_t index, int axis) const;
+
+  CellFrame frame_;
+  double size_;
+  std::array<std::uint32_t, 2> first_{0, 0};
+  std::array<std::uint32_t, 2> counts_{0, 0};
+  std::vector<std::vector<Crossing>> crossings_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "engine/environment/coverage.h"
+#include "engine/environment/rigid_body.h"
+
+namespace glissade {
+
+/// The paper's three kinds of cell (paper 2, section 3.2).
+enum class CellKind : std::uint8_t {
+  Free,    ///< intersects no rigid body
+  Mobile,  ///< intersects mobile bodies only
+  Static   ///< intersects at least one static body
+};
+
+/// The bodies that clutter a cell (paper 2, section 5.1.2): indices of bodies, ascending.
+struct Clutter {
+  std::vector<int> staticBodies;
+  std::vector<int> mobileBodies;
+
+  CellKind kind() const {
+    if (!staticBodies.empty()) return CellKind::Static;
+    return mobileBodies.empty() ? CellKind::Free : CellKind::Mobile;
+  }
+  friend bool operator==(const Clutter& a, const Clutter& b) {
+    return a.staticBodies == b.staticBodies && a.mobileBodies == b.mobileBodies;
+  }
+};
+
+/// How fine an octree is made: by the size of its finest cells, or by the memory that it may take.
+struct OctreeResolution {
+  double cellSize = 0.0;    ///< metres; the finest cells are at most this large. 0: by memory
+  std::size_t memory = 64U << 20;  ///< bytes; used where cellSize is 0
+};
+
+/// The geometrical layer of the free space: an unbalanced octree over the workspace (Chen and Huang
+/// 1988, as paper 2 adapts it). It is the smallest octree of its finest cells: eight leaves with the
+/// same clutter are one. So it does not depend on the order of changes, and moving a body gives the
+/// same tree as building afresh.
+class Octree {
+ public:
+  static constexpr int kDeepest = 10;
+
+  /// Bodies outside the workspace are left out. Closed bodies occupy their inside.
+  Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution);
+
+  /// What a move has cost.
+  struct Change {
+    std::uint64_t cellsLeft = 0;     ///< finest cells that the body does not clutter any more
+    std::uint64_t cellsEntered = 0;  ///< finest cells that it clutters now
+  };
+  /// Puts a body elsewhere: only the cells that it leaves or enters are rebuilt, by merging and
+  /// splitting (paper 2, section 5.1.2).
+  Change moveBody(std::size_t body, const Pose& X_WB);
+
+  struct Leaf {
+    Cell cell;
+    CellKind kind;
+    const Clutter& clutter;
+  };
+  /// Every leaf, in Z order.
+  void forEachLeaf(const std::function<void(const Leaf&)>& visit) const;
+  /// Clutter of the leaf that holds a finest cell.
+  const Clutter& clutterAt(const std::array<std::uint32_t, 3>& finest) const;
+
+  const CellFrame& frame() const { return frame_; }
+  const Box3& workspace() const { return workspace_; }
+  int depth() const { return depth_; }
+  std::size_t leafCount() const;
+  /// Leaves of each kind, indexed by CellKind.
+  std::array<std::size_t, 3> leafCounts() const;
+
+  /// The same cells with the same clutter.
+  friend bool operator==(const Octree& a, const Octree& b);
+
+ private:
+  using ClutterId = std::uint32_t;
+  struct Node {
+    std::int32_t firstChild = -1;  ///< -1: a leaf
+    ClutterId clutter = 0;
+  };
+  struct Occupant {
+    MeshPtr mesh;
+    Mobility mobility;
+    bool closed;
+    Pose X_WB;
+    CellRuns cells;
+  };
+  enum class Edit { Add, Remove };
+
+  void addAll();
+  CellRuns coverage(const Occupant& body) const;
+  void edit(std::size_t body, const CellRuns& cells, Edit edit);
+  void editNode(std::size_t node, std::uint64_t begin, int level, CellRuns::const_iterator& run,
+                CellRuns::const_iterator end);
+  ClutterId edited(ClutterId clutter);
+  ClutterId intern(const Clutter& clutter);
+  void split(std::size_t node);
+  void mergeIfUniform(std::size_t node);
+  void visitLeaves(std::size_t node, const Cell& cell, const std::function<void(const Leaf&)>& visit) const;
+
+  CellFrame frame_;
+  Box3 workspace_;
+  int depth_ = 0;
+  std::vector<Occupant> bodies_;
+  std::vector<Node> nodes_;
+  std::vector<std::int32_t> spareChildren_;  ///< first nodes of groups of eight that were merged away
+  std::vector<Clutter> clutters_;
+  std::map<std::pair<std::vector<int>, std::vector<int>>, ClutterId> clutterIds_;
+
+  std::size_t editedBody_ = 0;
+  Edit editing_ = Edit::Add;
+  std::map<ClutterId, ClutterId> editedClutter_;  ///< cache of edited(), for one edit()
+};
+
+}  // namespace glissade

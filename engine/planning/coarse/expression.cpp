@@ -1,0 +1,293 @@
+#include "engine/planning/coarse/expression.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "engine/base/number_text.h"
+
+namespace glissade {
+
+/// A node of the parsed expression: an operation on its arguments, or a leaf.
+struct Expression::Term {
+  using Operation = std::function<RuleValue(const std::vector<RuleValue>&)>;
+
+  std::string name;     ///< of a variable; empty otherwise
+  RuleValue constant;   ///< of a leaf without a name
+  Operation operation;  ///< of an inner node
+  std::vector<std::shared_ptr<const Term>> arguments;
+
+  RuleValue value(const NameLookup& lookup) const {
+    if (operation) {
+      std::vector<RuleValue> values;
+      for (const auto& argument : arguments) values.push_back(argument->value(lookup));
+      return operation(values);
+    }
+    return name.empty() ? constant : lookup(name);
+  }
+};
+
+namespace {
+
+using Term = Expression::Term;
+using TermPtr = std::shared_ptr<const Term>;
+using Values = std::vector<RuleValue>;
+
+/// Deeper nesting is refused: it would be no rule that a person reads.
+constexpr int kDeepest = 64;
+
+double numberOf(const RuleValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return number != nullptr && !std::isnan(*number) ? *number : 0.0;
+}
+
+TermPtr leaf(RuleValue constant) {
+  auto term = std::make_shared<Term>();
+  term->constant = std::move(constant);
+  return term;
+}
+
+TermPtr variable(std::string name) {
+  auto term = std::make_shared<Term>();
+  term->name = std::move(name);
+  return term;
+}
+
+TermPtr inner(Term::Operation operation, std::vector<TermPtr> arguments) {
+  auto term = std::make_shared<Term>();
+  term->operation = std::move(operation);
+  term->arguments = std::move(arguments);
+  return term;
+}
+
+Term::Operation onNumbers(double (*operation)(double, double)) {
+  return [operation](const Values& v) -> RuleValue { return operation(numberOf(v[0]), numberOf(v[1])); };
+}
+
+/// Two values are the same when both are texts or both numbers, and equal.
+Term::Operation comparison(bool wantSame) {
+  return [wantSame](const Values& v) -> RuleValue { return (v[0] == v[1]) == wantSame ? 1.0 : 0.0; };
+}
+
+double best(const Values& values, bool largest) {
+  double result = numberOf(values.front());
+  for (const RuleValue& value : values) {
+    result = largest ? std::max(result, numberOf(value)) : std::min(result, numberOf(value));
+  }
+  return result;
+}
+
+struct Function {
+  std::size_t least;
+  std::size_t most;
+  Term::Operation operation;
+};
+
+std::map<std::string, Function> functions() {
+  constexpr std::size_t kAny = 16;
+  const auto unary = [](double (*f)(double)) -> Term::Operation {
+    return [f](const Values& v) -> RuleValue { return f(numberOf(v[0])); };
+  };
+  return {
+      {"min", {1, kAny, [](const Values& v) -> RuleValue { return best(v, false); }}},
+      {"max", {1, kAny, [](const Values& v) -> RuleValue { return best(v, true); }}},
+      {"abs", {1, 1, unary([](double x) { return std::abs(x); })}},
+      {"sqrt", {1, 1, unary([](double x) { return std::sqrt(std::max(0.0, x)); })}},
+      {"log2", {1, 1, unary([](double x) { return x > 0.0 ? std::log2(x) : 0.0; })}},
+      {"if", {3, 3, [](const Values& v) -> RuleValue { return numberOf(v[0]) != 0.0 ? v[1] : v[2]; }}},
+  };
+}
+
+struct SyntaxError {
+  std::size_t position;
+  std::string reason;
+};
+
+/// Recursive descent, one function a level of the grammar.
+class Parser {
+ public:
+  Parser(const std::string& text, const std::function<bool(const std::string&)>& known)
+      : text_(text), known_(known), functions_(functions()) {}
+
+  TermPtr parse() {
+    TermPtr term = disjunction();
+    skipSpaces();
+    if (at_ < text_.size()) fail("'" + text_.substr(at_, 8) + "' was not expected");
+    return term;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const { throw SyntaxError{at_, reason}; }
+
+  void skipSpaces() {
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n')) ++at_;
+  }
+  static bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+  bool takes(const std::string& token) {
+    skipSpaces();
+    if (text_.compare(at_, token.size(), token) != 0) return false;
+    const std::size_t after = at_ + token.size();
+    if (isLetter(token.front()) && after < text_.size() && (isLetter(text_[after]) || isDigit(text_[after]))) {
+      return false;
+    }
+    at_ = after;
+    return true;
+  }
+  void expect(const std::string& token) {
+    if (!takes(token)) fail("'" + token + "' is missing");
+  }
+
+  TermPtr disjunction() {
+    TermPtr left = conjunction();
+    while (takes("or")) {
+      left = inner(onNumbers([](double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; }), {left, conjunction()});
+    }
+    return left;
+  }
+  TermPtr conjunction() {
+    TermPtr left = negation();
+    while (takes("and")) {
+      left = inner(onNumbers([](double a, double b) { return a != 0.0 && b != 0.0 ? 1.0 : 0.0; }), {left, negation()});
+    }
+    return left;
+  }
+  TermPtr negation() {
+    if (!takes("not")) return relation();
+    const Nesting nesting(*this);
+    return inner([](const Values& v) -> RuleValue { return numberOf(v[0]) == 0.0 ? 1.0 : 0.0; }, {negation()});
+  }
+  TermPtr relation() {
+    TermPtr left = sum();
+    if (takes("==")) return inner(comparison(true), {left, sum()});
+    if (takes("!=")) return inner(comparison(false), {left, sum()});
+    if (takes("<=")) return inner(onNumbers([](double a, double b) { return a <= b ? 1.0 : 0.0; }), {left, sum()});
+    if (takes(">=")) return inner(onNumbers([](double a, double b) { return a >= b ? 1.0 : 0.0; }), {left, sum()});
+    if (takes("<")) return inner(onNumbers([](double a, double b) { return a < b ? 1.0 : 0.0; }), {left, sum()});
+    if (takes(">")) return inner(onNumbers([](double a, double b) { return a > b ? 1.0 : 0.0; }), {left, sum()});
+    return left;
+  }
+  TermPtr sum() {
+    TermPtr left = product();
+    for (;;) {
+      if (takes("+")) {
+        left = inner(onNumbers([](double a, double b) { return a + b; }), {left, product()});
+      } else if (takes("-")) {
+        left = inner(onNumbers([](double a, double b) { return a - b; }), {left, product()});
+      } else {
+        return left;
+      }
+    }
+  }
+  TermPtr product() {
+    TermPtr left = unary();
+    for (;;) {
+      if (takes("*")) {
+        left = inner(onNumbers([](double a, double b) { return a * b; }), {left, unary()});
+      } else if (takes("/")) {
+        left = inner(onNumbers([](double a, double b) { return a / b; }), {left, unary()});
+      } else {
+        return left;
+      }
+    }
+  }
+  TermPtr unary() {
+    if (!takes("-")) return primary();
+    const Nesting nesting(*this);
+    return inner([](const Values& v) -> RuleValue { return -numberOf(v[0]); }, {unary()});
+  }
+  TermPtr primary() {
+    const Nesting nesting(*this);
+    skipSpaces();
+    if (at_ >= text_.size()) fail("the rule ends too early");
+    if (takes("(")) {
+      TermPtr term = disjunction();
+      expect(")");
+      return term;
+    }
+    if (text_[at_] == '"') return quoted();
+    if (isDigit(text_[at_]) || text_[at_] == '.') return numeral();
+    if (isLetter(text_[at_])) return named();
+    fail("'" + text_.substr(at_, 1) + "' was not expected");
+  }
+  TermPtr quoted() {
+    const std::size_t end = text_.find('"', at_ + 1);
+    if (end == std::string::npos) fail("a text is not closed");
+    TermPtr term = leaf(text_.substr(at_ + 1, end - at_ - 1));
+    at_ = end + 1;
+    return term;
+  }
+  TermPtr numeral() {
+    std::size_t end = at_;
+    while (end < text_.size() && (isDigit(text_[end]) || text_[end] == '.')) ++end;
+    const auto value = toNumber(text_.substr(at_, end - at_));
+    if (!value) fail("'" + text_.substr(at_, end - at_) + "' is not a number");
+    at_ = end;
+    return leaf(*value);
+  }
+  TermPtr named() {
+    std::size_t end = at_;
+    while (end < text_.size() && (isLetter(text_[end]) || isDigit(text_[end]) || text_[end] == '.')) ++end;
+    const std::string name = text_.substr(at_, end - at_);
+    const auto function = functions_.find(name);
+    if (function != functions_.end()) {
+      at_ = end;
+      return call(name, function->second);
+    }
+    if (name == "infinite") {
+      at_ = end;
+      return leaf(std::numeric_limits<double>::infinity());
+    }
+    if (!known_(name)) fail("the name '" + name + "' is unknown");
+    at_ = end;
+    return variable(name);
+  }
+  TermPtr call(const std::string& name, const Function& function) {
+    expect("(");
+    std::vector<TermPtr> arguments{disjunction()};
+    while (takes(",")) arguments.push_back(disjunction());
+    expect(")");
+    if (arguments.size() < function.least || arguments.size() > function.most) {
+      fail("'" + name + "' has the wrong number of arguments");
+    }
+    return inner(function.operation, std::move(arguments));
+  }
+
+  /// Counts how deep the grammar has gone.
+  class Nesting {
+   public:
+    explicit Nesting(Parser& parser) : parser_(parser) {
+      if (++parser_.depth_ > kDeepest) parser_.fail("the rule is nested too deeply");
+    }
+    ~Nesting() { --parser_.depth_; }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+
+   private:
+    Parser& parser_;
+  };
+
+  const std::string& text_;
+  const std::function<bool(const std::string&)>& known_;
+  std::map<std::string, Function> functions_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+};
+
+}  // namespace
+
+Result<Expression> Expression::parse(const std::string& text, const std::function<bool(const std::string&)>& known) {
+  try {
+    return Expression(text, Parser(text, known).parse());
+  } catch (const SyntaxError& error) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(error.position + 1), error.reason,
+                      "Correct the rule: " + text};
+  }
+}
+
+double Expression::number(const NameLookup& lookup) const { return numberOf(root_->value(lookup)); }
+
+}  // namespace glissade

@@ -1,0 +1,41 @@
+#include "engine/planning/coarse/milestones.h"
+
+#include "engine/planning/random_shooter.h"
+
+namespace glissade {
+namespace {
+
+const Border& borderOf(const TopologicalMap& map, int border) { return map.borders[static_cast<std::size_t>(border)]; }
+
+}  // namespace
+
+MilestoneSampler::MilestoneSampler(const TopologicalMap& map, int border, std::uint64_t seed)
+    : region_(map.grid, borderOf(map, border).cells), stream_(seed, "milestone of " + borderOf(map, border).name) {}
+
+std::optional<Pose> MilestoneSampler::draw(CollisionQuery& query, const Box3& bounds) {
+  const Vector3 position = region_.sample(stream_);
+  const Pose q{position, RandomShooter::orientation(stream_)};
+  if (!bounds.contains(q.position) || query.collides(q)) return std::nullopt;
+  return q;
+}
+
+std::optional<Pose> editedMilestone(const TopologicalMap& map, int border, const SemanticEdits& edits,
+                                    CollisionQuery& query) {
+  const SamplingRegion region(map.grid, borderOf(map, border).cells);
+  for (const MilestoneEdit& edit : edits.milestones) {
+    if (region.contains(edit.at) && !query.collides(edit.q)) return edit.q;
+  }
+  return std::nullopt;
+}
+
+std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, int place, int border) {
+  const TopologicalMap& map = knowledge.environment->map;
+  const auto p = static_cast<std::size_t>(place);
+  const auto& crossing = knowledge.fits[p].crossing;
+  if (!map.places[p].passage || !crossing) return std::nullopt;
+  const int axis = map.places[p].axis;
+  const bool lower = borderOf(map, border).centre[axis] < map.places[p].box.center()[axis];
+  return lower ? crossing->before : crossing->behind;
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+#include "engine/planning/coarse/scene_knowledge.h"
+
+namespace glissade {
+
+std::vector<double> SceneKnowledge::compatibility() const {
+  std::vector<double> scores;
+  for (const PassageFit& fit : fits) scores.push_back(fit.score);
+  return scores;
+}
+
+std::uint64_t SceneKnowledge::randomConfigurations() const {
+  std::uint64_t sum = 0;
+  for (const PassageFit& fit : fits) sum += fit.randomConfigurations;
+  return sum;
+}
+
+Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance,
+                                              const StopToken& stop) {
+  auto knowledge = std::make_shared<SceneKnowledge>();
+  auto environment = buildEnvironment(problem.world->obstacles(), problem.bounds, problem.scene.environment);
+  if (!environment) return environment.error();
+  knowledge->environment = std::move(*environment);
+  const auto& places = knowledge->environment->map.places;
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    if (stop.stopRequested()) {
+      return Diagnostic{ErrorKind::Interrupted, "", "", "the environment model was not finished", "Start it again."};
+    }
+    knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, problem.world,
+                                                                        problem.bounds, requiredClearance)
+                                                    : fitInRoom(*knowledge->environment, place, problem.world->object()));
+  }
+  return SceneKnowledgePtr(std::move(knowledge));
+}
+
+SemanticModel semanticsOf(const Problem& problem, const SceneKnowledge& knowledge, const SemanticEditsPtr& edits) {
+  return SemanticModel(knowledge.environment, problem.world->obstacles(), problem.scene.objectId,
+                       edits ? *edits : SemanticEdits{}, knowledge.compatibility());
+}
+
+}  // namespace glissade

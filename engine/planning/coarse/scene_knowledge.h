@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/base/stop_token.h"
+#include "engine/planning/coarse/passage_fit.h"
+#include "engine/planning/problem.h"
+
+namespace glissade {
+
+/// The environment model together with how the object fits its places: what the coarse planning
+/// reads. Computed once for a scenario, then shared.
+struct SceneKnowledge {
+  EnvironmentModelPtr environment;
+  std::vector<PassageFit> fits;  ///< per place
+  std::vector<double> compatibility() const;
+  std::uint64_t randomConfigurations() const;  ///< drawn by the probes in 3D
+};
+using SceneKnowledgePtr = std::shared_ptr<const SceneKnowledge>;
+
+/// Builds the environment model and fits the object through every passage. The world's obstacles
+/// must carry their mobility. Errors are those of buildEnvironment, or Interrupted.
+Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance,
+                                              const StopToken& stop = {});
+
+/// The semantic layer of a problem under these edits (null: none).
+SemanticModel semanticsOf(const Problem& problem, const SceneKnowledge& knowledge, const SemanticEditsPtr& edits);
+
+}  // namespace glissade

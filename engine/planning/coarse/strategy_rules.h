@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/environment/attribute.h"
+#include "engine/planning/coarse/expression.h"
+
+namespace glissade {
+
+/// Which planners cross a place: the first rule whose condition holds decides.
+struct FineRule {
+  std::string when;          ///< expression over distance, size, place.*, object.*
+  bool geometrical = false;  ///< call the geometrical planner first: the local planner stays in its region
+  std::string local;         ///< id in the local planner registry
+
+  friend bool operator==(const FineRule& a, const FineRule& b) {
+    return a.when == b.when && a.geometrical == b.geometrical && a.local == b.local;
+  }
+};
+
+/// How the semantic planner controls a run, as a user can read and change it (paper 2, section 4).
+struct StrategyRules {
+  std::string node;  ///< f of equation (1): expression over size, a.*, b.* (the places that meet), object.*
+  std::string edge;  ///< g of equation (1): expression over distance, size, place.*, object.*
+  std::vector<FineRule> fine;
+  bool loop = false;    ///< go on with the next best coarse path when a step fails, at a raised cost
+  bool fitted = false;  ///< cross passages in the configuration that fits best, where there is one
+
+  friend bool operator==(const StrategyRules& a, const StrategyRules& b) {
+    return a.node == b.node && a.edge == b.edge && a.fine == b.fine && a.loop == b.loop && a.fitted == b.fitted;
+  }
+};
+
+/// The rules of "gt", "gts1", "gts2" (paper 2, sections 6.1 and 6.2) and "gts" (with everything that
+/// its conclusion asks for). Precondition: one of these.
+StrategyRules presetRules(std::string_view strategy);
+
+/// The rules, parsed and checked against the attributes that there are.
+struct ParsedRules {
+  struct Fine {
+    Expression when;
+    bool geometrical;
+    std::string local;
+  };
+  Expression node;
+  Expression edge;
+  std::vector<Fine> fine;
+  bool loop;
+  bool fitted;
+};
+/// MalformedInput with a JSON pointer as place ("/rules/edge") where a rule does not parse, a name or
+/// a local planner is unknown, or no rule is left for some place (the last must hold always: "1").
+Result<ParsedRules> parseRules(const StrategyRules& rules, const AttributeTable& table,
+                               const std::vector<std::string>& localPlanners);
+
+}  // namespace glissade

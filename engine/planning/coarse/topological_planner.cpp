@@ -1,0 +1,131 @@
+#include "engine/planning/coarse/topological_planner.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace glissade {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+RuleValue toRuleValue(const AttributeValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? 1.0 : 0.0;
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  return std::get<std::string>(value);
+}
+
+/// "prefix.attribute" taken apart; the prefix is empty where there is no dot.
+std::pair<std::string, std::string> split(const std::string& name) {
+  const std::size_t dot = name.find('.');
+  if (dot == std::string::npos) return {"", name};
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+bool flagOf(const SemanticModel& semantics, std::size_t place, const char* attribute) {
+  return std::get<bool>(semantics.ofPlace(place, attribute).value);
+}
+
+double numberOf(const SemanticModel& semantics, std::size_t place, const char* attribute) {
+  return std::get<double>(semantics.ofPlace(place, attribute).value);
+}
+
+/// A negative cost would make Dijkstra wrong; a rule that gives one means "free of charge".
+double cost(double value) { return value > 0.0 ? value : 0.0; }
+
+}  // namespace
+
+NameLookup placeLookup(const SemanticModel& semantics, std::size_t place, double distance, double size) {
+  return [&semantics, place, distance, size](const std::string& name) -> RuleValue {
+    const auto [prefix, attribute] = split(name);
+    if (prefix.empty()) return attribute == "size" ? size : distance;
+    return toRuleValue(prefix == "object" ? semantics.ofObject(attribute).value
+                                          : semantics.ofPlace(place, attribute).value);
+  };
+}
+
+TopologicalGraph makeTopologicalGraph(const TopologicalMap& map, const SemanticModel& semantics,
+                                      const ParsedRules& rules, const Vector3& start, const Vector3& goal,
+                                      const LearntCosts& learnt) {
+  const double size = map.grid.frame.side;
+  TopologicalGraph graph;
+  graph.nodes.push_back({-1, start, 0.0});
+  graph.nodes.push_back({-1, goal, 0.0});
+  std::vector<std::vector<int>> nodesOf(map.places.size());
+  const auto attach = [&](int place, int node) {
+    if (place != kNoPlace) nodesOf[static_cast<std::size_t>(place)].push_back(node);
+  };
+  attach(map.placeNear(start), TopologicalGraph::kStart);
+  attach(map.placeNear(goal), TopologicalGraph::kGoal);
+  for (std::size_t b = 0; b < map.borders.size(); ++b) {
+    const Border& border = map.borders[b];
+    const NameLookup lookup = [&](const std::string& name) -> RuleValue {
+      const auto [prefix, attribute] = split(name);
+      if (prefix.empty()) return size;
+      if (prefix == "object") return toRuleValue(semantics.ofObject(attribute).value);
+      const int place = prefix == "a" ? border.placeA : border.placeB;
+      return toRuleValue(semantics.ofPlace(static_cast<std::size_t>(place), attribute).value);
+    };
+    const int node = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({static_cast<int>(b), border.centre, cost(rules.node.number(lookup))});
+    attach(border.placeA, node);
+    attach(border.placeB, node);
+  }
+  for (std::size_t place = 0; place < nodesOf.size(); ++place) {
+    const bool forbidden = flagOf(semantics, place, "forbidden");
+    const double preference = numberOf(semantics, place, "preference");
+    for (const int from : nodesOf[place]) {
+      for (const int to : nodesOf[place]) {
+        if (to == from) continue;
+        const double distance = (graph.nodes[static_cast<std::size_t>(from)].p_W -
+                                 graph.nodes[static_cast<std::size_t>(to)].p_W).norm();
+        double edgeCost = cost(rules.edge.number(placeLookup(semantics, place, distance, size))) / preference;
+        const auto raised =
+            learnt.crossing.find({static_cast<int>(place), graph.nodes[static_cast<std::size_t>(to)].border});
+        if (raised != learnt.crossing.end()) edgeCost += raised->second;
+        graph.edges.push_back({from, to, static_cast<int>(place), distance, forbidden ? kInfinite : edgeCost});
+      }
+    }
+  }
+  return graph;
+}
+
+std::vector<int> cheapestPath(const TopologicalGraph& graph) {
+  std::vector<double> reached(graph.nodes.size(), kInfinite);
+  std::vector<int> before(graph.nodes.size(), -1);
+  std::vector<std::vector<const TopologicalGraph::Edge*>> leaving(graph.nodes.size());
+  for (const auto& edge : graph.edges) leaving[static_cast<std::size_t>(edge.from)].push_back(&edge);
+  std::set<std::pair<double, int>> open{{0.0, TopologicalGraph::kStart}};
+  reached[TopologicalGraph::kStart] = 0.0;
+  while (!open.empty()) {
+    const auto [spent, node] = *open.begin();
+    open.erase(open.begin());
+    if (node == TopologicalGraph::kGoal) break;
+    for (const auto* edge : leaving[static_cast<std::size_t>(node)]) {
+      const auto to = static_cast<std::size_t>(edge->to);
+      const double total = spent + edge->cost + graph.nodes[to].cost;
+      if (total >= reached[to]) continue;
+      open.erase({reached[to], edge->to});
+      reached[to] = total;
+      before[to] = node;
+      open.insert({total, edge->to});
+    }
+  }
+  std::vector<int> path;
+  if (reached[TopologicalGraph::kGoal] == kInfinite) return path;
+  for (int node = TopologicalGraph::kGoal; node >= 0; node = before[static_cast<std::size_t>(node)]) {
+    path.push_back(node);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+const TopologicalGraph::Edge& edgeBetween(const TopologicalGraph& graph, int from, int to) {
+  const TopologicalGraph::Edge* best = nullptr;
+  for (const auto& edge : graph.edges) {
+    if (edge.from == from && edge.to == to && (best == nullptr || edge.cost < best->cost)) best = &edge;
+  }
+  return *best;
+}
+
+}  // namespace glissade

@@ -1,0 +1,347 @@
+#include "engine/planning/fine/multi_layer_planner.h"
+
+#include <algorithm>
+
+#include "engine/planning/goal_roots.h"
+
+namespace glissade {
+namespace {
+
+/// While a step runs, what it has spent is published at most every so many configurations.
+constexpr std::uint64_t kPublishEvery = 64;
+/// The first coarse paths get a part of the limit a step, each time four times as much.
+constexpr std::uint64_t kCautiousAttempts = 3;
+/// The search of the whole workspace has a turn of at least this many random configurations.
+constexpr std::uint64_t kShortestTurn = 200;
+
+}  // namespace
+
+MultiLayerPlanner::MultiLayerPlanner(const Problem& problem, std::uint64_t seed, StrategyRules rules)
+    : problem_(problem),
+      seed_(seed),
+      rules_(std::move(rules)),
+      query_(problem.world->makeQuery()),
+      locals_(makeLocalPlannerRegistry()),
+      edits_(problem.scene.edits) {
+  const std::vector<Pose> goals = goalRoots(problem_, *query_);
+  if (!goals.empty()) goal_ = goals.front();
+  roadmap_.nodes.push_back({problem_.start, Author::Computer, TreeSide::Start});
+}
+
+MultiLayerPlanner::~MultiLayerPlanner() = default;
+
+bool MultiLayerPlanner::inContactMode() const { return local_ && local_->planner().inContactMode(); }
+
+bool MultiLayerPlanner::solve(PlannerHost& host) {
+  while (!path_ && !failure_) {
+    noticeEdits(host);
+    advance(host);
+    PlannerCounts& counts = roadmap_.counts;
+    counts.nodes = roadmap_.nodes.size();
+    counts.edges = 2 * (roadmap_.edges.size() - roadmap_.droppedEdges.size());
+    counts.droppedEdges = roadmap_.droppedEdges.size();
+    if (!host.afterStep()) break;
+  }
+  return path_.has_value();
+}
+
+void MultiLayerPlanner::advance(PlannerHost& host) {
+  switch (phase_) {
+    case Phase::Prepare: prepare(host); break;
+    case Phase::Coarse: planCoarsely(); break;
+    case Phase::Milestones: drawMilestone(host); break;
+    case Phase::Fine: crossPlace(host); break;
+    case Phase::Deliver: deliver(host); break;
+    case Phase::LastResort: searchWorkspace(host); break;
+  }
+}
+
+/// Takes the environment model, builds it where nobody has, and reads the rules.
+void MultiLayerPlanner::prepare(PlannerHost& host) {
+  knowledge_ = problem_.scene.knowledge;
+  if (!knowledge_) {
+    auto built =
+        buildSceneKnowledge(problem_, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+    if (!built && built.error().kind == ErrorKind::Interrupted) return;
+    if (!built) {
+      failure_ = built.error();
+      return;
+    }
+    knowledge_ = std::move(*built);
+    roadmap_.counts.randomConfigurations += knowledge_->randomConfigurations();
+    roadmap_.counts.steps += knowledge_->randomConfigurations();
+    plan_.coarseConfigurations += knowledge_->randomConfigurations();
+  }
+  if (!goal_) {
+    fail("there is no configuration outside within the bounds", "Widen the workspace.");
+    return;
+  }
+  phase_ = Phase::Coarse;
+}
+
+/// An edit while planning: the coarse plan follows at once; milestones and crossings that the person
+/// has not touched are kept.
+void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
+  SemanticEditsPtr now = host.semanticEdits();
+  if (!now || now == edits_) return;
+  const std::vector<MilestoneEdit> before = edits_ ? edits_->milestones : std::vector<MilestoneEdit>{};
+  edits_ = std::move(now);
+  semantics_.reset();
+  if (before != edits_->milestones) {
+    milestones_.clear();
+    crossed_.clear();
+  }
+  if (phase_ != Phase::Prepare) phase_ = Phase::Coarse;
+  local_.reset();
+}
+
+void MultiLayerPlanner::planCoarsely() {
+  if (!semantics_) semantics_.emplace(semanticsOf(problem_, *knowledge_, edits_));
+  if (!parsed_) {
+    std::vector<std::string> ids;
+    for (const PlannerEntry& entry : locals_.entries()) ids.push_back(entry.id);
+    auto parsed = parseRules(rules_, semantics_->table(), ids);
+    if (!parsed) {
+      failure_ = parsed.error();
+      return;
+    }
+    parsed_.emplace(std::move(*parsed));
+  }
+  const TopologicalGraph graph = makeTopologicalGraph(knowledge_->environment->map, *semantics_, *parsed_,
+                                                      problem_.start.position, goal_->position, learnt_);
+  const std::vector<int> nodes = cheapestPath(graph);
+  startPlan(graph, nodes);
+  if (!nodes.empty()) {
+    phase_ = Phase::Milestones;
+  } else if (parsed_->loop) {
+    phase_ = Phase::LastResort;
+    turn_ = 0;
+  } else {
+    fail("the topological graph has no way from start to goal", "Check the places, or use strategy g.");
+  }
+  publish();
+}
+
+/// Splits the topological path into steps: a place to cross and a border to reach each.
+void MultiLayerPlanner::startPlan(const TopologicalGraph& graph, const std::vector<int>& nodes) {
+  const TopologicalMap& map = knowledge_->environment->map;
+  ++plan_.attempt;
+  plan_.graph = std::make_shared<const TopologicalGraph>(graph);
+  plan_.nodes = nodes;
+  plan_.cost = 0.0;
+  plan_.steps.clear();
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    const TopologicalGraph::Edge& edge = edgeBetween(graph, nodes[i - 1], nodes[i]);
+    const TopologicalGraph::Node& node = graph.nodes[static_cast<std::size_t>(nodes[i])];
+    plan_.cost += edge.cost + node.cost;
+    TopologicalStep step;
+    step.place = edge.place;
+    step.border = node.border;
+    step.placeName = semantics_->placeName(static_cast<std::size_t>(edge.place));
+    step.borderName = node.border < 0 ? "G" : map.borders[static_cast<std::size_t>(node.border)].name;
+    plan_.steps.push_back(std::move(step));
+  }
+  at_ = 0;
+  local_.reset();
+  milestoneSampler_.reset();
+  milestoneDraws_ = 0;
+}
+
+std::optional<Pose> MultiLayerPlanner::knownMilestone(const TopologicalStep& step, const TopologicalStep* next) {
+  if (step.border < 0) return goal_;
+  const auto kept = milestones_.find(step.border);
+  if (kept != milestones_.end()) return kept->second;
+  if (edits_) {
+    if (auto edited = editedMilestone(knowledge_->environment->map, step.border, *edits_, *query_)) return edited;
+  }
+  if (!parsed_->fitted) return std::nullopt;
+  // Where a passage follows the other, the tighter one has its way.
+  auto ahead = next != nullptr ? fittedMilestone(*knowledge_, next->place, step.border) : std::nullopt;
+  auto here = fittedMilestone(*knowledge_, step.place, step.border);
+  if (!ahead) return here;
+  const auto margin = [&](int place) { return knowledge_->fits[static_cast<std::size_t>(place)].margin; };
+  return here && margin(step.place) < margin(next->place) ? here : ahead;
+}
+
+/// One step of the milestones: taken where it is known, else one random configuration in the border.
+void MultiLayerPlanner::drawMilestone(PlannerHost& host) {
+  TopologicalStep& step = current();
+  const TopologicalStep* next = at_ + 1 < plan_.steps.size() ? &plan_.steps[at_ + 1] : nullptr;
+  std::optional<Pose> milestone = milestoneSampler_ ? std::nullopt : knownMilestone(step, next);
+  if (!milestone) {
+    if (!milestoneSampler_) {
+      milestoneSampler_.emplace(knowledge_->environment->map, step.border,
+                                seedOf("milestones, attempt " + std::to_string(plan_.attempt)));
+    }
+    ++roadmap_.counts.randomConfigurations;
+    ++roadmap_.counts.steps;
+    ++plan_.coarseConfigurations;
+    ++step.randomConfigurations;
+    ++milestoneDraws_;
+    milestone = milestoneSampler_->draw(*query_, problem_.bounds);
+  }
+  if (milestone) {
+    step.to = *milestone;
+    step.milestone = true;
+    if (step.border >= 0) milestones_[step.border] = *milestone;
+    milestoneSampler_.reset();
+    milestoneDraws_ = 0;
+    if (++at_ < plan_.steps.size()) return;
+    at_ = 0;
+    phase_ = Phase::Fine;
+    publish();
+  } else if (milestoneDraws_ >= static_cast<std::uint64_t>(host.parameters()[ParameterId::BorderSamples])) {
+    stepFailed(host, "no free milestone in border " + step.borderName);
+  }
+}
+
+void MultiLayerPlanner::crossPlace(PlannerHost& host) {
+  TopologicalStep& step = current();
+  if (!local_) {
+    step.from = at_ == 0 ? problem_.start : plan_.steps[at_ - 1].to;
+    const auto known = crossed_.find({step.place, borderBefore(), step.border});
+    if (known != crossed_.end()) {
+      step.points = known->second;
+      step.why = "crossed before";
+      stepSolved();
+      return;
+    }
+    const double distance = (step.to.position - step.from.position).norm();
+    choice_ = chooseFinePlanners(knowledge_->environment->map, *semantics_, *parsed_, step.place, distance);
+    // A passage is crossed straight where both milestones are the ends of its straight crossing.
+    const auto& crossing = knowledge_->fits[static_cast<std::size_t>(step.place)].crossing;
+    const auto isEnd = [&](const Pose& q) { return q == crossing->before || q == crossing->behind; };
+    if (parsed_->fitted && crossing && isEnd(step.from) && isEnd(step.to)) {
+      choice_ = {false, "linear", "a straight crossing fits, so linear"};
+    }
+    startLocalPlanner(host);
+    return;
+  }
+  const std::uint64_t before = local_->randomConfigurations();
+  const SubPlanner::State state = local_->step(host, roadmap_);
+  authority_ = local_->planner().authority();
+  const std::uint64_t spent = local_->randomConfigurations() - before;
+  step.randomConfigurations += spent;
+  plan_.fineConfigurations += spent;
+  if (state == SubPlanner::State::Solved) {
+    step.points = local_->planner().path()->points;
+    crossed_[{step.place, borderBefore(), step.border}] = step.points;
+    stepSolved();
+  } else if (state == SubPlanner::State::Failed) {
+    if (local_->planner().failure() && choice_.local != parsed_->fine.front().local) {
+      choice_ = fallbackFor(*parsed_, choice_);
+      startLocalPlanner(host);
+    } else {
+      stepFailed(host, "place " + step.placeName + " was not crossed");
+    }
+  } else if (spent > 0 && step.randomConfigurations % kPublishEvery == 0) {
+    publish();
+  }
+}
+
+void MultiLayerPlanner::startLocalPlanner(PlannerHost& host) {
+  TopologicalStep& step = current();
+  step.planner = choice_.local;
+  step.geometrical = choice_.geometrical;
+  step.why = choice_.why;
+  step.result = StepResult::Running;
+  step.region = areaOf(*knowledge_, step.place, borderBefore(), step.border, choice_.geometrical, step.from, step.to,
+                       problem_.world->objectRadius());
+  Problem part = problem_;
+  part.start = step.from;
+  part.goal = step.to;
+  part.region = step.region;
+  const std::string use = "step " + std::to_string(at_) + ", attempt " + std::to_string(plan_.attempt);
+  const PlannerEntry* entry = locals_.find(choice_.local);
+  local_ = std::make_unique<SubPlanner>(entry->make(part, seedOf(use)), stepBudget(host.parameters()));
+  publish();
+}
+
+void MultiLayerPlanner::stepSolved() {
+  current().result = StepResult::Solved;
+  local_.reset();
+  if (++at_ == plan_.steps.size()) phase_ = Phase::Deliver;
+  publish();
+}
+
+/// In the loop a failed step costs more from now on, and the next best coarse path is tried.
+void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason) {
+  TopologicalStep& step = current();
+  step.result = StepResult::Failed;
+  step.why += (step.why.empty() ? "" : "; ") + reason;
+  publish();
+  local_.reset();
+  milestoneSampler_.reset();
+  milestoneDraws_ = 0;
+  if (!parsed_->loop) {
+    fail(reason, "Change the semantic attributes, or use strategy gts.");
+    return;
+  }
+  // New milestones, too: the old ones may have been what was wrong.
+  milestones_.erase(step.border);
+  milestones_.erase(borderBefore());
+  for (auto crossing = crossed_.begin(); crossing != crossed_.end();) {
+    const auto& [place, from, to] = crossing->first;
+    const bool stale = (from >= 0 && milestones_.count(from) == 0) || (to >= 0 && milestones_.count(to) == 0);
+    crossing = stale ? crossed_.erase(crossing) : std::next(crossing);
+  }
+  double& raised = learnt_.crossing[{step.place, step.border}];
+  raised += std::max(raised, 0.5 * knowledge_->environment->map.grid.frame.side);
+  turn_ = std::max<std::uint64_t>(kShortestTurn, roadmap_.counts.randomConfigurations);
+  if (plan_.attempt >= static_cast<std::uint64_t>(host.parameters()[ParameterId::CoarsePaths])) turn_ = 0;
+  phase_ = Phase::LastResort;
+}
+
+/// The search of the whole workspace: by turns with the loop, then alone (turn_ is 0).
+void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
+  if (!whole_) {
+    Problem whole = problem_;
+    whole.region.reset();
+    whole_ = std::make_unique<SubPlanner>(locals_.find("contact-birrt")->make(whole, seedOf("whole workspace")),
+                                          std::numeric_limits<std::uint64_t>::max());
+  }
+  const std::uint64_t before = whole_->randomConfigurations();
+  const SubPlanner::State state = whole_->step(host, roadmap_);
+  authority_ = whole_->planner().authority();
+  const std::uint64_t spent = whole_->randomConfigurations() - before;
+  plan_.fineConfigurations += spent;
+  if (state == SubPlanner::State::Solved) {
+    path_ = *whole_->planner().path();
+    publish();
+  } else if (turn_ > 0) {
+    turn_ -= std::min(turn_, std::max<std::uint64_t>(spent, 1));
+    if (turn_ == 0) phase_ = Phase::Coarse;
+  }
+}
+
+void MultiLayerPlanner::deliver(PlannerHost& host) {
+  Path path;
+  for (const TopologicalStep& step : plan_.steps) {
+    const bool first = path.points.empty();
+    path.points.insert(path.points.end(), step.points.begin() + (first ? 0 : 1), step.points.end());
+  }
+  path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
+                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  if (path.certificate.status == CertificateStatus::Certified) {
+    path_ = std::move(path);
+  } else if (!host.stopToken().stopRequested()) {
+    fail("the steps together cannot be certified", "Please report it with the scenario and the seed.");
+  }
+  publish();
+}
+
+std::uint64_t MultiLayerPlanner::stepBudget(const ParameterValues& parameters) const {
+  const auto limit = static_cast<std::uint64_t>(parameters[ParameterId::StepSamples]);
+  if (!parsed_->loop || plan_.attempt > kCautiousAttempts) return limit;
+  return std::max<std::uint64_t>(1, limit >> (2 * (kCautiousAttempts + 1 - plan_.attempt)));
+}
+
+std::uint64_t MultiLayerPlanner::seedOf(const std::string& use) const { return RandomStream(seed_, use).bits(); }
+
+void MultiLayerPlanner::fail(const std::string& reason, const std::string& advice) {
+  failure_ = Diagnostic{ErrorKind::NoPath, "", "", reason, advice};
+}
+
+void MultiLayerPlanner::publish() { published_ = std::make_shared<const CoarsePlan>(plan_); }
+
+}  // namespace glissade

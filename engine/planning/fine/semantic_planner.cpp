@@ -1,0 +1,52 @@
+#include "engine/planning/fine/semantic_planner.h"
+
+#include "engine/planning/fine/geometrical_planner.h"
+
+namespace glissade {
+namespace {
+
+std::string planners(const FineChoice& choice) {
+  return (choice.geometrical ? "geometrical planner, then " : "") + choice.local;
+}
+
+}  // namespace
+
+FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
+                              int place, double distance) {
+  const auto p = static_cast<std::size_t>(place);
+  const NameLookup lookup = placeLookup(semantics, p, distance, map.grid.frame.side);
+  FineChoice choice;
+  for (const ParsedRules::Fine& rule : rules.fine) {
+    if (!rule.when.holds(lookup)) continue;
+    choice.geometrical = rule.geometrical;
+    choice.local = rule.local;
+    break;
+  }
+  choice.why = "complexity " + toText(semantics.ofPlace(p, "complexity").value);
+  if (std::get<bool>(semantics.ofPlace(p, "cluttered").value)) choice.why += ", cluttered";
+  choice.why += ", so " + planners(choice);
+  return choice;
+}
+
+FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked) {
+  FineChoice choice{rules.fine.front().geometrical, rules.fine.front().local, blocked.why};
+  choice.why += "; blocked, so " + planners(choice);
+  return choice;
+}
+
+SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBorder, int toBorder, bool geometrical,
+                         const Pose& from, const Pose& to, double objectRadius) {
+  const TopologicalMap& map = knowledge.environment->map;
+  std::vector<std::size_t> area = map.places[static_cast<std::size_t>(place)].cells;
+  for (const int border : {fromBorder, toBorder}) {
+    if (border >= 0) area = unionOf(area, map.borders[static_cast<std::size_t>(border)].cells);
+  }
+  if (geometrical) {
+    const auto path =
+        findCellPath(*knowledge.environment, area, knowledge.environment->clearance, from.position, to.position, objectRadius);
+    if (!path.empty()) area = regionAlong(map.grid, path, area, 1.5 * objectRadius);
+  }
+  return std::make_shared<const SamplingRegion>(map.grid, std::move(area));
+}
+
+}  // namespace glissade

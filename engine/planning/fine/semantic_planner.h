@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/planning/coarse/topological_planner.h"
+
+namespace glissade {
+
+/// The semantic planner's choice for one topological step (paper 2, section 4.2).
+struct FineChoice {
+  bool geometrical = false;
+  std::string local;
+  std::string why;
+};
+
+/// The first rule that holds for the place decides.
+FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
+                              int place, double distance);
+
+/// The choice where a straight motion was blocked: the planners of the first rule, which is for the
+/// hardest places.
+FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked);
+
+/// The area of a step: its place with the borders at both ends (-1: none); cut down to the
+/// surroundings of a path of cells where `geometrical`. In that case an area without a way through
+/// stays whole.
+SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBorder, int toBorder, bool geometrical,
+                         const Pose& from, const Pose& to, double objectRadius);
+
+}  // namespace glissade

@@ -1,0 +1,60 @@
+#include "engine/planning/fine/sub_planner.h"
+
+namespace glissade {
+namespace {
+
+/// The host of the whole, for one step.
+class OneStep final : public PlannerHost {
+ public:
+  explicit OneStep(PlannerHost& host) : host_(host) {}
+
+  std::optional<OperatorSample> operatorSample() override { return host_.operatorSample(); }
+  const ParameterValues& parameters() const override { return host_.parameters(); }
+  bool afterStep() override { return false; }
+  const StopToken& stopToken() const override { return host_.stopToken(); }
+  SemanticEditsPtr semanticEdits() const override { return host_.semanticEdits(); }
+
+ private:
+  PlannerHost& host_;
+};
+
+}  // namespace
+
+SubPlanner::State SubPlanner::step(PlannerHost& host, SharedRoadmap& roadmap) {
+  OneStep one(host);
+  const bool solved = planner_->solve(one);
+  collect(roadmap);
+  if (solved) return State::Solved;
+  const bool spent = randomConfigurations() >= samples_ && !planner_->inContactMode();
+  return planner_->failure() || spent ? State::Failed : State::Running;
+}
+
+void SubPlanner::collect(SharedRoadmap& roadmap) {
+  for (std::size_t i = nodeIn_.size(); i < planner_->nodes().size(); ++i) {
+    nodeIn_.push_back(static_cast<std::uint32_t>(roadmap.nodes.size()));
+    roadmap.nodes.push_back(planner_->nodes()[i]);
+  }
+  for (std::size_t i = edgeIn_.size(); i < planner_->edges().size(); ++i) {
+    const RoadmapEdge& edge = planner_->edges()[i];
+    edgeIn_.push_back(static_cast<std::uint32_t>(roadmap.edges.size()));
+    roadmap.edges.push_back({nodeIn_[edge.from], nodeIn_[edge.to]});
+  }
+  for (; droppedTaken_ < planner_->droppedEdges().size(); ++droppedTaken_) {
+    roadmap.droppedEdges.push_back(edgeIn_[planner_->droppedEdges()[droppedTaken_]]);
+  }
+  const PlannerCounts& now = planner_->counts();
+  PlannerCounts& all = roadmap.counts;
+  const auto add = [](std::uint64_t& sum, std::uint64_t value, std::uint64_t& before) {
+    sum += value - before;
+    before = value;
+  };
+  add(all.iterations, now.iterations, counted_.iterations);
+  add(all.steps, now.steps, counted_.steps);
+  add(all.randomConfigurations, now.randomConfigurations, counted_.randomConfigurations);
+  add(all.operatorConfigurations, now.operatorConfigurations, counted_.operatorConfigurations);
+  add(all.contactConfigurations, now.contactConfigurations, counted_.contactConfigurations);
+  add(all.queries.collision, now.queries.collision, counted_.queries.collision);
+  add(all.queries.distance, now.queries.distance, counted_.queries.distance);
+}
+
+}  // namespace glissade

@@ -1,0 +1,247 @@
+#include "engine/scenario/semantics_json.h"
+
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+using Json = JsonCursor::Json;
+
+namespace {
+
+AttributeValue readValue(const JsonCursor& at) {
+  if (at.json().is_boolean()) return at.boolean();
+  if (at.isString()) return at.text();
+  return at.number();
+}
+
+}  // namespace
+
+Attributes readAttributes(const std::optional<JsonCursor>& at) {
+  Attributes attributes;
+  if (!at) return attributes;
+  if (!at->json().is_object()) at->fail("is not an object");
+  for (const auto& item : at->json().items()) {
+    attributes[item.key()] = readValue(at->at(item.key()));
+  }
+  return attributes;
+}
+
+namespace {
+
+EnvironmentOptions readEnvironment(const JsonCursor& at) {
+  at.allowOnly({"cell_size", "memory", "topology_level", "places"});
+  EnvironmentOptions options;
+  if (const auto size = at.find("cell_size")) options.cellSize = size->number();
+  if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
+  if (const auto level = at.find("topology_level")) {
+    const std::uint64_t value = level->wholeNumber();
+    if (value < 2 || value > 8) level->fail("is out of range", "Give 2 to 8.");
+    options.topologyLevel = static_cast<int>(value);
+  }
+  if (const auto places = at.find("places")) {
+    options.identifier = places->text();
+    if (makePlaceIdentifierRegistry().find(options.identifier) == nullptr) {
+      places->fail("names no way to find places", "Give region-growing or watershed.");
+    }
+  }
+  return options;
+}
+
+AttributeOwner readOwner(const JsonCursor& at) {
+  const std::string owner = at.text();
+  if (owner != "place" && owner != "body") at.fail("is neither \"place\" nor \"body\"");
+  return owner == "place" ? AttributeOwner::Place : AttributeOwner::Body;
+}
+
+AttributeDefinition readDefinition(const JsonCursor& at) {
+  at.allowOnly({"name", "label", "type", "of", "unit", "minimum", "maximum", "choices", "description", "initial"});
+  AttributeDefinition definition;
+  definition.name = at.at("name").nonEmptyText();
+  definition.label = at.has("label") ? at.at("label").text() : definition.name;
+  const auto type = attributeTypeByName(at.at("type").text());
+  if (!type) at.at("type").fail("is no type of attribute", "Give bool, integer, number, text or choice.");
+  definition.type = *type;
+  definition.owner = readOwner(at.at("of"));
+  if (const auto unit = at.find("unit")) definition.unit = unit->text();
+  if (const auto minimum = at.find("minimum")) definition.minimum = minimum->number();
+  if (const auto maximum = at.find("maximum")) definition.maximum = maximum->number();
+  const auto choices = at.find("choices");
+  for (std::size_t i = 0; choices && i < choices->size(); ++i) {
+    definition.choices.push_back(choices->element(i).nonEmptyText());
+  }
+  if (const auto description = at.find("description")) definition.description = description->text();
+  definition.initial = initialValue(definition);
+  if (const auto initial = at.find("initial")) definition.initial = readValue(*initial);
+  return definition;
+}
+
+PlaceEdit readPlace(const JsonCursor& at) {
+  at.allowOnly({"at", "name", "attributes"});
+  PlaceEdit edit;
+  edit.at = at.at("at").vector();
+  if (const auto name = at.find("name")) edit.name = name->text();
+  edit.attributes = readAttributes(at.find("attributes"));
+  return edit;
+}
+
+MilestoneEdit readMilestone(const JsonCursor& at) {
+  at.allowOnly({"at", "pose"});
+  return {at.at("at").vector(), at.at("pose").pose()};
+}
+
+StrategyRules readRules(const JsonCursor& at) {
+  at.allowOnly({"node", "edge", "fine", "loop", "fitted"});
+  StrategyRules rules;
+  rules.node = at.at("node").nonEmptyText();
+  rules.edge = at.at("edge").nonEmptyText();
+  const JsonCursor fine = at.at("fine");
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const JsonCursor rule = fine.element(i);
+    rule.allowOnly({"when", "geometrical", "local"});
+    rules.fine.push_back({rule.at("when").nonEmptyText(), rule.has("geometrical") && rule.at("geometrical").boolean(),
+                          rule.at("local").nonEmptyText()});
+  }
+  if (const auto loop = at.find("loop")) rules.loop = loop->boolean();
+  if (const auto fitted = at.find("fitted")) rules.fitted = fitted->boolean();
+  return rules;
+}
+
+/// Wrong values are refused where the file is read, so that the message can say where.
+void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
+  const SemanticEdits edits = semanticEditsOf(scenario);
+  const auto refuse = [&](Diagnostic why) {
+    why.file = root.file();
+    throw JsonError{std::move(why)};
+  };
+  std::vector<std::string> ids{scenario.object.id};
+  for (const BodyDescription& body : scenario.bodies) ids.push_back(body.id);
+  const Outcome sound = checkEdits(edits, ids);
+  if (!sound) {
+    Diagnostic why = sound.error();
+    // In the file a body is known by its number.
+    for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
+      const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
+      if (why.place.rfind(byId, 0) == 0) {
+        why.place = "/bodies/" + std::to_string(i) + "/attributes/" + why.place.substr(byId.size());
+      }
+    }
+    const std::string byObject = "/bodies/" + scenario.object.id + "/attributes/";
+    if (why.place.rfind(byObject, 0) == 0) why.place = "/object/attributes/" + why.place.substr(byObject.size());
+    refuse(why);
+  }
+  if (!scenario.rules) return;
+  std::vector<std::string> locals;
+  const PlannerRegistry registry = makeLocalPlannerRegistry();
+  for (const PlannerEntry& entry : registry.entries()) locals.push_back(entry.id);
+  const auto rules = parseRules(*scenario.rules, *attributeTableOf(edits), locals);
+  if (!rules) refuse(rules.error());
+}
+
+}  // namespace
+
+void readSemantics(const JsonCursor& root, Scenario& scenario) {
+  if (const auto environment = root.find("environment")) scenario.environment = readEnvironment(*environment);
+  const auto definitions = root.find("attributes");
+  for (std::size_t i = 0; definitions && i < definitions->size(); ++i) {
+    scenario.attributeDefinitions.push_back(readDefinition(definitions->element(i)));
+  }
+  const auto places = root.find("places");
+  for (std::size_t i = 0; places && i < places->size(); ++i) scenario.places.push_back(readPlace(places->element(i)));
+  const auto milestones = root.find("milestones");
+  for (std::size_t i = 0; milestones && i < milestones->size(); ++i) {
+    scenario.milestones.push_back(readMilestone(milestones->element(i)));
+  }
+  if (const auto rules = root.find("rules")) scenario.rules = readRules(*rules);
+  checkSemantics(scenario, root);
+}
+
+Json attributesToJson(const Attributes& attributes) {
+  Json json = Json::object();
+  for (const auto& [key, value] : attributes) {
+    std::visit([&, name = key](const auto& typed) { json[name] = typed; }, value);
+  }
+  return json;
+}
+
+namespace {
+
+Json toJson(const EnvironmentOptions& options) {
+  return {{"cell_size", options.cellSize},
+          {"memory", options.memory},
+          {"topology_level", options.topologyLevel},
+          {"places", options.identifier}};
+}
+
+Json toJson(const AttributeDefinition& definition) {
+  Json json;
+  json["name"] = definition.name;
+  json["label"] = definition.label;
+  json["type"] = std::string(toText(definition.type));
+  json["of"] = definition.owner == AttributeOwner::Place ? "place" : "body";
+  if (!definition.unit.empty()) json["unit"] = definition.unit;
+  const AttributeDefinition usual;
+  if (definition.minimum != usual.minimum) json["minimum"] = definition.minimum;
+  if (definition.maximum != usual.maximum) json["maximum"] = definition.maximum;
+  if (!definition.choices.empty()) json["choices"] = definition.choices;
+  if (!definition.description.empty()) json["description"] = definition.description;
+  std::visit([&](const auto& typed) { json["initial"] = typed; }, definition.initial);
+  return json;
+}
+
+Json toJson(const PlaceEdit& edit) {
+  Json json;
+  json["at"] = glissade::toJson(edit.at);
+  if (!edit.name.empty()) json["name"] = edit.name;
+  if (!edit.attributes.empty()) json["attributes"] = attributesToJson(edit.attributes);
+  return json;
+}
+
+Json toJson(const MilestoneEdit& edit) { return {{"at", glissade::toJson(edit.at)}, {"pose", glissade::toJson(edit.q)}}; }
+
+Json toJson(const StrategyRules& rules) {
+  Json fine = Json::array();
+  for (const FineRule& rule : rules.fine) {
+    fine.push_back({{"when", rule.when}, {"geometrical", rule.geometrical}, {"local", rule.local}});
+  }
+  return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
+}
+
+template <class Range>
+void addList(const char* key, const Range& range, Json& json) {
+  if (range.empty()) return;
+  json[key] = Json::array();
+  for (const auto& item : range) json[key].push_back(toJson(item));
+}
+
+}  // namespace
+
+void addSemantics(const Scenario& scenario, Json& json) {
+  if (!(scenario.environment == EnvironmentOptions{})) json["environment"] = toJson(scenario.environment);
+  addList("attributes", scenario.attributeDefinitions, json);
+  addList("places", scenario.places, json);
+  addList("milestones", scenario.milestones, json);
+  if (scenario.rules) json["rules"] = toJson(*scenario.rules);
+}
+
+SemanticEdits semanticEditsOf(const Scenario& scenario) {
+  SemanticEdits edits{scenario.attributeDefinitions, scenario.places, {}, scenario.milestones};
+  for (const BodyDescription& body : scenario.bodies) {
+    if (!body.attributes.empty()) edits.bodies[body.id] = body.attributes;
+  }
+  if (!scenario.object.attributes.empty()) edits.bodies[scenario.object.id] = scenario.object.attributes;
+  return edits;
+}
+
+void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario) {
+  scenario.attributeDefinitions = edits.definitions;
+  scenario.places = edits.places;
+  scenario.milestones = edits.milestones;
+  const auto attributesOf = [&](const std::string& id) {
+    const auto found = edits.bodies.find(id);
+    return found == edits.bodies.end() ? Attributes{} : found->second;
+  };
+  for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id);
+  scenario.object.attributes = attributesOf(scenario.object.id);
+}
+
+}  // namespace glissade

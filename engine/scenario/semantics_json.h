@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/scenario/json_reader.h"
+#include "engine/scenario/scenario.h"
+
+namespace glissade {
+
+/// The part of a scenario file that describes the environment model, the semantic attributes and the
+/// rules. Private to the readers and writers of this room. Reading throws JsonError.
+Attributes readAttributes(const std::optional<JsonCursor>& at);
+void readSemantics(const JsonCursor& root, Scenario& scenario);
+/// Adds "environment", "attributes", "places", "milestones", "rules" where they say anything.
+void addSemantics(const Scenario& scenario, JsonCursor::Json& json);
+JsonCursor::Json attributesToJson(const Attributes& attributes);
+
+}  // namespace glissade
