@@ -71,7 +71,8 @@ Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& 
   const std::string what = "'" + definition.name + "'";
   switch (definition.type) {
     case AttributeType::Bool:
-      if (!std::holds_alternative<bool>(value)) return refusal(what + " is neither true nor false", "Give true or false.");
+      if (!std::holds_alternative<bool>(value))
+        return refusal(what + " is neither true nor false", "Give true or false.");
       break;
     case AttributeType::Integer:
     case AttributeType::Number: {
@@ -113,8 +114,8 @@ AttributeTable::AttributeTable() {
     definition.unit = unit;
     return definition;
   };
-  AttributeDefinition mobility = builtIn("mobility", "Mobility", Type::Choice, kBody,
-                                         "Static bodies shape the places; mobile ones clutter them.");
+  AttributeDefinition mobility =
+      builtIn("mobility", "Mobility", Type::Choice, kBody, "Static bodies shape the places; mobile ones clutter them.");
   mobility.choices = {"static", "mobile"};
   mobility.initial = std::string("static");
   definitions_ = {

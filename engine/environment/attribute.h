@@ -98,7 +98,8 @@ struct SemanticEdits {
   std::vector<MilestoneEdit> milestones;
 
   friend bool operator==(const SemanticEdits& a, const SemanticEdits& b) {
-    return a.definitions == b.definitions && a.places == b.places && a.bodies == b.bodies && a.milestones == b.milestones;
+    return a.definitions == b.definitions && a.places == b.places && a.bodies == b.bodies &&
+           a.milestones == b.milestones;
   }
 };
 

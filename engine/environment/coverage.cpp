@@ -56,8 +56,8 @@ class SurfaceWalk {
               {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
                2 * cell.index[2] + (child & 1U)}};
     const double half = frame_.cellSize(part.level) / 2.0;
-    const Vector3 centre = frame_.origin + half * (2.0 * Vector3(part.index[0], part.index[1], part.index[2]) +
-                                                   Vector3::Ones());
+    const Vector3 centre =
+        frame_.origin + half * (2.0 * Vector3(part.index[0], part.index[1], part.index[2]) + Vector3::Ones());
     auto& entering = candidates_[static_cast<std::size_t>(part.level)];
     entering.clear();
     for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level)]) {
@@ -68,8 +68,7 @@ class SurfaceWalk {
 
   void occupy(const Cell& cell) {
     const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
-    const std::uint64_t begin =
-        mortonCode({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
+    const std::uint64_t begin = mortonCode({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
     const std::uint64_t end = begin + finestCellsIn(cell.level, depth_);
     if (!runs_.empty() && runs_.back().end == begin) {
       runs_.back().end = end;

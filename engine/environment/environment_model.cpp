@@ -14,7 +14,8 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
   if (!(side > 0.0)) return Diagnostic{ErrorKind::MalformedInput, "", "/workspace", "is flat", "Give it a size."};
   const double finest = side / (1 << Octree::kDeepest);
   if (options.cellSize < 0.0 || (options.cellSize > 0.0 && options.cellSize < finest * (1.0 - 1e-9))) {
-    return refuse("cell_size", "is too small for this workspace", "Give 0, or at least " + std::to_string(finest) + ".");
+    return refuse("cell_size", "is too small for this workspace",
+                  "Give 0, or at least " + std::to_string(finest) + ".");
   }
   if (!(options.memory >= 1.0 && options.memory <= 4096.0)) {
     return refuse("memory", "is out of range", "Give 1 to 4096 MiB.");

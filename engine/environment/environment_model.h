@@ -9,9 +9,9 @@ namespace glissade {
 
 /// How the environment is modelled; kept in the scenario.
 struct EnvironmentOptions {
-  double cellSize = 0.0;     ///< metres, of the octree's finest cells; 0: by memory
-  double memory = 16.0;      ///< MiB for the octree where cellSize is 0
-  int topologyLevel = 7;     ///< level of the cells that places consist of, at most the octree's depth
+  double cellSize = 0.0;                      ///< metres, of the octree's finest cells; 0: by memory
+  double memory = 16.0;                       ///< MiB for the octree where cellSize is 0
+  int topologyLevel = 7;                      ///< level of the cells that places consist of, at most the octree's depth
   std::string identifier = "region-growing";  ///< id in the place identifier registry
 
   friend bool operator==(const EnvironmentOptions& a, const EnvironmentOptions& b) {
@@ -27,7 +27,7 @@ struct EnvironmentModel {
   std::shared_ptr<const Octree> octree;
   FreeSpace space;
   TopologicalMap map;
-  std::vector<bool> cluttered;  ///< per place: mobile bodies reach into it
+  std::vector<bool> cluttered;    ///< per place: mobile bodies reach into it
   std::vector<double> clearance;  ///< per cell: to the nearest cell with any body, metres
   TriangleMesh statics_W;         ///< the static bodies, world
 };

@@ -85,8 +85,7 @@ Octree::ClutterId Octree::edited(ClutterId clutter) {
   const auto known = editedClutter_.find(clutter);
   if (known != editedClutter_.end()) return known->second;
   Clutter changed = clutters_[clutter];
-  auto& list =
-      bodies_[editedBody_].mobility == Mobility::Static ? changed.staticBodies : changed.mobileBodies;
+  auto& list = bodies_[editedBody_].mobility == Mobility::Static ? changed.staticBodies : changed.mobileBodies;
   const int body = static_cast<int>(editedBody_);
   const auto place = std::lower_bound(list.begin(), list.end(), body);
   const bool listed = place != list.end() && *place == body;

@@ -31,7 +31,7 @@ struct Clutter {
 
 /// How fine an octree is made: by the size of its finest cells, or by the memory that it may take.
 struct OctreeResolution {
-  double cellSize = 0.0;    ///< metres; the finest cells are at most this large. 0: by memory
+  double cellSize = 0.0;           ///< metres; the finest cells are at most this large. 0: by memory
   std::size_t memory = 64U << 20;  ///< bytes; used where cellSize is 0
 };
 

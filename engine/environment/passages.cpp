@@ -83,9 +83,7 @@ class Slices {
     return section(next).before.size() == 1 ? next : -1;
   }
 
-  bool isChainStart(int id) {
-    return section(id).before.size() != 1 || onlyNext(section(id).before.front()) != id;
-  }
+  bool isChainStart(int id) { return section(id).before.size() != 1 || onlyNext(section(id).before.front()) != id; }
 
   std::vector<int> chainFrom(int start) {
     std::vector<int> chain{start};

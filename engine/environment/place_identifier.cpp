@@ -14,8 +14,8 @@ PlaceIdentifierRegistry makePlaceIdentifierRegistry() {
   PlaceIdentifierRegistry registry;
   registry.add({"region-growing", "Region growing",
                 "Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2).", growRegions});
-  registry.add({"watershed", "Watershed", "Floods the distance transform from its widest spots (Meyer 1994).",
-                watershed});
+  registry.add(
+      {"watershed", "Watershed", "Floods the distance transform from its widest spots (Meyer 1994).", watershed});
   return registry;
 }
 

@@ -5,8 +5,7 @@
 namespace glissade {
 
 SemanticModel::SemanticModel(EnvironmentModelPtr environment, const std::vector<RigidBody>& bodies,
-                             std::string objectId, const SemanticEdits& edits,
-                             const std::vector<double>& compatibility)
+                             std::string objectId, const SemanticEdits& edits, const std::vector<double>& compatibility)
     : objectId_(std::move(objectId)) {
   if (auto table = attributeTableOf(edits)) table_ = std::move(*table);
   const TopologicalMap& map = environment->map;
@@ -98,7 +97,8 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& b
   }
   for (const auto& [id, attributes] : edits.bodies) {
     if (std::find(bodyIds.begin(), bodyIds.end(), id) == bodyIds.end()) {
-      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is no body of this scenario", "Correct the id."};
+      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is no body of this scenario",
+                        "Correct the id."};
     }
     const Outcome sound = checkAttributes(*table, AttributeOwner::Body, attributes, "/bodies/" + id + "/attributes");
     if (!sound) return sound;

@@ -70,7 +70,9 @@ std::vector<std::size_t> orderOf(const CellGrid& grid, const std::vector<Place>&
     const Place& q = places[b];
     if (p.complexity != q.complexity) return p.complexity < q.complexity;
     if (p.passage != q.passage) return q.passage;
-    const auto key = [&](const Place& place) { return ((place.box.center() - grid.frame.origin) / grid.cellSize()).eval(); };
+    const auto key = [&](const Place& place) {
+      return ((place.box.center() - grid.frame.origin) / grid.cellSize()).eval();
+    };
     const Vector3 u = key(p);
     const Vector3 v = key(q);
     for (int axis = 0; axis < 3; ++axis) {

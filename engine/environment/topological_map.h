@@ -8,9 +8,9 @@ namespace glissade {
 
 /// A region of similar narrowness (paper 2, section 3.2). Its number is its index in the map.
 struct Place {
-  std::string name;                ///< "P1"...: in the order of the map
-  std::vector<std::size_t> cells;  ///< of the grid, ascending
-  Box3 box;                        ///< around the cells, world
+  std::string name;                  ///< "P1"...: in the order of the map
+  std::vector<std::size_t> cells;    ///< of the grid, ascending
+  Box3 box;                          ///< around the cells, world
   Vector3 anchor = Vector3::Zero();  ///< the widest spot: inside the place, and where edits are bound to
   double narrowness = 0.0;  ///< diameter of the largest ball about the anchor that meets no static body, metres
   int complexity = 1;       ///< 1 for the widest places; one more each time the narrowness halves
@@ -22,11 +22,11 @@ struct Place {
 /// Where two places meet: the cells in which they overlap (paper 2, section 5.1.2). Two places that
 /// meet in several spots have several borders.
 struct Border {
-  std::string name;                ///< "B1-6"; "B1-6b" for the second one
-  int placeA = 0;                  ///< index of a place, lower
+  std::string name;  ///< "B1-6"; "B1-6b" for the second one
+  int placeA = 0;    ///< index of a place, lower
   int placeB = 0;
-  std::vector<std::size_t> cells;  ///< the overlap, ascending
-  Vector3 centre = Vector3::Zero();  ///< of the faces that the two places share, world
+  std::vector<std::size_t> cells;     ///< the overlap, ascending
+  Vector3 centre = Vector3::Zero();   ///< of the faces that the two places share, world
   Vector3 normal = Vector3::UnitX();  ///< unit, from A to B, mean of the shared faces' normals
   double opening = 0.0;               ///< square metres of the shared faces
 

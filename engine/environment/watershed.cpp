@@ -57,9 +57,8 @@ PlaceLabels watershed(const IdentificationInput& input) {
       const int basin = basins.root(labels[next] - passages);
       if (std::find(touching.begin(), touching.end(), basin) == touching.end()) touching.push_back(basin);
     });
-    std::sort(touching.begin(), touching.end(), [&](int a, int b) {
-      return basins.peak(a) != basins.peak(b) ? basins.peak(a) > basins.peak(b) : a < b;
-    });
+    std::sort(touching.begin(), touching.end(),
+              [&](int a, int b) { return basins.peak(a) != basins.peak(b) ? basins.peak(a) > basins.peak(b) : a < b; });
     if (touching.empty()) touching.push_back(basins.add(level));
     for (std::size_t i = 1; i < touching.size(); ++i) {
       if (level >= kSameNarrowness * basins.peak(touching[i])) basins.join(touching[0], touching[i]);

@@ -10,15 +10,23 @@ namespace glissade {
 namespace {
 
 PlannerEntry interactive(std::string id, std::string label, std::string description, OperatorUse use) {
-  return {std::move(id), std::move(label), std::move(description), use != OperatorUse::None,
-          true, [use](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+  return {std::move(id),
+          std::move(label),
+          std::move(description),
+          use != OperatorUse::None,
+          true,
+          [use](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
             return std::make_unique<InteractiveContactBirrt>(problem, seed, use);
           }};
 }
 
 PlannerEntry multiLayer(const std::string& id, std::string label, std::string description) {
   const bool loops = id == "gts" || id == "own";
-  return {id, std::move(label), std::move(description), loops, loops,
+  return {id,
+          std::move(label),
+          std::move(description),
+          loops,
+          loops,
           [id](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
             const bool own = id == "own" && problem.scene.rules != nullptr;
             return std::make_unique<MultiLayerPlanner>(problem, seed, own ? *problem.scene.rules : presetRules(id));
@@ -57,13 +65,17 @@ PlannerRegistry makePlannerRegistry() {
                 [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<Rrt>(problem, seed, Rrt::Limit::GlobalSamples);
                 }});
-  registry.add(multiLayer("gt", "GT: and topology", "The shortest way through the places, RRT in each of them "
+  registry.add(multiLayer("gt", "GT: and topology",
+                          "The shortest way through the places, RRT in each of them "
                           "(Cailhol et al. 2019, section 6.1)."));
-  registry.add(multiLayer("gts1", "GTS1: and semantics, same shape", "Holes of the object's shape and easy places "
+  registry.add(multiLayer("gts1", "GTS1: and semantics, same shape",
+                          "Holes of the object's shape and easy places "
                           "first (Cailhol et al. 2019, section 6.2)."));
-  registry.add(multiLayer("gts2", "GTS2: and semantics, compatible", "Holes that the object fits and easy places "
+  registry.add(multiLayer("gts2", "GTS2: and semantics, compatible",
+                          "Holes that the object fits and easy places "
                           "first (Cailhol et al. 2019, section 6.2, table 1)."));
-  registry.add(multiLayer("gts", "GTS: in a loop, with scores", "Computed compatibility as a score, passages crossed "
+  registry.add(multiLayer("gts", "GTS: in a loop, with scores",
+                          "Computed compatibility as a score, passages crossed "
                           "where they fit best, and the next best way where one fails."));
   registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
   return registry;

@@ -21,9 +21,9 @@ struct SceneKnowledge;
 struct SceneDescription {
   std::string objectId = "object";
   EnvironmentOptions environment;
-  SemanticEditsPtr edits;                            ///< null: none
-  std::shared_ptr<const SceneKnowledge> knowledge;   ///< null: a planner that needs it computes it
-  std::shared_ptr<const StrategyRules> rules;        ///< of strategy "own"; null: those of "gts"
+  SemanticEditsPtr edits;                           ///< null: none
+  std::shared_ptr<const SceneKnowledge> knowledge;  ///< null: a planner that needs it computes it
+  std::shared_ptr<const StrategyRules> rules;       ///< of strategy "own"; null: those of "gts"
 };
 
 /// One planning question. Immutable; shared by threads.

@@ -59,8 +59,8 @@ std::optional<Rrt::Extension> Rrt::extend(const Pose& q, PlannerHost& host) {
   if (near.distance == 0.0) return Extension{near.index, true};
   const Pose from = roadmap_.nodes()[near.index].q;
   const ParameterValues& parameters = host.parameters();
-  const double free = freeFraction(*query_, problem_.world->object(), from, q, parameters[ParameterId::GrowthStep],
-                                   host.stopToken());
+  const double free =
+      freeFraction(*query_, problem_.world->object(), from, q, parameters[ParameterId::GrowthStep], host.stopToken());
   double t = 1.0;
   if (free < 1.0) {
     const double step = parameters[ParameterId::ExtensionStep];

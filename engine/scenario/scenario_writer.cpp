@@ -51,8 +51,7 @@ Json toJson(const Attributes& attributes) {
   return json;
 }
 
-void addAppearance(Json& json, const std::optional<Colour>& colour,
-                   const Attributes& attributes) {
+void addAppearance(Json& json, const std::optional<Colour>& colour, const Attributes& attributes) {
   if (colour) json["colour"] = *colour;
   if (!attributes.empty()) json["attributes"] = toJson(attributes);
 }

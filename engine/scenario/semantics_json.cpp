@@ -196,7 +196,9 @@ Json toJson(const PlaceEdit& edit) {
   return json;
 }
 
-Json toJson(const MilestoneEdit& edit) { return {{"at", glissade::toJson(edit.at)}, {"pose", glissade::toJson(edit.q)}}; }
+Json toJson(const MilestoneEdit& edit) {
+  return {{"at", glissade::toJson(edit.at)}, {"pose", glissade::toJson(edit.q)}};
+}
 
 Json toJson(const StrategyRules& rules) {
   Json fine = Json::array();

@@ -126,6 +126,8 @@ void SessionCore::plan(const Hooks& hooks) {
     if (planner_->solve(host)) {
       path_ = std::make_shared<const Path>(*planner_->path());
       state_ = SessionState::Solved;
+    } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
+      fail(*why);
     }
   } catch (const std::exception& error) {
     fail({ErrorKind::Internal, "", plannerId_, std::string("the planner failed: ") + error.what(),

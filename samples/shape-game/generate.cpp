@@ -60,9 +60,8 @@ struct Preset {
 };
 
 const std::vector<Preset>& presets() {
-  static const std::vector<Preset> all{
-      {"paper-like", 0.62, 1.23, 1.62, 0.92, 0.56, 0.85, 1.12, 0.858, 0.735, 0.85},
-      {"tight", 0.62, 1.23, 1.323, 0.92, 0.59, 0.86, 1.15, 0.895, 0.846, 1.0}};
+  static const std::vector<Preset> all{{"paper-like", 0.62, 1.23, 1.62, 0.92, 0.56, 0.85, 1.12, 0.858, 0.735, 0.85},
+                                       {"tight", 0.62, 1.23, 1.323, 0.92, 0.59, 0.86, 1.15, 0.895, 0.846, 1.0}};
   return all;
 }
 
@@ -105,8 +104,8 @@ void addRing(TriangleMesh& mesh, const std::vector<std::uint32_t>& hole, const s
   };
   const auto cornerOf = [&](std::uint32_t vertex) {
     const auto away = [&](std::uint32_t corner) { return -std::cos(angleOf(corner) - angleOf(vertex)); };
-    const auto nearest = std::min_element(
-        corners.begin(), corners.end(), [&](std::uint32_t a, std::uint32_t b) { return away(a) < away(b); });
+    const auto nearest = std::min_element(corners.begin(), corners.end(),
+                                          [&](std::uint32_t a, std::uint32_t b) { return away(a) < away(b); });
     return static_cast<std::size_t>(std::distance(corners.begin(), nearest));
   };
   const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -224,8 +223,7 @@ Scenario scenarioOf(const Preset& preset, const Piece& piece) {
   o1.id = o1.name = "O1";
   o1.geometry = MeshGeometry{"plate"};
   o1.colour = Colour{0.62, 0.66, 0.72};
-  scenario.bodies = {o1,
-                     box("O2", Mobility::Static, {14.4, 2.2, 0.0}, {15.0, 16.0, kSide}, {0.62, 0.66, 0.72}),
+  scenario.bodies = {o1, box("O2", Mobility::Static, {14.4, 2.2, 0.0}, {15.0, 16.0, kSide}, {0.62, 0.66, 0.72}),
                      box("O3", Mobility::Mobile, {10.0, 13.0, 9.0}, {12.0, 17.0, 15.0}, {0.85, 0.65, 0.35})};
   scenario.object.id = piece.shape;
   scenario.object.name = piece.shape;

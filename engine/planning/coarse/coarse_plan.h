@@ -41,14 +41,14 @@ struct TopologicalStep {
   std::string placeName;
   std::string borderName;  ///< "G" for the goal
   Pose from;
-  Pose to;              ///< the milestone in the border; meaningless while `milestone` is false
+  Pose to;  ///< the milestone in the border; meaningless while `milestone` is false
   bool milestone = false;
-  bool geometrical = false;  ///< the geometrical planner was asked for a region
-  std::string planner;       ///< id of the local planner; empty: not chosen yet
-  std::string why;           ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
+  bool geometrical = false;                ///< the geometrical planner was asked for a region
+  std::string planner;                     ///< id of the local planner; empty: not chosen yet
+  std::string why;                         ///< "place 3: complexity 3, cluttered, so geometrical planner then rrt"
   std::uint64_t randomConfigurations = 0;  ///< milestone and local planner together
   StepResult result = StepResult::Pending;
-  SamplingRegionPtr region;      ///< of the geometrical planner, or the place with its borders
+  SamplingRegionPtr region;       ///< of the geometrical planner, or the place with its borders
   std::vector<PathPoint> points;  ///< the trajectory of a solved step
 };
 

@@ -144,7 +144,8 @@ class Parser {
   TermPtr disjunction() {
     TermPtr left = conjunction();
     while (takes("or")) {
-      left = inner(onNumbers([](double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; }), {left, conjunction()});
+      left =
+          inner(onNumbers([](double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; }), {left, conjunction()});
     }
     return left;
   }

@@ -13,59 +13,68 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMostDirections = 6;
 constexpr int kAngles = 36;
+constexpr int kLatticePoints = 64;
+/// Fits that are looked at exactly, of all that the lattice shows.
+constexpr std::size_t kRefined = 6;
 /// A silhouette that is too large by less than this share of the passage's width may pass by tilting.
 constexpr double kProbeRange = 0.05;
 /// Margin, as a share of the passage's width, at which an object passes with ease.
 constexpr double kEase = 0.2;
+/// A silhouette that fits where no straight way through could be proved.
+constexpr double kUnproved = 0.8 * PassageFit::kFits;
 
 /// A way to hold the object before the passage: its direction looking along the passage, then turned.
 struct Placement {
   double margin = -1e300;
   double angle = 0.0;
   Point2 centre = Point2::Zero();
+  std::size_t direction = 0;
 };
 
 /// What a silhouette is fitted into.
 struct Opening {
-  const PassageSection& section;
   Eigen::AlignedBox2d box;  ///< where the object's reference point may be
+  Point2 widest;            ///< where to begin
   double ease;              ///< margins above this are as good as this
 };
 
-/// The smallest signed distance of a silhouette's corners when turned and shifted, at most the
+/// The object seen along one of its directions.
+struct Silhouette {
+  Quaternion R_WB;
+  std::vector<Point2> points;  ///< along the outline
+  double arm;                  ///< distance of the farthest
+};
+
+/// The smallest signed distance of a silhouette's points when turned and shifted, at most the
 /// opening's ease; any value up to `atLeast` as soon as it is known not to be above that.
-double marginAt(const Opening& opening, const std::vector<Point2>& silhouette, double angle, const Point2& centre,
+template <class Section>
+double marginAt(const Section& section, const Opening& opening, const Silhouette& silhouette, const Placement& at,
                 double atLeast) {
-  if (!opening.box.contains(centre)) return -1e300;
-  const Eigen::Rotation2Dd turn(angle);
+  if (!opening.box.contains(at.centre)) return -1e300;
+  const Eigen::Rotation2Dd turn(at.angle);
   double least = opening.ease;
-  for (const Point2& corner : silhouette) {
-    least = std::min(least, opening.section.signedDistance(turn * corner + centre));
+  for (const Point2& point : silhouette.points) {
+    least = std::min(least, section.signedDistance(turn * point + at.centre));
     if (least <= atLeast) break;
   }
   return least;
 }
 
-/// Compass search for the largest margin, over the position and, where `turning`, the angle.
-void improve(const Opening& opening, const std::vector<Point2>& silhouette, double reach, bool turning,
+/// Compass search for the largest margin over position and angle, with steps from `first` to `last`.
+template <class Section>
+void improve(const Section& section, const Opening& opening, const Silhouette& silhouette, double first, double last,
              Placement& best) {
-  const double arm = std::max(1e-12, std::sqrt(std::max_element(silhouette.begin(), silhouette.end(),
-                                                                [](const Point2& a, const Point2& b) {
-                                                                  return a.squaredNorm() < b.squaredNorm();
-                                                                })
-                                                   ->squaredNorm()));
-  const double finest = reach * (turning ? 1e-5 : 1e-2);
-  for (double step = reach / 4.0; step > finest && best.margin < opening.ease;) {
+  for (double step = first; step > last && best.margin < opening.ease;) {
     bool better = false;
-    for (int axis = 0; axis < (turning ? 3 : 2); ++axis) {
+    for (int axis = 0; axis < 3; ++axis) {
       for (const double sign : {-1.0, 1.0}) {
         Placement next = best;
         if (axis == 2) {
-          next.angle += sign * step / arm;
+          next.angle += sign * step / silhouette.arm;
         } else {
           next.centre[axis] += sign * step;
         }
-        next.margin = marginAt(opening, silhouette, next.angle, next.centre, best.margin);
+        next.margin = marginAt(section, opening, silhouette, next, best.margin);
         if (next.margin <= best.margin) continue;
         best = next;
         better = true;
@@ -75,23 +84,34 @@ void improve(const Opening& opening, const std::vector<Point2>& silhouette, doub
   }
 }
 
-Placement bestPlacement(const Opening& opening, const std::vector<Point2>& silhouette, const Point2& about,
-                        double reach) {
-  constexpr std::size_t kRefined = 4;
-  std::vector<Placement> starts;
-  for (int i = 0; i < kAngles; ++i) {
-    Placement start{0.0, 2.0 * kPi * i / kAngles, about};
-    start.margin = marginAt(opening, silhouette, start.angle, start.centre, -1e300);
-    improve(opening, silhouette, reach, false, start);
-    starts.push_back(start);
+/// The best placement of all silhouettes: every angle on the lattice, the most promising exactly.
+Placement bestPlacement(const PassageSection& section, const Opening& opening,
+                        const std::vector<Silhouette>& silhouettes, double width) {
+  double arm = 0.0;
+  for (const Silhouette& silhouette : silhouettes) arm = std::max(arm, silhouette.arm);
+  const Point2 around = Point2::Constant(arm);
+  const SampledSection lattice(section, {opening.box.min() - around, opening.box.max() + around}, kLatticePoints);
+  std::vector<Placement> found;
+  for (std::size_t i = 0; i < silhouettes.size(); ++i) {
+    for (int k = 0; k < kAngles; ++k) {
+      Placement start{0.0, 2.0 * kPi * k / kAngles, opening.widest, i};
+      start.margin = marginAt(lattice, opening, silhouettes[i], start, -1e300);
+      improve(lattice, opening, silhouettes[i], width / 8.0, width / 200.0, start);
+      found.push_back(start);
+    }
   }
-  std::stable_sort(starts.begin(), starts.end(),
+  // Of equally good ways the first: the largest face ahead.
+  std::stable_sort(found.begin(), found.end(),
                    [](const Placement& a, const Placement& b) { return a.margin > b.margin; });
   Placement best;
-  for (std::size_t i = 0; i < kRefined; ++i) {
-    improve(opening, silhouette, reach, true, starts[i]);
-    if (starts[i].margin > best.margin) best = starts[i];
+  for (std::size_t i = 0; i < std::min(kRefined, found.size()); ++i) {
+    if (found[i].margin < -2.0 * lattice.step()) break;
+    Placement exact = found[i];
+    exact.margin = marginAt(section, opening, silhouettes[exact.direction], exact, -1e300);
+    improve(section, opening, silhouettes[exact.direction], width / 8.0, 1e-5 * width, exact);
+    if (exact.margin > best.margin + 1e-6 * width) best = exact;
   }
+  if (best.margin == -1e300 && !found.empty()) best = found.front();
   return best;
 }
 
@@ -100,11 +120,35 @@ Quaternion facing(const Vector3& direction_B, int axis) {
   return Quaternion::FromTwoVectors(direction_B, Vector3::Unit(axis));
 }
 
-std::vector<Point2> silhouetteOf(const TriangleMesh& object, const Quaternion& R_WB, int axis) {
-  std::vector<Point2> points;
-  points.reserve(object.vertices.size());
-  for (const Vector3& v : object.vertices) points.push_back(acrossAxis(axis, R_WB * v));
-  return convexHull(std::move(points));
+/// Smallest distance of two parallel lines with the hull between them.
+double leastWidth(const std::vector<Point2>& hull) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point2 edge = (hull[(i + 1) % hull.size()] - hull[i]).normalized();
+    const Point2 inward(-edge.y(), edge.x());
+    double most = 0.0;
+    for (const Point2& corner : hull) most = std::max(most, inward.dot(corner - hull[i]));
+    least = std::min(least, most);
+  }
+  return least;
+}
+
+/// The outlines of the object along its principal directions, without those that are wider in every
+/// direction than the opening is across.
+std::vector<Silhouette> silhouettesOf(const TriangleMesh& object, int axis, double across, double spacing) {
+  std::vector<Silhouette> silhouettes;
+  for (const Vector3& direction : principalDirections(object, kMostDirections)) {
+    Silhouette silhouette{facing(direction, axis), {}, 1e-12};
+    std::vector<Point2> corners;
+    corners.reserve(object.vertices.size());
+    for (const Vector3& v : object.vertices) corners.push_back(acrossAxis(axis, silhouette.R_WB * v));
+    const std::vector<Point2> hull = convexHull(std::move(corners));
+    if (leastWidth(hull) > across) continue;
+    silhouette.points = pointsAlong(hull, spacing);
+    for (const Point2& point : silhouette.points) silhouette.arm = std::max(silhouette.arm, point.norm());
+    silhouettes.push_back(std::move(silhouette));
+  }
+  return silhouettes;
 }
 
 /// Least and largest coordinate of the turned object along the axis.
@@ -148,8 +192,8 @@ std::optional<PassageFit::Crossing> straightThrough(const CollisionWorldPtr& wor
   return std::nullopt;
 }
 
-bool convexOutline(const TriangleMesh& object) {
-  // A convex body has no corner off its hull's planes: each face has all corners behind it.
+/// Each face of a convex body has all corners behind it.
+bool isConvex(const TriangleMesh& object) {
   const double tolerance = 1e-6 * radiusAboutOrigin(object);
   for (const auto& [a, b, c] : object.triangles) {
     const Vector3 normal = (object.vertices[b] - object.vertices[a]).cross(object.vertices[c] - object.vertices[a]);
@@ -163,7 +207,7 @@ bool convexOutline(const TriangleMesh& object) {
 }
 
 double scoreOf(double margin, double width) {
-  return margin > 0.0 ? PassageFit::kFits + (1.0 - PassageFit::kFits) * std::min(1.0, margin / (kEase * width)) : 0.0;
+  return PassageFit::kFits + (1.0 - PassageFit::kFits) * std::min(1.0, margin / (kEase * width));
 }
 
 }  // namespace
@@ -189,7 +233,8 @@ std::vector<Vector3> principalDirections(const TriangleMesh& object, std::size_t
       like->area += area;
     }
   }
-  std::stable_sort(clusters.begin(), clusters.end(), [](const Cluster& a, const Cluster& b) { return a.area > b.area; });
+  std::stable_sort(clusters.begin(), clusters.end(),
+                   [](const Cluster& a, const Cluster& b) { return a.area > b.area; });
   std::vector<Vector3> directions;
   for (std::size_t i = 0; i < std::min(most, clusters.size()); ++i) {
     directions.push_back(clusters[i].direction);
@@ -204,34 +249,31 @@ PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t pl
   const int axis = passage.axis;
   const double low = passage.box.min()[axis];
   const double high = passage.box.max()[axis];
-  std::vector<double> positions;
-  for (const double t : {0.1, 0.5, 0.9}) positions.push_back(low + t * (high - low));
-  const Point2 about = acrossAxis(axis, passage.anchor);
   const double width = passage.narrowness;
-  const double reach = width + 2.0 * world->objectRadius();
-  const PassageSection section(environment.statics_W, axis, positions, about, reach);
-  Opening opening{section, {}, kEase * width};
+  Opening opening{{}, acrossAxis(axis, passage.anchor), kEase * width};
   opening.box.extend(acrossAxis(axis, passage.box.min()));
   opening.box.extend(acrossAxis(axis, passage.box.max()));
-
   PassageFit fit;
-  Placement best;
-  Quaternion orientation = Quaternion::Identity();
-  const TriangleMesh& object = world->object();
-  for (const Vector3& direction : principalDirections(object, kMostDirections)) {
-    const Quaternion R_WB = facing(direction, axis);
-    const Placement placement = bestPlacement(opening, silhouetteOf(object, R_WB, axis), about, width / 2.0);
-    // Of equally good ways the first: the largest face ahead.
-    if (placement.margin <= best.margin + 1e-6 * width) continue;
-    best = placement;
-    orientation = (Quaternion(Eigen::AngleAxisd(placement.angle, Vector3::Unit(axis))) * R_WB).normalized();
+  fit.score = 0.0;
+  const double across = opening.box.diagonal().norm();
+  const auto silhouettes = silhouettesOf(world->object(), axis, across, width / 8.0);
+  if (silhouettes.empty()) {
+    fit.margin = -width / 2.0;
+    return fit;
   }
+  std::vector<double> positions;
+  for (const double t : {0.1, 0.5, 0.9}) positions.push_back(low + t * (high - low));
+  const PassageSection section(environment.statics_W, axis, positions, opening.widest,
+                               across + 2.0 * world->objectRadius());
+  const Placement best = bestPlacement(section, opening, silhouettes, width);
   fit.margin = best.margin;
-  fit.score = scoreOf(best.margin, width);
-  const Pose inside{alongAxis(axis, (low + high) / 2.0, best.centre), orientation};
+  const Quaternion turn(Eigen::AngleAxisd(best.angle, Vector3::Unit(axis)));
+  const Pose inside{alongAxis(axis, (low + high) / 2.0, best.centre),
+                    (turn * silhouettes[best.direction].R_WB).normalized()};
   if (best.margin > 0.0) {
     fit.crossing = straightThrough(world, bounds, axis, passage.box, inside, requiredClearance);
-  } else if (best.margin > -kProbeRange * width && !convexOutline(object)) {
+    fit.score = fit.crossing ? scoreOf(best.margin, width) : kUnproved;
+  } else if (best.margin > -kProbeRange * width && !isConvex(world->object())) {
     const ProbeResult probe = probePassage(environment, place, world, bounds, inside);
     fit.probed = true;
     fit.randomConfigurations = probe.randomConfigurations;

@@ -30,9 +30,9 @@ struct PassageFit {
 /// Fits the object through a passage. The object's silhouette is taken along the normals of its
 /// largest faces, turned and shifted to the largest margin in the section of the passage (for convex
 /// sections and silhouettes the answer of the small linear programme over position for each angle);
-/// the straight motion through is certified. A silhouette that is only just too large, of an object
-/// that is not convex, is probed by a short search in 3D: such objects may pass by tilting.
-/// Deterministic. Precondition: place.passage.
+/// it counts as fitting once a straight motion through is certified. A silhouette that is only just too large, of an
+/// object that is not convex, is probed by a short search in 3D: such objects may pass by tilting. Deterministic.
+/// Precondition: place.passage.
 PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t place, const CollisionWorldPtr& world,
                              const Box3& bounds, double requiredClearance);
 

@@ -80,6 +80,38 @@ double PassageSection::signedDistance(const Point2& uv) const {
   return least;
 }
 
+SampledSection::SampledSection(const PassageSection& section, const Eigen::AlignedBox2d& box, int points)
+    : box_(box), points_(points), step_(box.sizes() / (points - 1)) {
+  values_.reserve(static_cast<std::size_t>(points) * static_cast<std::size_t>(points));
+  for (int i = 0; i < points; ++i) {
+    for (int j = 0; j < points; ++j) {
+      values_.push_back(section.signedDistance(box.min() + Point2(i * step_.x(), j * step_.y())));
+    }
+  }
+}
+
+double SampledSection::signedDistance(const Point2& uv) const {
+  const Point2 scaled = (uv - box_.min()).cwiseQuotient(step_).cwiseMax(0.0).cwiseMin(points_ - 1.0);
+  const int i = std::min(points_ - 2, static_cast<int>(scaled.x()));
+  const int j = std::min(points_ - 2, static_cast<int>(scaled.y()));
+  const double s = scaled.x() - i;
+  const double t = scaled.y() - j;
+  const auto value = [&](int a, int b) { return values_[static_cast<std::size_t>(a * points_ + b)]; };
+  return (1 - s) * ((1 - t) * value(i, j) + t * value(i, j + 1)) +
+         s * ((1 - t) * value(i + 1, j) + t * value(i + 1, j + 1));
+}
+
+std::vector<Point2> pointsAlong(const std::vector<Point2>& outline, double spacing) {
+  std::vector<Point2> points;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point2& a = outline[i];
+    const Point2& b = outline[(i + 1) % outline.size()];
+    const int pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / spacing)));
+    for (int k = 0; k < pieces; ++k) points.push_back(a + (b - a) * k / pieces);
+  }
+  return points;
+}
+
 std::vector<Point2> convexHull(std::vector<Point2> points) {
   std::sort(points.begin(), points.end(),
             [](const Point2& a, const Point2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });

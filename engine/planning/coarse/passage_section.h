@@ -21,7 +21,6 @@ class PassageSection {
 
   /// Distance to the nearest outline of any of the planes, positive in free space, negative in solid.
   double signedDistance(const Point2& uv) const;
-  bool empty() const { return planes_.empty(); }
 
  private:
   /// An outline's piece; the solid lies to its left.
@@ -36,7 +35,27 @@ class PassageSection {
   double reach_;
 };
 
+/// The signed distances of a section on a lattice, interpolated between its points: quick, and off by
+/// no more than a step of the lattice.
+class SampledSection {
+ public:
+  SampledSection(const PassageSection& section, const Eigen::AlignedBox2d& box, int points);
+
+  /// Beyond the box the value at its rim.
+  double signedDistance(const Point2& uv) const;
+  double step() const { return step_.maxCoeff(); }
+
+ private:
+  Eigen::AlignedBox2d box_;
+  int points_;
+  Point2 step_;
+  std::vector<double> values_;
+};
+
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<Point2> convexHull(std::vector<Point2> points);
+
+/// Points along a closed outline, its corners among them, no more than `spacing` apart.
+std::vector<Point2> pointsAlong(const std::vector<Point2>& outline, double spacing);
 
 }  // namespace glissade

@@ -14,8 +14,7 @@ std::uint64_t SceneKnowledge::randomConfigurations() const {
   return sum;
 }
 
-Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance,
-                                              const StopToken& stop) {
+Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop) {
   auto knowledge = std::make_shared<SceneKnowledge>();
   auto environment = buildEnvironment(problem.world->obstacles(), problem.bounds, problem.scene.environment);
   if (!environment) return environment.error();
@@ -25,9 +24,10 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
     if (stop.stopRequested()) {
       return Diagnostic{ErrorKind::Interrupted, "", "", "the environment model was not finished", "Start it again."};
     }
-    knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, problem.world,
-                                                                        problem.bounds, requiredClearance)
-                                                    : fitInRoom(*knowledge->environment, place, problem.world->object()));
+    knowledge->fits.push_back(
+        places[place].passage
+            ? fitThroughPassage(*knowledge->environment, place, problem.world, problem.bounds, requiredClearance)
+            : fitInRoom(*knowledge->environment, place, problem.world->object()));
   }
   return SceneKnowledgePtr(std::move(knowledge));
 }

@@ -77,8 +77,8 @@ TopologicalGraph makeTopologicalGraph(const TopologicalMap& map, const SemanticM
     for (const int from : nodesOf[place]) {
       for (const int to : nodesOf[place]) {
         if (to == from) continue;
-        const double distance = (graph.nodes[static_cast<std::size_t>(from)].p_W -
-                                 graph.nodes[static_cast<std::size_t>(to)].p_W).norm();
+        const double distance =
+            (graph.nodes[static_cast<std::size_t>(from)].p_W - graph.nodes[static_cast<std::size_t>(to)].p_W).norm();
         double edgeCost = cost(rules.edge.number(placeLookup(semantics, place, distance, size))) / preference;
         const auto raised =
             learnt.crossing.find({static_cast<int>(place), graph.nodes[static_cast<std::size_t>(to)].border});

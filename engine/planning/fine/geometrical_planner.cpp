@@ -38,8 +38,8 @@ std::vector<std::size_t> findCellPath(const EnvironmentModel& environment, const
   const std::size_t goal = nearestCell(grid, area, to);
   const Vector3 goalCentre = grid.centre(goal);
   const auto enterable = [&](std::size_t cell) {
-    return cell == goal || (environment.space.kinds[cell] == CellKind::Free &&
-                            std::binary_search(area.begin(), area.end(), cell));
+    return cell == goal ||
+           (environment.space.kinds[cell] == CellKind::Free && std::binary_search(area.begin(), area.end(), cell));
   };
   std::unordered_map<std::size_t, std::pair<double, std::size_t>> reached;  // cost, cell before
   std::priority_queue<Visit> open;

@@ -60,8 +60,7 @@ void MultiLayerPlanner::advance(PlannerHost& host) {
 void MultiLayerPlanner::prepare(PlannerHost& host) {
   knowledge_ = problem_.scene.knowledge;
   if (!knowledge_) {
-    auto built =
-        buildSceneKnowledge(problem_, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+    auto built = buildSceneKnowledge(problem_, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
     if (!built && built.error().kind == ErrorKind::Interrupted) return;
     if (!built) {
       failure_ = built.error();

@@ -42,8 +42,8 @@ SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBor
     if (border >= 0) area = unionOf(area, map.borders[static_cast<std::size_t>(border)].cells);
   }
   if (geometrical) {
-    const auto path =
-        findCellPath(*knowledge.environment, area, knowledge.environment->clearance, from.position, to.position, objectRadius);
+    const auto path = findCellPath(*knowledge.environment, area, knowledge.environment->clearance, from.position,
+                                   to.position, objectRadius);
     if (!path.empty()) area = regionAlong(map.grid, path, area, 1.5 * objectRadius);
   }
   return std::make_shared<const SamplingRegion>(map.grid, std::move(area));
