@@ -38,12 +38,18 @@ struct SetParameter {
   ParameterId id;
   double value;
 };  ///< takes effect at the next iteration
+struct SetSemantics {
+  SemanticEditsPtr edits;
+};  ///< takes effect at the next iteration: the coarse plan follows
+struct SetKnowledge {
+  std::shared_ptr<const SceneKnowledge> knowledge;
+};  ///< the environment model, once built; takes effect at the next Start
 struct SetDevicePose {
   Pose q_device;
 };  ///< puts the object in the operator's hand there
 }  // namespace command
 using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
-                             command::SetPlanner, command::SetParameter, command::SetDevicePose>;
+                             command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge, command::SetDevicePose>;
 
 /// Everything the window shows, frozen at one moment; shared and never changed.
 struct SessionSnapshot {
@@ -63,6 +69,7 @@ struct SessionSnapshot {
   bool deviceConnected = true;
   RoadmapChunks roadmap;
   std::vector<RoadmapEdge> droppedEdges;
+  CoarsePlanPtr coarsePlan;           ///< of a multi-layer planner; null otherwise
   std::shared_ptr<const Path> path;   ///< certified; null until solved
   std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
 };

@@ -40,6 +40,7 @@ class SessionCore::Host final : public PlannerHost {
     return hooks_.afterStep();
   }
   const StopToken& stopToken() const override { return stop_; }
+  SemanticEditsPtr semanticEdits() const override { return core_.problem_.scene.edits; }
 
  private:
   SessionCore& core_;
@@ -72,6 +73,10 @@ void SessionCore::carryOut(const Command& wanted) {
     setPlanner(planner->id);
   } else if (const auto* parameter = std::get_if<command::SetParameter>(&wanted)) {
     setParameter(parameter->id, parameter->value);
+  } else if (const auto* semantics = std::get_if<command::SetSemantics>(&wanted)) {
+    problem_.scene.edits = semantics->edits;
+  } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
+    problem_.scene.knowledge = known->knowledge;
   }
 }
 
@@ -197,6 +202,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
     snapshot.counts = planner_->counts();
     snapshot.authority = planner_->authority();
     snapshot.contactMode = planner_->inContactMode();
+    snapshot.coarsePlan = planner_->coarsePlan();
   }
   snapshot.roadmap = roadmap_.chunks();
   snapshot.droppedEdges = roadmap_.droppedEdges();

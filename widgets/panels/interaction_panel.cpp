@@ -47,7 +47,7 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock 
     device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
     device_->setItemData(device_->count() - 1, text(entry.description), Qt::ToolTipRole);
   }
-  planner_->setToolTip(tr("The planner of the next run"));
+  planner_->setToolTip(tr("The strategy of the next run"));
   device_->setToolTip(tr("Who holds the object"));
   seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setToolTip(tr("Same scenario, seed and inputs: same roadmap"));
@@ -56,7 +56,7 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock 
 
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft);
-  form->addRow(tr("Planner"), planner_);
+  form->addRow(tr("Strategy"), planner_);
   form->addRow(tr("Operator"), device_);
   form->addRow(tr("Seed"), seed_);
   form->addRow(tr("Authority now"), authority_);

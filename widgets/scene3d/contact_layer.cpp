@@ -1,7 +1,6 @@
 #include "widgets/scene3d/contact_layer.h"
 
 #include <osg/Depth>
-#include <osg/Point>
 
 #include <cmath>
 
@@ -17,14 +16,6 @@ constexpr float kPathWidth = 4.0F;
 constexpr std::size_t kGhosts = 7;
 /// Share of the contact disc that is drawn: all of it would hide the scene.
 constexpr double kDrawnDisc = 0.5;
-
-osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size) {
-  osg::ref_ptr<osg::Geometry> geometry = makeLines(points, LineKind::Segments, colour, 1.0F);
-  geometry->removePrimitiveSet(0);
-  geometry->addPrimitiveSet(new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(points.size())));
-  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(size));
-  return geometry;
-}
 
 }  // namespace
 

@@ -83,6 +83,14 @@ osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKi
   return geometry;
 }
 
+osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size) {
+  osg::ref_ptr<osg::Geometry> geometry = makeLines(points, LineKind::Segments, colour, 1.0F);
+  geometry->removePrimitiveSet(0);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_POINTS, 0, static_cast<int>(points.size())));
+  geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::Point(size));
+  return geometry;
+}
+
 osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& normal, double radius,
                                      const osg::Vec4& colour) {
   Eigen::Index axis = 0;

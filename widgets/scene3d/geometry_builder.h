@@ -21,6 +21,9 @@ enum class LineKind { Segments, Strip };
 osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
                                       float width);
 
+/// Points of a size in pixels.
+osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size);
+
 /// A filled disc about `centre` with the given normal.
 osg::ref_ptr<osg::Geometry> makeDisc(const Vector3& centre, const Vector3& normal, double radius,
                                      const osg::Vec4& colour);

@@ -7,11 +7,15 @@
 #include <osg/MatrixTransform>
 
 #include <array>
+#include <functional>
+#include <iomanip>
+#include <sstream>
 
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/roadmap_layer.h"
@@ -30,8 +34,66 @@ struct SceneView::Impl {
   SnapshotPtr snapshot;
   std::shared_ptr<const Path> drawnPath;
   std::optional<Pose> playback;
+  EnvironmentPicture environment;
+  CoarsePlanPtr drawnPlan;
+  std::optional<std::size_t> shownStep;
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
+
+  void fill(SceneLayer id, const osg::ref_ptr<osg::Group>& content) {
+    layer(id).removeChildren(0, layer(id).getNumChildren());
+    if (content) layer(id).addChild(content);
+  }
+
+  bool visible(SceneLayer id) { return layer(id).getNodeMask() != 0U; }
+
+  /// Layers that are hidden stay empty: some take time to make.
+  void showEnvironment() {
+    const auto show = [&](SceneLayer id, const std::function<osg::ref_ptr<osg::Group>()>& make) {
+      fill(id, environment.knowledge && visible(id) ? make() : nullptr);
+    };
+    const auto cells = [&](CellKind kind) {
+      return makeCells(*environment.knowledge->environment->octree, kind, environment.finestCellLevel, palette);
+    };
+    show(SceneLayer::FreeCells, [&] { return cells(CellKind::Free); });
+    show(SceneLayer::MobileCells, [&] { return cells(CellKind::Mobile); });
+    show(SceneLayer::StaticCells, [&] { return cells(CellKind::Static); });
+    show(SceneLayer::Places, [&] { return makePlaces(environment, palette); });
+    show(SceneLayer::Borders, [&] { return makeBorders(environment.knowledge->environment->map, palette); });
+    showSelection();
+  }
+
+  void showSelection() {
+    fill(SceneLayer::Selection, environment.knowledge ? makeSelection(environment, palette) : nullptr);
+    if (!scenario) return;
+    for (const RigidBody& body : scenario->obstacles) {
+      if (environment.selectedBodies.count(body.id) == 0) continue;
+      layer(SceneLayer::Selection)
+          .addChild(makeBody(*body.mesh, body.X_WB, palette.path, BodyStyle::SeeThrough, palette));
+    }
+  }
+
+  void showPlan() {
+    const CoarsePlan* plan = drawnPlan.get();
+    const auto show = [&](SceneLayer id, const std::function<osg::ref_ptr<osg::Group>()>& make) {
+      fill(id, plan != nullptr && visible(id) ? make() : nullptr);
+    };
+    show(SceneLayer::Graph, [&] { return plan->graph ? makeGraph(*plan->graph, palette) : nullptr; });
+    show(SceneLayer::CoarsePath, [&] { return plan->graph ? makeCoarsePath(*plan, palette) : nullptr; });
+    show(SceneLayer::Milestones, [&] { return makeMilestones(*plan, *scenario->object.mesh, palette); });
+    show(SceneLayer::Region, [&]() -> osg::ref_ptr<osg::Group> {
+      const TopologicalStep* step = stepShown(*plan);
+      return step != nullptr && step->region ? makeRegion(*step->region, palette) : nullptr;
+    });
+  }
+
+  const TopologicalStep* stepShown(const CoarsePlan& plan) const {
+    if (shownStep) return *shownStep < plan.steps.size() ? &plan.steps[*shownStep] : nullptr;
+    for (const TopologicalStep& step : plan.steps) {
+      if (step.result == StepResult::Running) return &step;
+    }
+    return nullptr;
+  }
 
   void rebuild() {
     backdrop->removeChildren(0, backdrop->getNumChildren());
@@ -42,7 +104,9 @@ struct SceneView::Impl {
     }
     object = nullptr;
     drawnPath.reset();
+    showEnvironment();
     if (!scenario) return;
+    showPlan();
     for (const RigidBody& body : scenario->obstacles) {
       layer(SceneLayer::Bodies)
           .addChild(makeBody(*body.mesh, body.X_WB, toOsg(body.colour), BodyStyle::SeeThrough, palette));
@@ -65,6 +129,10 @@ struct SceneView::Impl {
   void showSnapshot() {
     if (!snapshot || !scenario) return;
     roadmap.update(*snapshot);
+    if (snapshot->coarsePlan != drawnPlan) {
+      drawnPlan = snapshot->coarsePlan;
+      showPlan();
+    }
     showPath();
     osg::Group& contact = layer(SceneLayer::Contact);
     contact.removeChildren(0, contact.getNumChildren());
@@ -77,7 +145,9 @@ struct SceneView::Impl {
     drawnPath = snapshot->path;
     osg::Group& group = layer(SceneLayer::Path);
     group.removeChildren(0, group.getNumChildren());
-    if (drawnPath) group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette));
+    if (!drawnPath) return;
+    group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette));
+    if (drawnPlan) group.addChild(makeSteppedPath(*drawnPlan, palette));
   }
 
   void placeObject() {
@@ -113,6 +183,10 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
     impl_->root->addChild(layer);
   }
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
+  for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
+                              SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region}) {
+    impl_->layer(id).setNodeMask(0U);
+  }
   impl_->camera.setStandardView(StandardView::Isometric);
   impl_->rebuild();
 }
@@ -123,6 +197,9 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->scenario = std::move(scenario);
   impl_->snapshot.reset();
   impl_->playback.reset();
+  impl_->environment = {};
+  impl_->drawnPlan.reset();
+  impl_->shownStep.reset();
   impl_->roadmap.clear();
   impl_->rebuild();
   fit();
@@ -133,6 +210,44 @@ void SceneView::fit() { impl_->camera.fit(impl_->extent()); }
 void SceneView::setSnapshot(SnapshotPtr snapshot) {
   impl_->snapshot = std::move(snapshot);
   impl_->showSnapshot();
+}
+
+void SceneView::setEnvironment(const EnvironmentPicture& picture) {
+  const EnvironmentPicture& drawn = impl_->environment;
+  const bool onlySelection = picture.knowledge == drawn.knowledge && picture.placeColours == drawn.placeColours &&
+                             picture.finestCellLevel == drawn.finestCellLevel;
+  impl_->environment = picture;
+  if (onlySelection) {
+    impl_->showSelection();
+  } else {
+    impl_->showEnvironment();
+  }
+}
+
+void SceneView::setShownStep(const std::optional<std::size_t>& step) {
+  impl_->shownStep = step;
+  if (impl_->scenario) impl_->showPlan();
+}
+
+std::vector<SceneLabel> SceneView::labels() const {
+  std::vector<SceneLabel> labels;
+  const EnvironmentPicture& environment = impl_->environment;
+  if (!environment.knowledge) return labels;
+  const auto& places = environment.knowledge->environment->map.places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool selected = environment.selectedPlaces.count(static_cast<int>(i)) != 0;
+    if (selected || layerVisible(SceneLayer::Places)) {
+      labels.push_back({places[i].passage ? places[i].box.center() : places[i].anchor, environment.placeNames[i], selected});
+    }
+  }
+  if (!layerVisible(SceneLayer::Graph) || !impl_->drawnPlan || !impl_->drawnPlan->graph) return labels;
+  const TopologicalGraph& graph = *impl_->drawnPlan->graph;
+  for (std::size_t i = 2; i < graph.nodes.size(); ++i) {
+    std::ostringstream cost;
+    cost << std::setprecision(3) << graph.nodes[i].cost;
+    if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, cost.str(), false});
+  }
+  return labels;
 }
 
 void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
@@ -155,7 +270,15 @@ void SceneView::setPixelScale(double scale) {
   impl_->rebuild();
 }
 
-void SceneView::setLayerVisible(SceneLayer layer, bool visible) { impl_->layer(layer).setNodeMask(visible ? ~0U : 0U); }
+void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
+  if (visible == layerVisible(layer)) return;
+  impl_->layer(layer).setNodeMask(visible ? ~0U : 0U);
+  if (layer >= SceneLayer::Graph) {
+    if (impl_->scenario) impl_->showPlan();
+  } else if (layer >= SceneLayer::FreeCells) {
+    impl_->showEnvironment();
+  }
+}
 
 bool SceneView::layerVisible(SceneLayer layer) const { return impl_->layer(layer).getNodeMask() != 0U; }
 

@@ -20,8 +20,35 @@ class CameraController;
 enum class Theme { Light, Dark };
 
 /// One concept drawn, shown and hidden by itself.
-enum class SceneLayer { Bodies, Object, StartAndGoal, Workspace, Roadmap, Path, Contact };
-inline constexpr int kSceneLayerCount = 7;
+enum class SceneLayer {
+  Bodies,
+  Object,
+  StartAndGoal,
+  Workspace,
+  Roadmap,
+  Path,
+  Contact,
+  FreeCells,
+  MobileCells,
+  StaticCells,
+  Places,
+  Borders,
+  Graph,
+  CoarsePath,
+  Milestones,
+  Region,
+  Selection
+};
+inline constexpr int kSceneLayerCount = 17;
+
+struct EnvironmentPicture;
+
+/// A text at a point of the scene.
+struct SceneLabel {
+  Vector3 p_W;
+  std::string text;
+  bool strong = false;
+};
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
 /// the GUI thread only, by the on-screen and the offscreen widget alike.
@@ -38,6 +65,12 @@ class SceneView {
   void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.
   void setSnapshot(SnapshotPtr snapshot);
+  /// Places, cells and selection; without knowledge these layers are empty.
+  void setEnvironment(const EnvironmentPicture& picture);
+  /// The topological step whose region is shown; nothing: the one that is running.
+  void setShownStep(const std::optional<std::size_t>& step);
+  /// Texts of the visible layers: names of places, costs of the graph.
+  std::vector<SceneLabel> labels() const;
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
   void setTheme(Theme theme);

@@ -1,0 +1,118 @@
+#include "widgets/editors/attribute_view.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+QString sourceText(Provenance provenance) {
+  switch (provenance) {
+    case Provenance::Initial: return AttributeView::tr("default");
+    case Provenance::Computed: return AttributeView::tr("computed");
+    case Provenance::Edited: return AttributeView::tr("edited");
+  }
+  return {};
+}
+
+}  // namespace
+
+AttributeView::AttributeView(SemanticDocument& document, QWidget* parent) : QTreeWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("attributes"));
+  setColumnCount(4);
+  setHeaderLabels({tr("Attribute"), tr("Value"), tr("Source"), QString()});
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(1, QHeaderView::Stretch);
+  header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(3, QHeaderView::Fixed);
+  header()->resizeSection(3, 26);
+  connect(&document_, &SemanticDocument::changed, this, &AttributeView::refresh);
+  connect(&document_, &SemanticDocument::selectionChanged, this, &AttributeView::refresh);
+}
+
+std::string AttributeView::currentAttribute() const {
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.item == currentItem(); });
+  return row == rows_.end() ? std::string() : row->attribute;
+}
+
+void AttributeView::refresh() {
+  const SemanticSelection& selection = document_.selection();
+  owner_ = selection.places.isEmpty() && !selection.bodies.isEmpty() ? AttributeOwner::Body : AttributeOwner::Place;
+  std::vector<AttributeDefinition> wanted;
+  if (!selection.places.isEmpty() || !selection.bodies.isEmpty()) {
+    for (const AttributeDefinition& definition : document_.table().definitions()) {
+      if (definition.owner == owner_) wanted.push_back(definition);
+    }
+  }
+  // The rows stay as long as they can, so that an editor in use keeps the focus.
+  if (wanted != shown_) rebuild(wanted);
+  for (Row& row : rows_) showValues(row);
+}
+
+void AttributeView::rebuild(const std::vector<AttributeDefinition>& definitions) {
+  clear();
+  rows_.clear();
+  shown_ = definitions;
+  for (const AttributeDefinition& definition : definitions) addRow(definition);
+}
+
+void AttributeView::addRow(const AttributeDefinition& definition) {
+  auto* item = new QTreeWidgetItem(this);
+  item->setText(0, QCoreApplication::translate("Attributes", definition.label.c_str()));
+  item->setToolTip(0, QCoreApplication::translate("Attributes", definition.description.c_str()));
+  auto* editor = new AttributeEditor(definition);
+  setItemWidget(item, 1, editor);
+  auto* reset = new QToolButton;
+  reset->setText(QStringLiteral("↺"));
+  reset->setAutoRaise(true);
+  reset->setToolTip(tr("Take the edit back: the computed value again"));
+  setItemWidget(item, 3, reset);
+  const auto set = [this, name = definition.name](const std::optional<AttributeValue>& value) {
+    const Outcome outcome = document_.setAttribute(document_.selection(), name, value);
+    if (outcome) return;
+    emit refused(outcome.error());
+    refresh();
+  };
+  connect(editor, &AttributeEditor::edited, this, [set](const AttributeValue& value) { set(value); });
+  connect(reset, &QToolButton::clicked, this, [set] { set(std::nullopt); });
+  rows_.push_back({definition.name, editor, item, reset});
+}
+
+std::vector<ProvenValue> AttributeView::valuesOf(const std::string& attribute) const {
+  std::vector<ProvenValue> values;
+  if (owner_ == AttributeOwner::Body) {
+    for (const QString& body : document_.selection().bodies) values.push_back(document_.bodyValue(body, attribute));
+  } else if (const SemanticModel* semantics = document_.semantics()) {
+    for (const int place : document_.selection().places) {
+      values.push_back(semantics->ofPlace(static_cast<std::size_t>(place), attribute));
+    }
+  }
+  return values;
+}
+
+void AttributeView::showValues(Row& row) {
+  const std::vector<ProvenValue> values = valuesOf(row.attribute);
+  if (values.empty()) return;
+  const bool same = std::all_of(values.begin(), values.end(),
+                                [&](const ProvenValue& value) { return value.value == values.front().value; });
+  const bool anyEdited = std::any_of(values.begin(), values.end(),
+                                     [](const ProvenValue& value) { return value.provenance == Provenance::Edited; });
+  const bool oneSource = std::all_of(values.begin(), values.end(), [&](const ProvenValue& value) {
+    return value.provenance == values.front().provenance;
+  });
+  row.editor->setValue(same ? std::optional<AttributeValue>(values.front().value) : std::nullopt);
+  row.item->setText(2, oneSource ? sourceText(values.front().provenance) : QStringLiteral("—"));
+  QFont font = row.item->font(2);
+  font.setBold(anyEdited);
+  row.item->setFont(2, font);
+  row.reset->setVisible(anyEdited);
+}
+
+}  // namespace glissade

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QTreeWidget>
+#include <vector>
+
+#include "widgets/editors/attribute_editor.h"
+#include "widgets/model/semantic_document.h"
+
+namespace glissade {
+
+/// The attributes of what is selected: value with an editor for its type, where it comes from, and a
+/// button that takes an edit back.
+class AttributeView final : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit AttributeView(SemanticDocument& document, QWidget* parent = nullptr);
+
+  /// The attribute of the current row; empty: none.
+  std::string currentAttribute() const;
+  /// Whose attributes are shown.
+  AttributeOwner owner() const { return owner_; }
+
+ signals:
+  void refused(const glissade::Diagnostic& why);
+
+ private:
+  struct Row {
+    std::string attribute;
+    AttributeEditor* editor;
+    QTreeWidgetItem* item;
+    QWidget* reset;
+  };
+
+  void refresh();
+  void rebuild(const std::vector<AttributeDefinition>& definitions);
+  void addRow(const AttributeDefinition& definition);
+  void showValues(Row& row);
+  std::vector<ProvenValue> valuesOf(const std::string& attribute) const;
+
+  SemanticDocument& document_;
+  AttributeOwner owner_ = AttributeOwner::Place;
+  std::vector<AttributeDefinition> shown_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace glissade

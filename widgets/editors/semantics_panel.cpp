@@ -1,0 +1,104 @@
+#include "widgets/editors/semantics_panel.h"
+
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/editors/attribute_dialog.h"
+
+namespace glissade {
+
+SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue& actions, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      actions_(actions),
+      filter_(new QLineEdit(this)),
+      busy_(new QProgressBar(this)),
+      tree_(new SemanticsTree(document, this)),
+      attributes_(new AttributeView(document, this)),
+      refusal_(new QLabel(this)) {
+  filter_->setPlaceholderText(tr("Filter by name or value"));
+  filter_->setClearButtonEnabled(true);
+  busy_->setRange(0, 0);
+  busy_->setTextVisible(false);
+  busy_->setMaximumHeight(4);
+  busy_->hide();
+  refusal_->setWordWrap(true);
+  refusal_->setObjectName(QStringLiteral("refusal"));
+  refusal_->hide();
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(4);
+  for (const char* id : {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(actions[QLatin1String(id)]);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->addWidget(tree_);
+  splitter->addWidget(attributes_);
+  splitter->setChildrenCollapsible(false);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 2);
+  tree_->setMinimumHeight(110);
+  attributes_->setMinimumHeight(110);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(4);
+  layout->addLayout(buttons);
+  layout->addWidget(filter_);
+  layout->addWidget(busy_);
+  layout->addWidget(splitter, 1);
+  layout->addWidget(refusal_);
+  setMinimumWidth(300);
+  connect(filter_, &QLineEdit::textChanged, tree_, &SemanticsTree::setFilter);
+  connect(tree_, &SemanticsTree::refused, this, &SemanticsPanel::showRefusal);
+  connect(attributes_, &AttributeView::refused, this, &SemanticsPanel::showRefusal);
+  connect(attributes_, &QTreeWidget::currentItemChanged, this, &SemanticsPanel::enableActions);
+  connect(&document_, &SemanticDocument::changed, this, [this] {
+    refusal_->hide();
+    enableActions();
+  });
+  enableActions();
+}
+
+void SemanticsPanel::setBusy(bool busy) { busy_->setVisible(busy); }
+
+void SemanticsPanel::enableActions() {
+  const AttributeDefinition* current = document_.table().find(attributes_->owner(), attributes_->currentAttribute());
+  const bool users = current != nullptr && !current->builtIn;
+  actions_[QStringLiteral("attribute.rename")]->setEnabled(users);
+  actions_[QStringLiteral("attribute.remove")]->setEnabled(users);
+}
+
+void SemanticsPanel::showRefusal(const Diagnostic& why) {
+  refusal_->setText(QString::fromStdString(why.reason + ". " + why.advice));
+  refusal_->show();
+}
+
+void SemanticsPanel::addAttribute() {
+  AttributeDialog dialog(attributes_->owner(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const Outcome added = document_.addDefinition(dialog.definition());
+  if (!added) showRefusal(added.error());
+}
+
+void SemanticsPanel::renameAttribute() {
+  const std::string from = attributes_->currentAttribute();
+  bool accepted = false;
+  const QString to = QInputDialog::getText(this, tr("Rename the attribute"), tr("New name"), QLineEdit::Normal,
+                                           QString::fromStdString(from), &accepted);
+  if (!accepted) return;
+  const Outcome renamed = document_.renameDefinition(attributes_->owner(), from, to.trimmed().toStdString());
+  if (!renamed) showRefusal(renamed.error());
+}
+
+void SemanticsPanel::removeAttribute() {
+  document_.removeDefinition(attributes_->owner(), attributes_->currentAttribute());
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/editors/attribute_view.h"
+#include "widgets/editors/semantics_tree.h"
+
+namespace glissade {
+
+/// The editor of semantic attributes: places and bodies in a tree, the attributes of what is selected
+/// below, attributes of the user's own.
+class SemanticsPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  SemanticsPanel(SemanticDocument& document, const ActionCatalogue& actions, QWidget* parent = nullptr);
+
+  void setBusy(bool busy);
+  /// Carry out attribute.add, attribute.rename and attribute.remove.
+  void addAttribute();
+  void renameAttribute();
+  void removeAttribute();
+
+ private:
+  void enableActions();
+  void showRefusal(const Diagnostic& why);
+
+  SemanticDocument& document_;
+  const ActionCatalogue& actions_;
+  QLineEdit* filter_;
+  QProgressBar* busy_;
+  SemanticsTree* tree_;
+  AttributeView* attributes_;
+  QLabel* refusal_;
+};
+
+}  // namespace glissade

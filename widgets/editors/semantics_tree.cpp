@@ -1,0 +1,167 @@
+#include "widgets/editors/semantics_tree.h"
+
+#include <QHeaderView>
+#include <QLocale>
+#include <QPixmap>
+
+#include "widgets/model/complexity_colour.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kKeyRole = Qt::UserRole;         // number of the place, or id of the body
+constexpr int kSearchRole = Qt::UserRole + 1;  // what the filter looks at
+
+QIcon swatch(const Colour& colour) {
+  QPixmap pixmap(14, 14);
+  pixmap.fill(QColor::fromRgbF(colour[0], colour[1], colour[2]));
+  return pixmap;
+}
+
+QTreeWidgetItem* makeGroup(QTreeWidget* tree) {
+  auto* group = new QTreeWidgetItem(tree);
+  group->setFirstColumnSpanned(true);
+  group->setExpanded(true);
+  group->setFlags(Qt::ItemIsEnabled);
+  QFont font = group->font(0);
+  font.setBold(true);
+  group->setFont(0, font);
+  return group;
+}
+
+QTreeWidgetItem* child(QTreeWidgetItem& group, int index) {
+  return index < group.childCount() ? group.child(index) : new QTreeWidgetItem(&group);
+}
+
+void cut(QTreeWidgetItem& group, int count) {
+  while (group.childCount() > count) delete group.takeChild(group.childCount() - 1);
+}
+
+}  // namespace
+
+SemanticsTree::SemanticsTree(SemanticDocument& document, QWidget* parent)
+    : QTreeWidget(parent), document_(document), places_(makeGroup(this)), bodies_(makeGroup(this)) {
+  setObjectName(QStringLiteral("semantics-tree"));
+  setColumnCount(3);
+  setHeaderLabels({tr("Name"), tr("Complexity"), tr("Width")});
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setUniformRowHeights(true);
+  setAlternatingRowColors(true);
+  setEditTriggers(QAbstractItemView::EditKeyPressed);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  connect(&document_, &SemanticDocument::changed, this, &SemanticsTree::refresh);
+  connect(&document_, &SemanticDocument::selectionChanged, this, &SemanticsTree::showSelection);
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &SemanticsTree::takeSelection);
+  connect(this, &QTreeWidget::itemChanged, this, &SemanticsTree::rename);
+  refresh();
+}
+
+void SemanticsTree::refresh() {
+  updating_ = true;
+  showPlaces();
+  showBodies();
+  updating_ = false;
+  setFilter(filter_);
+  showSelection();
+}
+
+void SemanticsTree::showPlaces() {
+  const SemanticModel* semantics = document_.semantics();
+  const int count = semantics == nullptr ? 0 : static_cast<int>(semantics->placeCount());
+  places_->setText(0, semantics == nullptr ? tr("Places (not looked for yet)") : tr("Places (%1)").arg(count));
+  cut(*places_, count);
+  for (int i = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    const int complexity = static_cast<int>(std::get<double>(semantics->ofPlace(place, "complexity").value));
+    const bool cluttered = std::get<bool>(semantics->ofPlace(place, "cluttered").value);
+    const double width = std::get<double>(semantics->ofPlace(place, "narrowness").value);
+    QTreeWidgetItem* item = child(*places_, i);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
+    item->setText(0, QString::fromStdString(semantics->placeName(place)));
+    item->setIcon(0, swatch(complexityColour(complexity, cluttered)));
+    item->setText(1, QString::number(complexity) + (cluttered ? QStringLiteral(" ⚠") : QString()));
+    item->setToolTip(1, cluttered ? tr("Cluttered by mobile bodies") : QString());
+    item->setText(2, QLocale().toString(width * 1e3, 'f', 0) + QStringLiteral(" mm"));
+    item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+    item->setData(0, kKeyRole, i);
+    QString search = item->text(0);
+    for (const AttributeDefinition& definition : document_.table().definitions()) {
+      if (definition.owner != AttributeOwner::Place) continue;
+      const ProvenValue value = semantics->ofPlace(place, definition.name);
+      search += QString::fromStdString(" " + definition.name + " " + toText(value.value));
+    }
+    item->setData(0, kSearchRole, search);
+  }
+}
+
+void SemanticsTree::showBodies() {
+  const auto& bodies = document_.bodies();
+  bodies_->setText(0, tr("Bodies (%1)").arg(bodies.size()));
+  cut(*bodies_, static_cast<int>(bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    QTreeWidgetItem* item = child(*bodies_, static_cast<int>(i));
+    const QString id = QString::fromStdString(bodies[i].id);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    item->setText(0, QString::fromStdString(bodies[i].name));
+    item->setIcon(0, swatch(bodies[i].colour));
+    item->setText(1, i + 1 == bodies.size() ? tr("moved") : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
+    item->setData(0, kKeyRole, id);
+    QString search = item->text(0) + QLatin1Char(' ') + item->text(1);
+    for (const AttributeDefinition& definition : document_.table().definitions()) {
+      if (definition.owner != AttributeOwner::Body) continue;
+      search += QString::fromStdString(" " + definition.name + " " + toText(document_.bodyValue(id, definition.name).value));
+    }
+    item->setData(0, kSearchRole, search);
+  }
+}
+
+void SemanticsTree::setFilter(const QString& text) {
+  filter_ = text;
+  for (QTreeWidgetItem* group : {places_, bodies_}) {
+    for (int i = 0; i < group->childCount(); ++i) {
+      const QString search = group->child(i)->data(0, kSearchRole).toString();
+      group->child(i)->setHidden(!search.contains(filter_, Qt::CaseInsensitive));
+    }
+  }
+}
+
+void SemanticsTree::takeSelection() {
+  if (updating_) return;
+  SemanticSelection selection;
+  for (const QTreeWidgetItem* item : selectedItems()) {
+    if (item->parent() == places_) selection.places.insert(item->data(0, kKeyRole).toInt());
+    if (item->parent() == bodies_) selection.bodies.insert(item->data(0, kKeyRole).toString());
+  }
+  document_.select(selection);
+}
+
+void SemanticsTree::showSelection() {
+  updating_ = true;
+  const SemanticSelection& selection = document_.selection();
+  QTreeWidgetItem* first = nullptr;
+  for (int i = 0; i < places_->childCount(); ++i) {
+    places_->child(i)->setSelected(selection.places.contains(i));
+    if (first == nullptr && places_->child(i)->isSelected()) first = places_->child(i);
+  }
+  for (int i = 0; i < bodies_->childCount(); ++i) {
+    QTreeWidgetItem* item = bodies_->child(i);
+    item->setSelected(selection.bodies.contains(item->data(0, kKeyRole).toString()));
+    if (first == nullptr && item->isSelected()) first = item;
+  }
+  if (first != nullptr) scrollToItem(first);
+  updating_ = false;
+}
+
+void SemanticsTree::rename(QTreeWidgetItem* item) {
+  if (updating_ || item->parent() != places_) return;
+  const int place = item->data(0, kKeyRole).toInt();
+  const Outcome outcome = document_.renamePlace(place, item->text(0));
+  if (outcome) return;
+  emit refused(outcome.error());
+  refresh();
+}
+
+}  // namespace glissade

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QHash>
+#include <QTreeWidget>
+
+#include "widgets/model/semantic_document.h"
+
+namespace glissade {
+
+/// Places and bodies; what is selected here is selected in the scene, and the other way round. Places
+/// can be renamed in place (F2).
+class SemanticsTree final : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  explicit SemanticsTree(SemanticDocument& document, QWidget* parent = nullptr);
+
+  /// Hides what does not hold the text in its name or its values.
+  void setFilter(const QString& text);
+
+ signals:
+  void refused(const glissade::Diagnostic& why);
+
+ private:
+  void refresh();
+  void showPlaces();
+  void showBodies();
+  void takeSelection();
+  void showSelection();
+  void rename(QTreeWidgetItem* item);
+
+  SemanticDocument& document_;
+  QTreeWidgetItem* places_;
+  QTreeWidgetItem* bodies_;
+  QString filter_;
+  bool updating_ = false;
+};
+
+}  // namespace glissade

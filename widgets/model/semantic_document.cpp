@@ -1,0 +1,227 @@
+#include "widgets/model/semantic_document.h"
+
+#include <QUndoCommand>
+#include <algorithm>
+
+namespace glissade {
+
+/// The edits before and after, as values. Commands with the same merge key become one.
+class ChangeSemantics final : public QUndoCommand {
+ public:
+  ChangeSemantics(SemanticDocument& document, const QString& text, SemanticEdits after, QString mergeKey)
+      : QUndoCommand(text),
+        document_(document),
+        before_(document.edits()),
+        after_(std::move(after)),
+        mergeKey_(std::move(mergeKey)) {}
+
+  void undo() override { document_.apply(before_); }
+  void redo() override { document_.apply(after_); }
+  int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* next) override {
+    const auto& other = static_cast<const ChangeSemantics&>(*next);
+    if (other.mergeKey_ != mergeKey_) return false;
+    after_ = other.after_;
+    setObsolete(after_ == before_);
+    return true;
+  }
+
+ private:
+  SemanticDocument& document_;
+  SemanticEdits before_;
+  SemanticEdits after_;
+  QString mergeKey_;
+};
+
+SemanticDocument::SemanticDocument(QObject* parent) : QObject(parent) {}
+SemanticDocument::~SemanticDocument() = default;
+
+void SemanticDocument::open(const std::shared_ptr<const LoadedScenario>& scenario) {
+  scenario_ = scenario;
+  bodies_ = scenario->obstacles;
+  bodies_.push_back(scenario->object);
+  objectId_ = scenario->object.id;
+  knowledge_.reset();
+  semantics_.reset();
+  selection_ = {};
+  undo_.clear();
+  apply(semanticEditsOf(scenario->scenario));
+  emit selectionChanged();
+}
+
+void SemanticDocument::setKnowledge(const SceneKnowledgePtr& knowledge) {
+  knowledge_ = knowledge;
+  apply(edits_);
+}
+
+void SemanticDocument::apply(const SemanticEdits& edits) {
+  edits_ = edits;
+  if (auto table = attributeTableOf(edits_)) table_ = std::move(*table);
+  semantics_.reset();
+  if (knowledge_) {
+    semantics_.emplace(knowledge_->environment, scenario_->obstacles, objectId_, edits_, knowledge_->compatibility());
+  }
+  emit changed();
+}
+
+void SemanticDocument::push(const QString& text, const SemanticEdits& after, const QString& mergeKey) {
+  if (after == edits_) return;
+  undo_.push(new ChangeSemantics(*this, text, after, mergeKey));
+}
+
+ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string& attribute) const {
+  const std::string id = bodyId.toStdString();
+  const auto edited = edits_.bodies.find(id);
+  if (edited != edits_.bodies.end()) {
+    const auto value = edited->second.find(attribute);
+    if (value != edited->second.end()) return {value->second, Provenance::Edited};
+  }
+  const auto body = std::find_if(bodies_.begin(), bodies_.end(), [&](const RigidBody& b) { return b.id == id; });
+  if (attribute == "mobility" && body != bodies_.end()) {
+    return {std::string(body->mobility == Mobility::Static ? "static" : "mobile"), Provenance::Computed};
+  }
+  return {table_.find(AttributeOwner::Body, attribute)->initial, Provenance::Initial};
+}
+
+/// The edit of a place, made where there is none yet, bound to the place's anchor.
+PlaceEdit& SemanticDocument::editOf(SemanticEdits& edits, int place) const {
+  const TopologicalMap& map = knowledge_->environment->map;
+  const auto known = std::find_if(edits.places.rbegin(), edits.places.rend(),
+                                  [&](const PlaceEdit& edit) { return map.placeAt(edit.at) == place; });
+  if (known != edits.places.rend()) return *known;
+  PlaceEdit edit;
+  edit.at = map.places[static_cast<std::size_t>(place)].anchor;
+  edits.places.push_back(edit);
+  return edits.places.back();
+}
+
+Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const std::string& attribute,
+                                       const std::optional<AttributeValue>& value) {
+  SemanticEdits after = edits_;
+  const auto set = [&](AttributeOwner owner, Attributes& attributes) -> Outcome {
+    const AttributeDefinition* definition = table_.find(owner, attribute);
+    if (definition == nullptr) {
+      return Diagnostic{ErrorKind::Usage, "", attribute, "there is no such attribute", "Add it first."};
+    }
+    if (!value) {
+      attributes.erase(attribute);
+      return Done{};
+    }
+    const Outcome sound = checkValue(*definition, *value);
+    if (sound) attributes[attribute] = *value;
+    return sound;
+  };
+  QString key = QString::fromStdString(attribute);
+  QList<int> places = targets.places.values();
+  std::sort(places.begin(), places.end());
+  for (const int place : places) {
+    if (!knowledge_) break;
+    const Outcome outcome = set(AttributeOwner::Place, editOf(after, place).attributes);
+    if (!outcome) return outcome;
+    key += QStringLiteral(" p%1").arg(place);
+  }
+  QStringList bodies = targets.bodies.values();
+  bodies.sort();
+  for (const QString& body : bodies) {
+    const Outcome outcome = set(AttributeOwner::Body, after.bodies[body.toStdString()]);
+    if (!outcome) return outcome;
+    key += QStringLiteral(" b") + body;
+  }
+  // What says nothing any more goes.
+  after.places.erase(std::remove_if(after.places.begin(), after.places.end(),
+                                    [](const PlaceEdit& edit) { return edit.name.empty() && edit.attributes.empty(); }),
+                     after.places.end());
+  for (auto body = after.bodies.begin(); body != after.bodies.end();) {
+    body = body->second.empty() ? after.bodies.erase(body) : std::next(body);
+  }
+  const QString name = QString::fromStdString(attribute);
+  push(value ? tr("Set %1").arg(name) : tr("Reset %1").arg(name), after, value ? key : QString());
+  return Done{};
+}
+
+Outcome SemanticDocument::renamePlace(int place, const QString& name) {
+  const auto clash = [&](std::size_t other) {
+    return static_cast<int>(other) != place && semantics_->placeName(other) == name.toStdString();
+  };
+  for (std::size_t other = 0; other < semantics_->placeCount(); ++other) {
+    if (clash(other)) {
+      return Diagnostic{ErrorKind::Usage, "", name.toStdString(), "another place has this name", "Choose another."};
+    }
+  }
+  SemanticEdits after = edits_;
+  editOf(after, place).name = name.trimmed().toStdString();
+  push(tr("Rename place"), after);
+  return Done{};
+}
+
+Outcome SemanticDocument::addDefinition(const AttributeDefinition& definition) {
+  AttributeTable table = table_;
+  const Outcome added = table.add(definition);
+  if (!added) return added;
+  SemanticEdits after = edits_;
+  after.definitions.push_back(definition);
+  push(tr("Add attribute %1").arg(QString::fromStdString(definition.name)), after);
+  return Done{};
+}
+
+namespace {
+
+/// Calls change(attributes) for the attributes of every place or every body.
+template <class Change>
+void forEachOwner(SemanticEdits& edits, AttributeOwner owner, Change&& change) {
+  if (owner == AttributeOwner::Place) {
+    for (PlaceEdit& place : edits.places) change(place.attributes);
+  } else {
+    for (auto& [id, attributes] : edits.bodies) change(attributes);
+  }
+}
+
+}  // namespace
+
+Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to) {
+  SemanticEdits after = edits_;
+  for (AttributeDefinition& definition : after.definitions) {
+    if (definition.owner != owner || definition.name != from) continue;
+    definition.name = to;
+    definition.label = to;
+  }
+  const auto table = attributeTableOf(after);
+  if (!table) return table.error();
+  forEachOwner(after, owner, [&](Attributes& attributes) {
+    const auto old = attributes.extract(from);
+    if (!old.empty()) attributes[to] = old.mapped();
+  });
+  push(tr("Rename attribute"), after);
+  return Done{};
+}
+
+void SemanticDocument::removeDefinition(AttributeOwner owner, const std::string& name) {
+  SemanticEdits after = edits_;
+  after.definitions.erase(std::remove_if(after.definitions.begin(), after.definitions.end(),
+                                         [&](const AttributeDefinition& definition) {
+                                           return definition.owner == owner && definition.name == name;
+                                         }),
+                          after.definitions.end());
+  forEachOwner(after, owner, [&](Attributes& attributes) { attributes.erase(name); });
+  push(tr("Remove attribute %1").arg(QString::fromStdString(name)), after);
+}
+
+void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {
+  const TopologicalMap& map = knowledge_->environment->map;
+  const Border& where = map.borders[static_cast<std::size_t>(border)];
+  const SamplingRegion region(map.grid, where.cells);
+  SemanticEdits after = edits_;
+  after.milestones.erase(std::remove_if(after.milestones.begin(), after.milestones.end(),
+                                        [&](const MilestoneEdit& edit) { return region.contains(edit.at); }),
+                         after.milestones.end());
+  if (q) after.milestones.push_back({map.grid.centre(where.cells[where.cells.size() / 2]), *q});
+  push(q ? tr("Move milestone") : tr("Reset milestone"), after);
+}
+
+void SemanticDocument::select(const SemanticSelection& selection) {
+  if (selection == selection_) return;
+  selection_ = selection;
+  emit selectionChanged();
+}
+
+}  // namespace glissade

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QObject>
+#include <QSet>
+#include <QUndoStack>
+#include <optional>
+
+#include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/scenario/scenario.h"
+
+namespace glissade {
+
+/// What is selected, in the tree and in the scene alike.
+struct SemanticSelection {
+  QSet<int> places;    ///< numbers of places
+  QSet<QString> bodies;  ///< ids
+
+  friend bool operator==(const SemanticSelection& a, const SemanticSelection& b) {
+    return a.places == b.places && a.bodies == b.bodies;
+  }
+};
+
+/// The semantic attributes of one open scenario: what was computed, the user's edits over it, and the
+/// selection. Every edit is an undoable command that holds the edits before and after it (a few
+/// hundred bytes); edits of one drag or of one spin box are merged into a single command.
+class SemanticDocument final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SemanticDocument(QObject* parent = nullptr);
+  ~SemanticDocument() override;
+
+  void open(const std::shared_ptr<const LoadedScenario>& scenario);
+  void setKnowledge(const SceneKnowledgePtr& knowledge);
+
+  const SceneKnowledgePtr& knowledge() const { return knowledge_; }
+  const SemanticEdits& edits() const { return edits_; }
+  /// Null until the environment model is there.
+  const SemanticModel* semantics() const { return semantics_ ? &*semantics_ : nullptr; }
+  const std::vector<RigidBody>& bodies() const { return bodies_; }
+  /// The attributes that there are, also before the environment model is there.
+  const AttributeTable& table() const { return table_; }
+  ProvenValue bodyValue(const QString& bodyId, const std::string& attribute) const;
+  QUndoStack& undoStack() { return undo_; }
+
+  /// Sets an attribute on several places and bodies at once; nothing: resets it to what is computed.
+  /// Refuses a value of the wrong type or out of range. `text` names the command.
+  Outcome setAttribute(const SemanticSelection& targets, const std::string& attribute,
+                       const std::optional<AttributeValue>& value);
+  Outcome renamePlace(int place, const QString& name);
+  Outcome addDefinition(const AttributeDefinition& definition);
+  Outcome renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to);
+  void removeDefinition(AttributeOwner owner, const std::string& name);
+  /// Puts a milestone into a border, or (nothing) takes the user's away.
+  void setMilestone(int border, const std::optional<Pose>& q);
+
+  const SemanticSelection& selection() const { return selection_; }
+  void select(const SemanticSelection& selection);
+
+ signals:
+  void changed();           ///< edits, attributes or places are not what they were
+  void selectionChanged();
+
+ private:
+  friend class ChangeSemantics;
+  void push(const QString& text, const SemanticEdits& after, const QString& mergeKey = {});
+  void apply(const SemanticEdits& edits);
+  PlaceEdit& editOf(SemanticEdits& edits, int place) const;
+
+  std::vector<RigidBody> bodies_;
+  std::string objectId_;
+  std::shared_ptr<const LoadedScenario> scenario_;
+  SceneKnowledgePtr knowledge_;
+  SemanticEdits edits_;
+  AttributeTable table_;
+  std::optional<SemanticModel> semantics_;
+  SemanticSelection selection_;
+  QUndoStack undo_;
+};
+
+}  // namespace glissade

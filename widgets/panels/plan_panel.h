@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QLabel>
+#include <QTreeWidget>
+
+#include "engine/planning/coarse/coarse_plan.h"
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// The topological steps of the coarse plan: which planner was chosen and why, what it has spent, what
+/// became of it. A click shows the step in the scene.
+class PlanPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlanPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
+
+  void setPlan(const CoarsePlanPtr& plan);
+  /// The step that is looked at; nothing: none.
+  std::optional<std::size_t> currentStep() const;
+
+ signals:
+  /// A step was chosen, or none any more.
+  void stepChosen();
+
+ private:
+  void showStep(std::size_t index);
+
+  CoarsePlanPtr plan_;
+  QLabel* summary_;
+  QTreeWidget* steps_;
+  QLabel* why_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+
+/// The scene's labels, painted over the widget that shows it; takes no part in mouse and keys.
+class LabelOverlay final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Covers `scene`, which shows `view`, and follows its size.
+  LabelOverlay(const SceneView& view, QWidget* scene);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  const SceneView& view_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,60 @@
+#include "widgets/scene3d/scene_pick.h"
+
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+/// Distance along the ray to a triangle (Moller and Trumbore 1997); nothing where it misses.
+std::optional<double> hit(const Ray& ray, const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 e1 = b - a;
+  const Vector3 e2 = c - a;
+  const Vector3 p = ray.direction.cross(e2);
+  const double determinant = e1.dot(p);
+  if (std::abs(determinant) < 1e-15) return std::nullopt;
+  const Vector3 s = ray.origin - a;
+  const double u = s.dot(p) / determinant;
+  if (u < 0.0 || u > 1.0) return std::nullopt;
+  const Vector3 q = s.cross(e1);
+  const double v = ray.direction.dot(q) / determinant;
+  if (v < 0.0 || u + v > 1.0) return std::nullopt;
+  const double t = e2.dot(q) / determinant;
+  return t > 0.0 ? std::optional<double>(t) : std::nullopt;
+}
+
+}  // namespace
+
+Ray rayThrough(const CameraController& camera, double x, double y) {
+  const double scale = 2.0 * std::tan(camera.verticalFieldOfView() / 2.0);
+  return {camera.eye(), camera.R_WV() * Vector3(x * scale, -y * scale, -1.0).normalized()};
+}
+
+std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray) {
+  std::optional<BodyHit> nearest;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Pose X_BW = inverse(bodies[i].X_WB);
+    const Ray ray_B{X_BW * ray.origin, X_BW.orientation * ray.direction};
+    const TriangleMesh& mesh = *bodies[i].mesh;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto distance = hit(ray_B, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+      if (distance && (!nearest || *distance < nearest->distance)) nearest = BodyHit{i, *distance};
+    }
+  }
+  return nearest;
+}
+
+int pickPlace(const TopologicalMap& map, const Ray& ray, double farthest) {
+  const Box3 box(map.grid.box(0).min(), map.grid.box(map.grid.size() - 1).max());
+  const double end = std::min(farthest, (box.center() - ray.origin).norm() + box.diagonal().norm());
+  const double step = 0.5 * map.grid.cellSize();
+  int narrowest = kNoPlace;
+  for (double t = std::max(0.0, (box.center() - ray.origin).norm() - box.diagonal().norm()); t < end; t += step) {
+    const int place = map.placeAt(ray.origin + t * ray.direction);
+    if (place == kNoPlace) continue;
+    const auto width = [&](int p) { return map.places[static_cast<std::size_t>(p)].narrowness; };
+    if (narrowest == kNoPlace || width(place) < width(narrowest)) narrowest = place;
+  }
+  return narrowest;
+}
+
+}  // namespace glissade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "engine/environment/topological_map.h"
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+
+/// A half line from the eye into the scene.
+struct Ray {
+  Vector3 origin;
+  Vector3 direction;  ///< unit
+};
+
+/// The ray through a pixel; (x, y) in fractions of the view's height from its centre, y down.
+Ray rayThrough(const CameraController& camera, double x, double y);
+
+/// Where the ray first meets a body: index into `bodies`; nothing where it meets none.
+struct BodyHit {
+  std::size_t body;
+  double distance;
+};
+std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray);
+
+/// The place that one means who points there: of all places along the ray, up to the given distance,
+/// the narrowest; kNoPlace where there is none. Rooms lie around everything, holes are pointed at.
+int pickPlace(const TopologicalMap& map, const Ray& ray, double farthest);
+
+}  // namespace glissade
