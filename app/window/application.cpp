@@ -98,6 +98,7 @@ int runScript(const std::string& file, MainWindow& window) {
 
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen");
+  window.setBatch(batch);
   if (!parser.positionalArguments().isEmpty()) {
     const auto why = window.openScenario(parser.positionalArguments().front(), batch);
     if (why && batch) return fail(*why);

@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -12,6 +13,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/status_text.h"
@@ -23,6 +25,7 @@
 #include "widgets/panels/path_panel.h"
 #include "widgets/panels/scene_panel.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/label_overlay.h"
 
 namespace glissade {
 namespace {
@@ -52,6 +55,8 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   scene_->widget()->setObjectName(QStringLiteral("scene"));
   scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->keys(), this));
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
+  new LabelOverlay(scene_->view(), scene_->widget());
+  environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
@@ -101,8 +106,21 @@ void MainWindow::makePanels() {
   QDockWidget* scene = addPanel(tr("Scene"), "scene-tree", sceneTree_, Qt::RightDockWidgetArea);
   QDockWidget* counts = addPanel(tr("Run"), "run", counts_, Qt::RightDockWidgetArea);
   QDockWidget* path = addPanel(tr("Path"), "path", path_, Qt::RightDockWidgetArea);
-  resizeDocks({interaction, scene}, {270, 290}, Qt::Horizontal);
-  resizeDocks({scene, counts, path}, {150, 290, 170}, Qt::Vertical);
+  QDockWidget* semantics =
+      addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), Qt::RightDockWidgetArea);
+  QDockWidget* plan = addPanel(tr("Plan"), "plan", environment_->planPanel(), Qt::RightDockWidgetArea);
+  // Two columns of tabs would be too wide for small screens: what belongs together shares a place.
+  tabifyDockWidget(scene, semantics);
+  tabifyDockWidget(counts, plan);
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  scene->raise();
+  counts->raise();
+  resizeDocks({interaction, scene}, {270, 340}, Qt::Horizontal);
+  resizeDocks({scene, counts, path}, {220, 250, 150}, Qt::Vertical);
+  connect(&environment_->document().undoStack(), &QUndoStack::cleanChanged, this, [this] { showTitle(); });
+  connect(environment_, &EnvironmentController::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("The places cannot be found"), why);
+  });
   connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
@@ -122,6 +140,14 @@ void MainWindow::makeMenus() {
   };
   QMenu* file = menuBar()->addMenu(tr("&File"));
   fill(file, "file.");
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  fill(edit, "edit.");
+  edit->addSeparator();
+  fill(edit, "environment.");
+  fill(edit, "place.");
+  fill(edit, "milestone.");
+  edit->addSeparator();
+  fill(edit, "attribute.");
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   fill(run, "run.");
   run->addSeparator();
@@ -138,8 +164,9 @@ void MainWindow::makeMenus() {
   bar->setObjectName(QStringLiteral("tools"));
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  for (const char* id : {"file.open", "file.export", "", "run.start", "run.pause", "run.stop", "run.restart-new-seed",
-                         "", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
+  for (const char* id :
+       {"file.open", "file.save", "file.export", "", "edit.undo", "edit.redo", "", "run.start", "run.pause", "run.stop",
+        "run.restart-new-seed", "", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
     if (id[0] == '\0') {
       bar->addSeparator();
     } else {
@@ -154,6 +181,8 @@ void MainWindow::connectActions() {
   };
   on("file.open", [this] { chooseScenario(); });
   on("file.export", [this] { chooseExport(); });
+  on("file.save", [this] { save(); });
+  on("file.save-as", [this] { chooseSave(); });
   on("file.quit", [this] { close(); });
   on("run.start", [this] { bridge_->post(command::Start{}); });
   on("run.pause",
@@ -191,7 +220,7 @@ void MainWindow::connectViewActions() {
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   const auto layer = [this](const char* id, SceneLayer which) {
     QAction* action = (*actions_)[QLatin1String(id)];
-    action->setChecked(true);
+    action->setChecked(scene_->view().layerVisible(which));
     connect(action, &QAction::toggled, this, [this, which](bool visible) {
       scene_->view().setLayerVisible(which, visible);
       scene_->refresh();
@@ -204,9 +233,27 @@ void MainWindow::connectViewActions() {
   layer("layer.roadmap", SceneLayer::Roadmap);
   layer("layer.path", SceneLayer::Path);
   layer("layer.contact", SceneLayer::Contact);
+  layer("layer.free-cells", SceneLayer::FreeCells);
+  layer("layer.mobile-cells", SceneLayer::MobileCells);
+  layer("layer.static-cells", SceneLayer::StaticCells);
+  layer("layer.places", SceneLayer::Places);
+  layer("layer.borders", SceneLayer::Borders);
+  layer("layer.graph", SceneLayer::Graph);
+  layer("layer.coarse-path", SceneLayer::CoarsePath);
+  layer("layer.milestones", SceneLayer::Milestones);
+  layer("layer.region", SceneLayer::Region);
+}
+
+void MainWindow::showTitle() {
+  if (!scenario_) return;
+  const std::string& name = scenario_->scenario.name;
+  const QString file = QFileInfo(QString::fromStdString(scenario_->file)).completeBaseName();
+  setWindowTitle(QStringLiteral("%1[*] — Glissade").arg(name.empty() ? file : QString::fromStdString(name)));
+  setWindowModified(!environment_->document().undoStack().isClean());
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
+  if (!quiet && !mayDiscard()) return std::nullopt;
   auto loaded = loadScenario(file.toStdString());
   if (!loaded) {
     if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
@@ -214,14 +261,13 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   }
   scenario_ = std::make_shared<const LoadedScenario>(std::move(*loaded));
   welcome_->hide();
-  const std::string& name = scenario_->scenario.name;
-  const QString title = name.empty() ? QFileInfo(file).completeBaseName() : QString::fromStdString(name);
-  setWindowTitle(QStringLiteral("%1 — Glissade").arg(title));
   scene_->view().setScenario(scenario_);
   sceneTree_->setScenario(*scenario_);
   interaction_->setScenario(*scenario_);
   interaction_->setDevice(bridge_->deviceId());
   bridge_->open(scenario_);
+  environment_->open(scenario_);
+  showTitle();
   publishOperatorFrame();
   scene_->widget()->setFocus();
   if (!quiet && !scenario_->warnings.empty()) {
@@ -239,6 +285,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   interaction_->setDevice(bridge_->deviceId());
   counts_->setSnapshot(*snapshot, *scenario_);
   path_->setPath(snapshot->path, *scenario_);
+  environment_->showSnapshot(snapshot);
   status_->setText(statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());
@@ -256,6 +303,8 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("run.restart-new-seed", open);
   enable("object.to-start", open);
   enable("path.play", open && snapshot->path != nullptr);
+  enable("file.save", open);
+  enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);
   (*actions_)["run.pause"]->setChecked(open && snapshot->state == SessionState::Paused);
 }
@@ -272,6 +321,23 @@ void MainWindow::restart(std::uint64_t seed) {
   bridge_->post(command::Stop{});
   bridge_->post(command::SetSeed{seed});
   bridge_->post(command::Start{});
+}
+
+std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
+  Scenario scenario = scenario_->scenario;
+  setSemanticEdits(environment_->document().edits(), scenario);
+  scenario.planner = snapshot_->plannerId;
+  scenario.seed = snapshot_->seed;
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (snapshot_->parameters[spec.id] != scenario_->parameters[spec.id]) {
+      scenario.parameters[spec.id] = snapshot_->parameters[spec.id];
+    }
+  }
+  const Outcome saved = saveScenario(scenario, file.toStdString());
+  if (!saved) return saved.error();
+  environment_->document().undoStack().setClean();
+  showTitle();
+  return std::nullopt;
 }
 
 std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
@@ -310,5 +376,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (!urls.isEmpty()) openScenario(urls.front().toLocalFile());
 }
+
+void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayDiscard()); }
 
 }  // namespace glissade

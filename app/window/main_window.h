@@ -12,6 +12,7 @@
 namespace glissade {
 
 class CountsPanel;
+class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
 class ScenePanel;
@@ -27,10 +28,15 @@ class MainWindow final : public QMainWindow {
   /// Opens a scenario; says what is wrong in a dialog unless `quiet`, and returns it.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
   void setTheme(Theme theme);
+  /// Nobody is there to answer questions: scripts, screenshots.
+  void setBatch(bool batch) { batch_ = batch; }
 
   SessionBridge& bridge() { return *bridge_; }
   ActionCatalogue& actions() { return *actions_; }
   SceneWidget& scene() { return *scene_; }
+  EnvironmentController& environment() { return *environment_; }
+  /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
+  std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
   std::optional<Diagnostic> exportPath(const QString& file);
   /// The whole window as a picture.
@@ -39,6 +45,7 @@ class MainWindow final : public QMainWindow {
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void makePanels();
@@ -52,6 +59,11 @@ class MainWindow final : public QMainWindow {
   void restart(std::uint64_t seed);
   void chooseScenario();
   void chooseExport();
+  void save();
+  void chooseSave();
+  /// False: the user wants to stay, because something is not saved.
+  bool mayDiscard();
+  void showTitle();
   void showError(const QString& title, const Diagnostic& why);
   void showShortcuts();
   void showAbout();
@@ -63,6 +75,8 @@ class MainWindow final : public QMainWindow {
   CountsPanel* counts_ = nullptr;
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
+  EnvironmentController* environment_ = nullptr;
+  bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;
   QLabel* welcome_;

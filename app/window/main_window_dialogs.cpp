@@ -8,6 +8,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/window/environment_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
 
@@ -17,6 +18,31 @@ void MainWindow::chooseScenario() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a scenario"), QString(),
                                                     tr("Scenarios (*.json *.cfg);;All files (*)"));
   if (!file.isEmpty()) openScenario(file);
+}
+
+void MainWindow::save() {
+  const QString file = QString::fromStdString(scenario_->file);
+  if (!file.endsWith(QLatin1String(".json"))) {
+    chooseSave();
+    return;
+  }
+  if (const auto why = saveScenarioAs(file)) showError(tr("The scenario cannot be saved"), *why);
+}
+
+void MainWindow::chooseSave() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the scenario"),
+                                                    QString::fromStdString(scenario_->file), tr("Scenarios (*.json)"));
+  if (file.isEmpty()) return;
+  if (const auto why = saveScenarioAs(file)) showError(tr("The scenario cannot be saved"), *why);
+}
+
+bool MainWindow::mayDiscard() {
+  if (batch_ || environment_->document().undoStack().isClean()) return true;
+  const auto answer =
+      QMessageBox::question(this, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) save();
+  return answer == QMessageBox::Discard || environment_->document().undoStack().isClean();
 }
 
 void MainWindow::chooseExport() {

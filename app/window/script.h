@@ -24,6 +24,15 @@ struct ScriptCommand {
 ///   wait STATE LIMIT            idle, planning, paused, solved, ended; LIMIT in steps offscreen,
 ///                               in seconds on screen
 ///   expect STATE                the session is in this state now
+///   select-strategy ID          g, gt, gts1, gts2, gts, own, contact-birrt, ...
+///   open FILE                   another scenario
+///   save FILE                   the scenario with its edits
+///   select KIND NAME            a place by its name, a body by its id, a step by its number
+///   click X Y                   the left button over the 3D view, in pixels
+///   attribute NAME VALUE        on what is selected: yes, no, a number or a text; "-" resets it
+///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
+///   expect-attribute NAME VALUE what is selected has this value
+///   expect-way NAMES            the places that the coarse path leads through: P1,P6,P2
 ///   screenshot FILE             the whole window as PNG
 ///   export FILE                 the path, format by ending
 ///   quit

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/window/environment_script.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
 
@@ -62,11 +63,40 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
     window_.bridge().setDevice(command.arguments[0]);
     return Done{};
   }
+  if (command.name == "open") return open(command);
+  if (command.name == "save") return save(command);
+  if (command.name == "select-strategy") return selectStrategy(command);
+  if (const auto outcome = EnvironmentScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
   if (command.name == "export") {
     if (const auto why = window_.exportPath(first)) return *why;
     return Done{};
   }
   if (!window_.picture().save(first)) return wrong(command, "the picture cannot be saved", "Check the folder.");
+  return Done{};
+}
+
+/// An error of the program, at this line of the script.
+Diagnostic ScriptRunner::atLine(const ScriptCommand& command, Diagnostic why) const {
+  const std::string detail = why.place.empty() ? "" : why.place + ": ";
+  return {why.kind, file_, "line " + std::to_string(command.line), detail + why.reason, why.advice};
+}
+
+Outcome ScriptRunner::open(const ScriptCommand& command) {
+  const auto why = window_.openScenario(QString::fromStdString(command.arguments[0]), true);
+  return why ? Outcome(atLine(command, *why)) : Outcome(Done{});
+}
+
+Outcome ScriptRunner::save(const ScriptCommand& command) {
+  if (!window_.bridge().snapshot()) return wrong(command, "no scenario is open");
+  const auto why = window_.saveScenarioAs(QString::fromStdString(command.arguments[0]));
+  return why ? Outcome(atLine(command, *why)) : Outcome(Done{});
+}
+
+Outcome ScriptRunner::selectStrategy(const ScriptCommand& command) {
+  if (makePlannerRegistry().find(command.arguments[0]) == nullptr) return wrong(command, "there is no such strategy");
+  window_.bridge().post(command::SetPlanner{command.arguments[0]});
   return Done{};
 }
 

@@ -24,9 +24,13 @@ class ScriptRunner {
   Outcome steps(const ScriptCommand& command);
   Outcome wait(const ScriptCommand& command);
   Outcome expect(const ScriptCommand& command);
+  Outcome open(const ScriptCommand& command);
+  Outcome save(const ScriptCommand& command);
+  Outcome selectStrategy(const ScriptCommand& command);
   Diagnostic wrong(const ScriptCommand& command, const std::string& reason, const std::string& advice = "") const;
   /// The script is right and the session did not do what it waits for or expects.
   Diagnostic failed(const ScriptCommand& command, const std::string& reason) const;
+  Diagnostic atLine(const ScriptCommand& command, Diagnostic why) const;
   bool isIn(const std::string& state) const;
 
   MainWindow& window_;

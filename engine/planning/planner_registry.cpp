@@ -28,9 +28,9 @@ PlannerEntry multiLayer(const std::string& id, std::string label, std::string de
           loops,
           loops,
           [id](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
-            const bool own = id == "own" && problem.scene.rules != nullptr;
-            return std::make_unique<MultiLayerPlanner>(problem, seed, own ? *problem.scene.rules : presetRules(id));
-          }};
+            return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, id));
+          },
+          true};
 }
 
 void addFirstPapersPlanners(PlannerRegistry& registry) {
@@ -49,6 +49,12 @@ void PlannerRegistry::add(PlannerEntry entry) { entries_.push_back(std::move(ent
 const PlannerEntry* PlannerRegistry::find(std::string_view id) const {
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.id == id; });
   return found == entries_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> idsOf(const PlannerRegistry& registry) {
+  std::vector<std::string> ids;
+  for (const PlannerEntry& entry : registry.entries()) ids.push_back(entry.id);
+  return ids;
 }
 
 PlannerRegistry makePlannerRegistry() {

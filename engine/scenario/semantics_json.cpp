@@ -130,10 +130,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     refuse(why);
   }
   if (!scenario.rules) return;
-  std::vector<std::string> locals;
-  const PlannerRegistry registry = makeLocalPlannerRegistry();
-  for (const PlannerEntry& entry : registry.entries()) locals.push_back(entry.id);
-  const auto rules = parseRules(*scenario.rules, *attributeTableOf(edits), locals);
+  const auto rules = parseRules(*scenario.rules, *attributeTableOf(edits), idsOf(makeLocalPlannerRegistry()));
   if (!rules) refuse(rules.error());
 }
 

@@ -107,12 +107,15 @@ void SemanticsTree::showBodies() {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     item->setText(0, QString::fromStdString(bodies[i].name));
     item->setIcon(0, swatch(bodies[i].colour));
-    item->setText(1, i + 1 == bodies.size() ? tr("moved") : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
+    item->setText(1, i + 1 == bodies.size()
+                         ? tr("moved")
+                         : QString::fromStdString(toText(document_.bodyValue(id, "mobility").value)));
     item->setData(0, kKeyRole, id);
     QString search = item->text(0) + QLatin1Char(' ') + item->text(1);
     for (const AttributeDefinition& definition : document_.table().definitions()) {
       if (definition.owner != AttributeOwner::Body) continue;
-      search += QString::fromStdString(" " + definition.name + " " + toText(document_.bodyValue(id, definition.name).value));
+      search +=
+          QString::fromStdString(" " + definition.name + " " + toText(document_.bodyValue(id, definition.name).value));
     }
     item->setData(0, kSearchRole, search);
   }

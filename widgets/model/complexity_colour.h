@@ -10,8 +10,8 @@ namespace glissade {
 /// where mobile bodies clutter the place. Okabe and Ito's hues, which do not rely on red against green.
 inline Colour complexityColour(int complexity, bool cluttered) {
   if (cluttered) return {0.94, 0.89, 0.26};
-  constexpr std::array<Colour, 5> kScale{{{0.00, 0.62, 0.45}, {0.34, 0.71, 0.91}, {0.90, 0.62, 0.00},
-                                          {0.84, 0.37, 0.00}, {0.72, 0.11, 0.11}}};
+  constexpr std::array<Colour, 5> kScale{
+      {{0.00, 0.62, 0.45}, {0.34, 0.71, 0.91}, {0.90, 0.62, 0.00}, {0.84, 0.37, 0.00}, {0.72, 0.11, 0.11}}};
   return kScale[static_cast<std::size_t>(std::clamp(complexity, 1, 5) - 1)];
 }
 

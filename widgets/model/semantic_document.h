@@ -12,7 +12,7 @@ namespace glissade {
 
 /// What is selected, in the tree and in the scene alike.
 struct SemanticSelection {
-  QSet<int> places;    ///< numbers of places
+  QSet<int> places;      ///< numbers of places
   QSet<QString> bodies;  ///< ids
 
   friend bool operator==(const SemanticSelection& a, const SemanticSelection& b) {
@@ -58,7 +58,7 @@ class SemanticDocument final : public QObject {
   void select(const SemanticSelection& selection);
 
  signals:
-  void changed();           ///< edits, attributes or places are not what they were
+  void changed();  ///< edits, attributes or places are not what they were
   void selectionChanged();
 
  private:

@@ -58,9 +58,12 @@ void makeOverlay(osg::Node& node) {
 }  // namespace
 
 osg::Vec4 colourOfStep(std::size_t step) {
-  static const std::array<osg::Vec4, 6> colours{{{0.00F, 0.45F, 0.70F, 1}, {0.84F, 0.37F, 0.00F, 1},
-                                                 {0.00F, 0.62F, 0.45F, 1}, {0.80F, 0.47F, 0.65F, 1},
-                                                 {0.90F, 0.62F, 0.00F, 1}, {0.34F, 0.71F, 0.91F, 1}}};
+  static const std::array<osg::Vec4, 6> colours{{{0.00F, 0.45F, 0.70F, 1},
+                                                 {0.84F, 0.37F, 0.00F, 1},
+                                                 {0.00F, 0.62F, 0.45F, 1},
+                                                 {0.80F, 0.47F, 0.65F, 1},
+                                                 {0.90F, 0.62F, 0.00F, 1},
+                                                 {0.34F, 0.71F, 0.91F, 1}}};
   return colours[step % colours.size()];
 }
 
@@ -78,8 +81,9 @@ osg::ref_ptr<osg::Group> makeCells(const Octree& octree, CellKind kind, int fine
     points.insert(points.end(), edges.begin(), edges.end());
   }
   osg::Vec4 colour = kind == CellKind::Free ? toOsg(Colour{0.0, 0.62, 0.45}, 0.35)
-                     : kind == CellKind::Mobile ? toOsg(Colour{0.90, 0.62, 0.0}, 0.7)
-                                                : osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F);
+                     : kind == CellKind::Mobile
+                         ? toOsg(Colour{0.90, 0.62, 0.0}, 0.7)
+                         : osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F);
   return groupOf(makeLines(points, LineKind::Segments, colour, palette.pixelScale));
 }
 
@@ -92,7 +96,8 @@ osg::ref_ptr<osg::Group> makePlaces(const EnvironmentPicture& picture, const Sce
     const auto faces = outerSurface(map.grid, map.places[i].cells);
     group->addChild(transparentFaces(faces, toOsg(picture.placeColours[i], alpha)));
     const osg::Vec4 line = toOsg(picture.placeColours[i], map.places[i].passage ? 0.9 : 0.35);
-    if (faces.size() < 64) group->addChild(groupOf(makeLines(outlines(faces), LineKind::Segments, line, palette.pixelScale)));
+    if (faces.size() < 64)
+      group->addChild(groupOf(makeLines(outlines(faces), LineKind::Segments, line, palette.pixelScale)));
   }
   return group;
 }
@@ -133,7 +138,8 @@ osg::ref_ptr<osg::Group> makeGraph(const TopologicalGraph& graph, const ScenePal
     const float share = static_cast<float>(1.0 - 0.75 * edge.cost / dearest);
     const osg::Vec4 colour(palette.nearest.r(), palette.nearest.g(), palette.nearest.b(), 0.25F + 0.6F * share);
     const auto p = [&](int node) { return graph.nodes[static_cast<std::size_t>(node)].p_W; };
-    group->addChild(groupOf(makeLines({p(edge.from), p(edge.to)}, LineKind::Segments, colour, 1.4F * palette.pixelScale)));
+    group->addChild(
+        groupOf(makeLines({p(edge.from), p(edge.to)}, LineKind::Segments, colour, 1.4F * palette.pixelScale)));
   }
   std::vector<Vector3> nodes;
   for (const auto& node : graph.nodes) nodes.push_back(node.p_W);
@@ -169,8 +175,8 @@ osg::ref_ptr<osg::Group> makeRegion(const SamplingRegion& region, const ScenePal
   osg::ref_ptr<osg::Group> group = transparentFaces(faces, osg::Vec4(0.0F, 0.62F, 0.45F, 0.22F));
   constexpr std::size_t kMostOutlined = 4000;
   if (faces.size() <= kMostOutlined) {
-    group->addChild(groupOf(makeLines(outlines(faces), LineKind::Segments, osg::Vec4(0.0F, 0.45F, 0.33F, 0.35F),
-                                      palette.pixelScale)));
+    group->addChild(groupOf(
+        makeLines(outlines(faces), LineKind::Segments, osg::Vec4(0.0F, 0.45F, 0.33F, 0.35F), palette.pixelScale)));
   }
   return group;
 }

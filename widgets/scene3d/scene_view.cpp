@@ -129,10 +129,6 @@ struct SceneView::Impl {
   void showSnapshot() {
     if (!snapshot || !scenario) return;
     roadmap.update(*snapshot);
-    if (snapshot->coarsePlan != drawnPlan) {
-      drawnPlan = snapshot->coarsePlan;
-      showPlan();
-    }
     showPath();
     osg::Group& contact = layer(SceneLayer::Contact);
     contact.removeChildren(0, contact.getNumChildren());
@@ -147,7 +143,7 @@ struct SceneView::Impl {
     group.removeChildren(0, group.getNumChildren());
     if (!drawnPath) return;
     group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette));
-    if (drawnPlan) group.addChild(makeSteppedPath(*drawnPlan, palette));
+    if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 
   void placeObject() {
@@ -224,6 +220,12 @@ void SceneView::setEnvironment(const EnvironmentPicture& picture) {
   }
 }
 
+void SceneView::setCoarsePlan(const CoarsePlanPtr& plan) {
+  if (plan == impl_->drawnPlan) return;
+  impl_->drawnPlan = plan;
+  if (impl_->scenario) impl_->showPlan();
+}
+
 void SceneView::setShownStep(const std::optional<std::size_t>& step) {
   impl_->shownStep = step;
   if (impl_->scenario) impl_->showPlan();
@@ -237,7 +239,8 @@ std::vector<SceneLabel> SceneView::labels() const {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool selected = environment.selectedPlaces.count(static_cast<int>(i)) != 0;
     if (selected || layerVisible(SceneLayer::Places)) {
-      labels.push_back({places[i].passage ? places[i].box.center() : places[i].anchor, environment.placeNames[i], selected});
+      labels.push_back(
+          {places[i].passage ? places[i].box.center() : places[i].anchor, environment.placeNames[i], selected});
     }
   }
   if (!layerVisible(SceneLayer::Graph) || !impl_->drawnPlan || !impl_->drawnPlan->graph) return labels;

@@ -67,6 +67,8 @@ class SceneView {
   void setSnapshot(SnapshotPtr snapshot);
   /// Places, cells and selection; without knowledge these layers are empty.
   void setEnvironment(const EnvironmentPicture& picture);
+  /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
+  void setCoarsePlan(const CoarsePlanPtr& plan);
   /// The topological step whose region is shown; nothing: the one that is running.
   void setShownStep(const std::optional<std::size_t>& step);
   /// Texts of the visible layers: names of places, costs of the graph.

@@ -14,9 +14,31 @@ std::uint64_t SceneKnowledge::randomConfigurations() const {
   return sum;
 }
 
+namespace {
+
+/// The obstacles with their mobility as the user has it.
+std::vector<RigidBody> bodiesOf(const Problem& problem) {
+  std::vector<RigidBody> bodies = problem.world->obstacles();
+  if (!problem.scene.edits) return bodies;
+  for (RigidBody& body : bodies) {
+    const auto edited = problem.scene.edits->bodies.find(body.id.substr(0, body.id.find('/')));
+    if (edited == problem.scene.edits->bodies.end()) continue;
+    const auto mobility = edited->second.find("mobility");
+    if (mobility == edited->second.end()) continue;
+    body.mobility = mobility->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
+  }
+  return bodies;
+}
+
+}  // namespace
+
+StrategyRules rulesOf(const Problem& problem, std::string_view strategy) {
+  return strategy == "own" && problem.scene.rules ? *problem.scene.rules : presetRules(strategy);
+}
+
 Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop) {
   auto knowledge = std::make_shared<SceneKnowledge>();
-  auto environment = buildEnvironment(problem.world->obstacles(), problem.bounds, problem.scene.environment);
+  auto environment = buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment);
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   const auto& places = knowledge->environment->map.places;

@@ -16,10 +16,13 @@ struct SceneKnowledge {
 };
 using SceneKnowledgePtr = std::shared_ptr<const SceneKnowledge>;
 
-/// Builds the environment model and fits the object through every passage. The world's obstacles
-/// must carry their mobility. Errors are those of buildEnvironment, or Interrupted.
+/// Builds the environment model and fits the object through every passage. Edits of the
+/// bodies' mobility are respected. Errors are those of buildEnvironment, or Interrupted.
 Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance,
                                               const StopToken& stop = {});
+
+/// The rules that a strategy plans by: its preset, or for "own" the problem's.
+StrategyRules rulesOf(const Problem& problem, std::string_view strategy);
 
 /// The semantic layer of a problem under these edits (null: none).
 SemanticModel semanticsOf(const Problem& problem, const SceneKnowledge& knowledge, const SemanticEditsPtr& edits);

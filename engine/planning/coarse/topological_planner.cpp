@@ -128,4 +128,25 @@ const TopologicalGraph::Edge& edgeBetween(const TopologicalGraph& graph, int fro
   return *best;
 }
 
+CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
+                          const Vector3& start, const Vector3& goal, const LearntCosts& learnt) {
+  CoarsePlan plan;
+  const auto graph =
+      std::make_shared<const TopologicalGraph>(makeTopologicalGraph(map, semantics, rules, start, goal, learnt));
+  plan.graph = graph;
+  plan.nodes = cheapestPath(*graph);
+  for (std::size_t i = 1; i < plan.nodes.size(); ++i) {
+    const TopologicalGraph::Edge& edge = edgeBetween(*graph, plan.nodes[i - 1], plan.nodes[i]);
+    const TopologicalGraph::Node& node = graph->nodes[static_cast<std::size_t>(plan.nodes[i])];
+    plan.cost += edge.cost + node.cost;
+    TopologicalStep step;
+    step.place = edge.place;
+    step.border = node.border;
+    step.placeName = semantics.placeName(static_cast<std::size_t>(edge.place));
+    step.borderName = node.border < 0 ? "G" : map.borders[static_cast<std::size_t>(node.border)].name;
+    plan.steps.push_back(std::move(step));
+  }
+  return plan;
+}
+
 }  // namespace glissade

@@ -26,6 +26,11 @@ std::vector<int> cheapestPath(const TopologicalGraph& graph);
 /// Edge of the graph between two nodes. Precondition: there is one.
 const TopologicalGraph::Edge& edgeBetween(const TopologicalGraph& graph, int from, int to);
 
+/// The coarse planning of a query: the graph, its cheapest path, split into steps (a place to cross
+/// and a border to reach each), milestones not drawn yet. Without a way `nodes` and `steps` are empty.
+CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
+                          const Vector3& start, const Vector3& goal, const LearntCosts& learnt);
+
 /// Names of rules about one place: "distance", "size", "place.*", "object.*".
 NameLookup placeLookup(const SemanticModel& semantics, std::size_t place, double distance, double size);
 

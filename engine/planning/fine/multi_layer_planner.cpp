@@ -97,20 +97,24 @@ void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
 void MultiLayerPlanner::planCoarsely() {
   if (!semantics_) semantics_.emplace(semanticsOf(problem_, *knowledge_, edits_));
   if (!parsed_) {
-    std::vector<std::string> ids;
-    for (const PlannerEntry& entry : locals_.entries()) ids.push_back(entry.id);
-    auto parsed = parseRules(rules_, semantics_->table(), ids);
+    auto parsed = parseRules(rules_, semantics_->table(), idsOf(locals_));
     if (!parsed) {
       failure_ = parsed.error();
       return;
     }
     parsed_.emplace(std::move(*parsed));
   }
-  const TopologicalGraph graph = makeTopologicalGraph(knowledge_->environment->map, *semantics_, *parsed_,
-                                                      problem_.start.position, goal_->position, learnt_);
-  const std::vector<int> nodes = cheapestPath(graph);
-  startPlan(graph, nodes);
-  if (!nodes.empty()) {
+  CoarsePlan next = makeCoarsePlan(knowledge_->environment->map, *semantics_, *parsed_, problem_.start.position,
+                                   goal_->position, learnt_);
+  next.attempt = plan_.attempt + 1;
+  next.coarseConfigurations = plan_.coarseConfigurations;
+  next.fineConfigurations = plan_.fineConfigurations;
+  plan_ = std::move(next);
+  at_ = 0;
+  local_.reset();
+  milestoneSampler_.reset();
+  milestoneDraws_ = 0;
+  if (!plan_.nodes.empty()) {
     phase_ = Phase::Milestones;
   } else if (parsed_->loop) {
     phase_ = Phase::LastResort;
@@ -119,31 +123,6 @@ void MultiLayerPlanner::planCoarsely() {
     fail("the topological graph has no way from start to goal", "Check the places, or use strategy g.");
   }
   publish();
-}
-
-/// Splits the topological path into steps: a place to cross and a border to reach each.
-void MultiLayerPlanner::startPlan(const TopologicalGraph& graph, const std::vector<int>& nodes) {
-  const TopologicalMap& map = knowledge_->environment->map;
-  ++plan_.attempt;
-  plan_.graph = std::make_shared<const TopologicalGraph>(graph);
-  plan_.nodes = nodes;
-  plan_.cost = 0.0;
-  plan_.steps.clear();
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    const TopologicalGraph::Edge& edge = edgeBetween(graph, nodes[i - 1], nodes[i]);
-    const TopologicalGraph::Node& node = graph.nodes[static_cast<std::size_t>(nodes[i])];
-    plan_.cost += edge.cost + node.cost;
-    TopologicalStep step;
-    step.place = edge.place;
-    step.border = node.border;
-    step.placeName = semantics_->placeName(static_cast<std::size_t>(edge.place));
-    step.borderName = node.border < 0 ? "G" : map.borders[static_cast<std::size_t>(node.border)].name;
-    plan_.steps.push_back(std::move(step));
-  }
-  at_ = 0;
-  local_.reset();
-  milestoneSampler_.reset();
-  milestoneDraws_ = 0;
 }
 
 std::optional<Pose> MultiLayerPlanner::knownMilestone(const TopologicalStep& step, const TopologicalStep* next) {

@@ -41,7 +41,6 @@ class MultiLayerPlanner final : public Planner {
   void prepare(PlannerHost& host);
   void noticeEdits(PlannerHost& host);
   void planCoarsely();
-  void startPlan(const TopologicalGraph& graph, const std::vector<int>& nodes);
   void drawMilestone(PlannerHost& host);
   std::optional<Pose> knownMilestone(const TopologicalStep& step, const TopologicalStep* next);
   void crossPlace(PlannerHost& host);

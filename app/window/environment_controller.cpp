@@ -1,0 +1,258 @@
+#include "app/window/environment_controller.h"
+
+#include <QMouseEvent>
+
+#include "engine/planning/coarse/topological_planner.h"
+#include "widgets/model/complexity_colour.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/environment_layers.h"
+#include "widgets/scene3d/scene_pick.h"
+
+namespace glissade {
+namespace {
+
+/// A press and a release nearer than this are a click, not a drag.
+constexpr double kClickPixels = 4.0;
+/// How much shorter ways through a preferred place count.
+constexpr double kPreferred = 4.0;
+
+bool isRunning(const SessionSnapshot& snapshot) {
+  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
+}
+
+bool isMultiLayer(const std::string& planner) {
+  const PlannerRegistry registry = makePlannerRegistry();
+  const PlannerEntry* entry = registry.find(planner);
+  return entry != nullptr && entry->multiLayer;
+}
+
+std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
+  std::map<std::string, AttributeValue> mobility;
+  for (const auto& [id, attributes] : edits.bodies) {
+    const auto value = attributes.find("mobility");
+    if (value != attributes.end()) mobility[id] = value->second;
+  }
+  return mobility;
+}
+
+}  // namespace
+
+EnvironmentController::EnvironmentController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene,
+                                             QWidget* window)
+    : QObject(window),
+      bridge_(bridge),
+      actions_(actions),
+      scene_(scene),
+      semantics_(new SemanticsPanel(document_, actions, window)),
+      plan_(new PlanPanel(actions, window)) {
+  scene_.widget()->installEventFilter(this);
+  connect(&builder_, &KnowledgeBuilder::started, this, [this] { semantics_->setBusy(true); });
+  connect(&builder_, &KnowledgeBuilder::finished, this, &EnvironmentController::knowledgeReady);
+  connect(&builder_, &KnowledgeBuilder::failed, this, [this](const Diagnostic& why) {
+    semantics_->setBusy(false);
+    if (why.kind != ErrorKind::Interrupted) emit failed(why);
+  });
+  connect(&document_, &SemanticDocument::changed, this, &EnvironmentController::documentChanged);
+  connect(&document_, &SemanticDocument::selectionChanged, this, [this] {
+    showEnvironment();
+    enableActions();
+  });
+  connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
+  connectActions();
+  enableActions();
+}
+
+void EnvironmentController::connectActions() {
+  const auto on = [this](const char* id, auto handler) {
+    connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
+  };
+  on("environment.build", [this] { build(); });
+  on("attribute.add", [this] { semantics_->addAttribute(); });
+  on("attribute.rename", [this] { semantics_->renameAttribute(); });
+  on("attribute.remove", [this] { semantics_->removeAttribute(); });
+  on("place.forbid", [this] { toggleForbidden(); });
+  on("place.prefer", [this] { togglePreferred(); });
+  on("milestone.set", [this] { setMilestone(true); });
+  on("milestone.reset", [this] { setMilestone(false); });
+  on("edit.undo", [this] { document_.undoStack().undo(); });
+  on("edit.redo", [this] { document_.undoStack().redo(); });
+  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EnvironmentController::enableActions);
+}
+
+void EnvironmentController::open(const ScenarioPtr& scenario) {
+  builder_.cancel();
+  semantics_->setBusy(false);
+  scenario_ = scenario;
+  snapshot_.reset();
+  shownPlan_.reset();
+  plan_->setPlan(nullptr);
+  document_.open(scenario);
+  const bool saysSomething = !scenario->scenario.places.empty();
+  if (isMultiLayer(scenario->scenario.planner) || saysSomething) build();
+  enableActions();
+}
+
+void EnvironmentController::build() {
+  if (!scenario_) return;
+  builtMobility_ = mobilityOf(document_.edits());
+  Problem problem = scenario_->problem;
+  problem.scene.edits = std::make_shared<const SemanticEdits>(document_.edits());
+  builder_.build(problem, scenario_->parameters[ParameterId::RequiredClearance],
+                 bridge_.clock() == SessionClock::Lockstep);
+}
+
+void EnvironmentController::knowledgeReady(const SceneKnowledgePtr& knowledge) {
+  semantics_->setBusy(false);
+  bridge_.post(command::SetKnowledge{knowledge});
+  document_.setKnowledge(knowledge);
+}
+
+void EnvironmentController::documentChanged() {
+  if (!scenario_) return;
+  bridge_.post(command::SetSemantics{std::make_shared<const SemanticEdits>(document_.edits())});
+  if (document_.knowledge() && mobilityOf(document_.edits()) != builtMobility_) build();
+  showEnvironment();
+  showPlan();
+  enableActions();
+}
+
+void EnvironmentController::showEnvironment() {
+  EnvironmentPicture picture;
+  picture.knowledge = document_.knowledge();
+  if (const SemanticModel* semantics = document_.semantics()) {
+    for (std::size_t place = 0; place < semantics->placeCount(); ++place) {
+      const double complexity = std::get<double>(semantics->ofPlace(place, "complexity").value);
+      const bool cluttered = std::get<bool>(semantics->ofPlace(place, "cluttered").value);
+      picture.placeColours.push_back(complexityColour(static_cast<int>(complexity), cluttered));
+      picture.placeNames.push_back(semantics->placeName(place));
+    }
+  }
+  const SemanticSelection& selection = document_.selection();
+  picture.selectedPlaces.insert(selection.places.begin(), selection.places.end());
+  for (const QString& body : selection.bodies) picture.selectedBodies.insert(body.toStdString());
+  scene_.view().setEnvironment(picture);
+  scene_.refresh();
+}
+
+void EnvironmentController::showSnapshot(const SnapshotPtr& snapshot) {
+  const bool newPlan = !snapshot_ || snapshot->coarsePlan != snapshot_->coarsePlan ||
+                       snapshot->plannerId != snapshot_->plannerId || isRunning(*snapshot) != isRunning(*snapshot_);
+  if (snapshot->coarsePlan && (!snapshot_ || snapshot->coarsePlan != snapshot_->coarsePlan)) {
+    plannedEdits_ = document_.edits();
+  }
+  snapshot_ = snapshot;
+  if (newPlan) showPlan();
+}
+
+/// What the coarse planning would decide now, milestones not drawn.
+CoarsePlanPtr EnvironmentController::preview() const {
+  const SemanticModel* semantics = document_.semantics();
+  if (semantics == nullptr || !snapshot_ || !isMultiLayer(snapshot_->plannerId)) return nullptr;
+  const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal);
+  const auto rules = parseRules(rulesOf(scenario_->problem, snapshot_->plannerId), semantics->table(),
+                                idsOf(makeLocalPlannerRegistry()));
+  if (goal == nullptr || !rules) return nullptr;
+  return std::make_shared<const CoarsePlan>(makeCoarsePlan(document_.knowledge()->environment->map, *semantics, *rules,
+                                                           scenario_->problem.start.position, goal->position, {}));
+}
+
+/// The plan of the run, as long as it is about the edits that there are.
+void EnvironmentController::showPlan() {
+  const bool ofRun =
+      snapshot_ && snapshot_->coarsePlan && (isRunning(*snapshot_) || plannedEdits_ == document_.edits());
+  shownPlan_ = ofRun ? snapshot_->coarsePlan : preview();
+  plan_->setPlan(shownPlan_);
+  scene_.view().setCoarsePlan(shownPlan_);
+  scene_.refresh();
+  enableActions();
+}
+
+void EnvironmentController::showStep() {
+  const auto step = plan_->currentStep();
+  scene_.view().setShownStep(step);
+  if (step && shownPlan_ && shownPlan_->steps[*step].place >= 0) {
+    SemanticSelection selection;
+    selection.places.insert(shownPlan_->steps[*step].place);
+    document_.select(selection);
+  }
+  scene_.refresh();
+  enableActions();
+}
+
+void EnvironmentController::pick(const QPointF& position, bool add) {
+  if (!scenario_) return;
+  const QWidget& widget = *scene_.widget();
+  const QPointF centre(widget.width() / 2.0, widget.height() / 2.0);
+  const QPointF at = (position - centre) / std::max(1, widget.height());
+  const Ray ray = rayThrough(scene_.view().camera(), at.x(), at.y());
+  const auto body = pickBody(scenario_->obstacles, ray);
+  SemanticSelection selection = add ? document_.selection() : SemanticSelection{};
+  if (document_.knowledge() && scene_.view().layerVisible(SceneLayer::Places)) {
+    const int place = pickPlace(document_.knowledge()->environment->map, ray, body ? body->distance : 1e9);
+    if (place != kNoPlace && !selection.places.remove(place)) selection.places.insert(place);
+  } else if (body) {
+    const QString id = QString::fromStdString(scenario_->obstacles[body->body].id);
+    if (!selection.bodies.remove(id)) selection.bodies.insert(id);
+  }
+  document_.select(selection);
+}
+
+bool EnvironmentController::eventFilter(QObject* watched, QEvent* event) {
+  const auto* mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease
+                          ? static_cast<QMouseEvent*>(event)
+                          : nullptr;
+  if (mouse != nullptr && mouse->button() == Qt::LeftButton) {
+    if (event->type() == QEvent::MouseButtonPress) {
+      pressed_ = mouse->localPos();
+    } else if ((mouse->localPos() - pressed_).manhattanLength() < kClickPixels) {
+      pick(mouse->localPos(), mouse->modifiers().testFlag(Qt::ControlModifier));
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void EnvironmentController::toggleForbidden() {
+  const SemanticModel* semantics = document_.semantics();
+  bool all = true;
+  for (const int place : document_.selection().places) {
+    all = all && std::get<bool>(semantics->ofPlace(static_cast<std::size_t>(place), "forbidden").value);
+  }
+  SemanticSelection places;
+  places.places = document_.selection().places;
+  (void)document_.setAttribute(places, "forbidden", all ? std::nullopt : std::optional<AttributeValue>(true));
+}
+
+void EnvironmentController::togglePreferred() {
+  const SemanticModel* semantics = document_.semantics();
+  bool all = true;
+  for (const int place : document_.selection().places) {
+    all = all && std::get<double>(semantics->ofPlace(static_cast<std::size_t>(place), "preference").value) > 1.0;
+  }
+  SemanticSelection places;
+  places.places = document_.selection().places;
+  (void)document_.setAttribute(places, "preference", all ? std::nullopt : std::optional<AttributeValue>(kPreferred));
+}
+
+void EnvironmentController::setMilestone(bool here) {
+  const auto step = plan_->currentStep();
+  if (!step || !snapshot_ || shownPlan_->steps[*step].border < 0) return;
+  document_.setMilestone(shownPlan_->steps[*step].border,
+                         here ? std::optional<Pose>(snapshot_->device.q_device) : std::nullopt);
+}
+
+void EnvironmentController::enableActions() {
+  const auto enable = [this](const char* id, bool enabled) { actions_[QLatin1String(id)]->setEnabled(enabled); };
+  const bool places = document_.semantics() != nullptr && !document_.selection().places.isEmpty();
+  const auto step = plan_->currentStep();
+  const bool border = step && shownPlan_ && shownPlan_->steps[*step].border >= 0;
+  enable("environment.build", scenario_ != nullptr);
+  enable("attribute.add", scenario_ != nullptr);
+  enable("place.forbid", places);
+  enable("place.prefer", places);
+  enable("milestone.set", border);
+  enable("milestone.reset", border);
+  enable("edit.undo", document_.undoStack().canUndo());
+  enable("edit.redo", document_.undoStack().canRedo());
+}
+
+}  // namespace glissade

@@ -1,0 +1,123 @@
+#include "app/window/environment_script.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTreeWidget>
+
+#include "app/window/environment_controller.h"
+#include "engine/base/number_text.h"
+
+namespace glissade {
+namespace {
+
+Diagnostic usage(const std::string& reason, const std::string& advice = "") {
+  return {ErrorKind::MalformedInput, "", "", reason, advice};
+}
+
+Diagnostic unmet(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
+
+/// "yes", "no", a number, or any text.
+AttributeValue valueOf(const std::string& text) {
+  if (text == "yes" || text == "no") return text == "yes";
+  if (const auto number = toNumber(text)) return *number;
+  return text;
+}
+
+}  // namespace
+
+std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command) {
+  const auto& words = command.arguments;
+  if (command.name == "select") return select(words[0], words[1]);
+  if (command.name == "click") return click(words[0], words[1]);
+  if (command.name == "attribute") return setAttribute(words[0], words[1]);
+  if (command.name == "define") return define(words[0], words[1], words[2]);
+  if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
+  if (command.name == "expect-way") return expectWay(words[0]);
+  return std::nullopt;
+}
+
+Outcome EnvironmentScript::select(const std::string& kind, const std::string& name) {
+  SemanticDocument& document = window_.environment().document();
+  SemanticSelection selection;
+  if (kind == "body") {
+    selection.bodies.insert(QString::fromStdString(name));
+  } else if (kind == "step") {
+    auto* steps = window_.environment().planPanel()->findChild<QTreeWidget*>(QStringLiteral("steps"));
+    const auto number = toNumber(name);
+    QTreeWidgetItem* item = number ? steps->topLevelItem(static_cast<int>(*number) - 1) : nullptr;
+    if (item == nullptr) return usage("there is no step '" + name + "'");
+    steps->setCurrentItem(item);
+    return Done{};
+  } else if (kind == "place" && document.semantics() != nullptr) {
+    for (std::size_t place = 0; place < document.semantics()->placeCount(); ++place) {
+      if (document.semantics()->placeName(place) == name) selection.places.insert(static_cast<int>(place));
+    }
+  }
+  if (selection == SemanticSelection{})
+    return usage("there is no " + kind + " '" + name + "'", "Find the places first.");
+  document.select(selection);
+  return Done{};
+}
+
+Outcome EnvironmentScript::click(const std::string& x, const std::string& y) {
+  const auto px = toNumber(x);
+  const auto py = toNumber(y);
+  if (!px || !py) return usage("a click needs two numbers");
+  const QPointF at(*px, *py);
+  for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, at, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.scene().widget(), &event);
+  }
+  return Done{};
+}
+
+Outcome EnvironmentScript::setAttribute(const std::string& name, const std::string& value) {
+  SemanticDocument& document = window_.environment().document();
+  if (document.selection() == SemanticSelection{})
+    return usage("nothing is selected", "Select a place or a body first.");
+  return document.setAttribute(document.selection(), name,
+                               value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
+}
+
+Outcome EnvironmentScript::define(const std::string& name, const std::string& type, const std::string& owner) {
+  AttributeDefinition definition;
+  const auto known = attributeTypeByName(type);
+  if (!known) return usage("there is no type '" + type + "'");
+  definition.name = definition.label = name;
+  definition.type = *known;
+  definition.owner = owner == "body" ? AttributeOwner::Body : AttributeOwner::Place;
+  definition.initial = initialValue(definition);
+  return window_.environment().document().addDefinition(definition);
+}
+
+Outcome EnvironmentScript::expectAttribute(const std::string& name, const std::string& value) {
+  const SemanticDocument& document = window_.environment().document();
+  const auto check = [&](const ProvenValue& found) -> Outcome {
+    if (toText(found.value) == value) return Done{};
+    return unmet("'" + name + "' is " + toText(found.value) + ", not " + value);
+  };
+  const bool ofPlaces = !document.selection().places.isEmpty();
+  const AttributeOwner owner = ofPlaces ? AttributeOwner::Place : AttributeOwner::Body;
+  if (document.table().find(owner, name) == nullptr) return usage("there is no attribute '" + name + "'");
+  for (const int place : document.selection().places) {
+    const Outcome met = check(document.semantics()->ofPlace(static_cast<std::size_t>(place), name));
+    if (!met) return met;
+  }
+  if (ofPlaces) return Done{};
+  for (const QString& body : document.selection().bodies) {
+    const Outcome met = check(document.bodyValue(body, name));
+    if (!met) return met;
+  }
+  return Done{};
+}
+
+Outcome EnvironmentScript::expectWay(const std::string& names) {
+  std::string way;
+  if (const CoarsePlanPtr& plan = window_.environment().shownPlan()) {
+    for (const TopologicalStep& step : plan->steps) way += (way.empty() ? "" : ",") + step.placeName;
+  }
+  if (way == names) return Done{};
+  return unmet("the coarse path leads through " + (way.empty() ? "nothing" : way) + ", not " + names);
+}
+
+}  // namespace glissade
