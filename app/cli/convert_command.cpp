@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "engine/base/file.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -10,6 +11,13 @@ namespace {
 
 bool endsWith(const std::string& text, const std::string& ending) {
   return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+/// Whether a file says of itself that it is a scenario.
+bool saysScenario(const std::string& file) {
+  constexpr std::size_t kMostBytes = 16U << 20;
+  const auto text = readFile(file, kMostBytes);
+  return text && text->find("\"glissade-scenario\"") != std::string::npos;
 }
 
 int finish(const Outcome& outcome, const ConvertOptions& options) {
@@ -50,8 +58,8 @@ int convertScenario(const ConvertOptions& options) {
 }  // namespace
 
 int runConvert(const ConvertOptions& options) {
-  const bool scenario = endsWith(options.input, ".cfg") || endsWith(options.output, "scenario.json");
-  return scenario ? convertScenario(options) : convertPath(options);
+  return endsWith(options.input, ".cfg") || saysScenario(options.input) ? convertScenario(options)
+                                                                        : convertPath(options);
 }
 
 }  // namespace glissade::cli

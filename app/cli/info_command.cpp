@@ -4,6 +4,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/environment_report.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -77,8 +78,15 @@ int runInfo(const InfoOptions& options) {
   const auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
+  SceneKnowledgePtr knowledge;
+  if (options.places) {
+    const auto built = buildSceneKnowledge(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);
+    if (!built) return reportError(built.error(), options.format);
+    knowledge = *built;
+  }
   if (options.format == Format::Text) {
     printText(*loaded);
+    if (knowledge) printEnvironment(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
     return 0;
   }
   const Scenario& scenario = loaded->scenario;
@@ -100,6 +108,9 @@ int runInfo(const InfoOptions& options) {
   report["seed"] = scenario.seed;
   for (const ParameterSpec& spec : parameterTable()) {
     report["parameters"][std::string(spec.key)] = loaded->parameters[spec.id];
+  }
+  if (knowledge) {
+    report["environment"] = toJson(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
   }
   std::cout << report.dump(2) << "\n";
   return 0;

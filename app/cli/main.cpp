@@ -64,6 +64,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and what the meshes are worth");
   info->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
   addFormat(*info, options.format);
   return info;
 }

@@ -27,6 +27,34 @@ std::string status(const SessionSnapshot& end) {
   }
 }
 
+const char* name(StepResult result) {
+  switch (result) {
+    case StepResult::Pending: return "pending";
+    case StepResult::Running: return "running";
+    case StepResult::Solved: return "solved";
+    case StepResult::Failed: return "failed";
+  }
+  return "";
+}
+
+Json toJson(const CoarsePlan& plan) {
+  Json steps = Json::array();
+  for (const TopologicalStep& step : plan.steps) {
+    steps.push_back({{"place", step.placeName},
+                     {"to", step.borderName},
+                     {"planner", step.planner},
+                     {"geometrical", step.geometrical},
+                     {"why", step.why},
+                     {"random_configurations", step.randomConfigurations},
+                     {"result", name(step.result)}});
+  }
+  return {{"attempt", plan.attempt},
+          {"cost", plan.cost},
+          {"coarse_configurations", plan.coarseConfigurations},
+          {"fine_configurations", plan.fineConfigurations},
+          {"steps", steps}};
+}
+
 Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
   const PlannerCounts& counts = end.counts;
   Json report;
@@ -55,6 +83,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
     report["path"] = nullptr;
     report["certificate"] = nullptr;
   }
+  if (end.coarsePlan) report["coarse_plan"] = toJson(*end.coarsePlan);
   for (const ParameterSpec& spec : parameterTable()) {
     report["parameters"][std::string(spec.key)] = end.parameters[spec.id];
   }
@@ -71,6 +100,13 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world) {
             << "nodes " << counts.nodes << ", edges " << counts.edges << ", configurations: random "
             << counts.randomConfigurations << ", operator " << counts.operatorConfigurations << ", contact "
             << counts.contactConfigurations << "\n";
+  if (end.coarsePlan) {
+    std::cout << "coarse path " << end.coarsePlan->attempt << ":\n";
+    for (const TopologicalStep& step : end.coarsePlan->steps) {
+      std::cout << "  " << step.placeName << " to " << step.borderName << ": " << name(step.result) << ", "
+                << step.randomConfigurations << " random configurations (" << step.why << ")\n";
+    }
+  }
   if (!end.path) return;
   std::cout << "path of " << end.path->points.size() << " configurations, " << end.path->length() << " m, "
             << end.path->rotation() << " rad\n"

@@ -88,7 +88,10 @@ void EnvironmentController::open(const ScenarioPtr& scenario) {
   plan_->setPlan(nullptr);
   document_.open(scenario);
   const bool saysSomething = !scenario->scenario.places.empty();
-  if (isMultiLayer(scenario->scenario.planner) || saysSomething) build();
+  if (isMultiLayer(scenario->scenario.planner) || saysSomething) {
+    emit wanted();
+    build();
+  }
   enableActions();
 }
 

@@ -37,6 +37,8 @@ class EnvironmentController final : public QObject {
 
  signals:
   void failed(const glissade::Diagnostic& why);
+  /// The scenario is about places: their panels should be seen.
+  void wanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

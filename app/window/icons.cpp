@@ -66,6 +66,31 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.drawPolyline(QPolygonF({{2, 9}, {2, 14}, {14, 14}, {14, 9}}));
          arrow(p, {8, 10}, {8, 2});
        }},
+      {"file.save",
+       [](QPainter& p) {
+         p.drawPolygon(QPolygonF({{2, 2}, {11.5, 2}, {14, 4.5}, {14, 14}, {2, 14}}));
+         p.drawRect(QRectF(5, 2, 5, 3.5));
+         p.fillRect(QRectF(4.5, 8.5, 7, 5.5), p.pen().color());
+       }},
+      {"edit.undo",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{6, 2.5}, {2.5, 6}, {6, 9.5}}));
+         p.drawLine(QPointF(2.5, 6), QPointF(10, 6));
+         p.drawArc(QRectF(6, 6, 7.5, 7.5), -90 * 16, 180 * 16);
+       }},
+      {"edit.redo",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{10, 2.5}, {13.5, 6}, {10, 9.5}}));
+         p.drawLine(QPointF(13.5, 6), QPointF(6, 6));
+         p.drawArc(QRectF(2.5, 6, 7.5, 7.5), 90 * 16, 180 * 16);
+       }},
+      {"environment.build",
+       [](QPainter& p) {
+         p.drawRect(QRectF(2, 2, 12, 12));
+         p.drawLine(QPointF(8, 2), QPointF(8, 14));
+         p.drawLine(QPointF(2, 8), QPointF(14, 8));
+         p.fillRect(QRectF(8, 2, 6, 6), p.pen().color());
+       }},
       {"run.start",
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));

@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/window/environment_controller.h"
@@ -82,9 +83,15 @@ MainWindow::~MainWindow() {
   scene_->widget()->setParent(nullptr);
 }
 
-QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area) {
+QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area,
+                                  Scrolling scrolling) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QLatin1String(id));
+  addDockWidget(area, dock);
+  if (scrolling == Scrolling::Own) {
+    dock->setWidget(content);
+    return dock;
+  }
   auto* scroll = new QScrollArea(dock);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -93,7 +100,6 @@ QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget*
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   scroll->setMinimumWidth(content->minimumSizeHint().width() + 2 * bar);
   dock->setWidget(scroll);
-  addDockWidget(area, dock);
   return dock;
 }
 
@@ -107,16 +113,32 @@ void MainWindow::makePanels() {
   QDockWidget* counts = addPanel(tr("Run"), "run", counts_, Qt::RightDockWidgetArea);
   QDockWidget* path = addPanel(tr("Path"), "path", path_, Qt::RightDockWidgetArea);
   QDockWidget* semantics =
-      addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), Qt::RightDockWidgetArea);
-  QDockWidget* plan = addPanel(tr("Plan"), "plan", environment_->planPanel(), Qt::RightDockWidgetArea);
-  // Two columns of tabs would be too wide for small screens: what belongs together shares a place.
+      addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), Qt::RightDockWidgetArea, Scrolling::Own);
+  QDockWidget* plan = addPanel(tr("Plan"), "plan", environment_->planPanel(), Qt::RightDockWidgetArea, Scrolling::Own);
+  // What is looked at by turns shares a place: small screens have no room for six panels.
   tabifyDockWidget(scene, semantics);
   tabifyDockWidget(counts, plan);
+  tabifyDockWidget(plan, path);
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  scene->raise();
-  counts->raise();
+  const auto bringUp = [this](const char* id, QDockWidget* dock) {
+    connect((*actions_)[QLatin1String(id)], &QAction::triggered, dock, [dock] {
+      dock->show();
+      dock->raise();
+    });
+  };
+  bringUp("panel.scene", scene);
+  bringUp("panel.semantics", semantics);
+  bringUp("panel.run", counts);
+  bringUp("panel.plan", plan);
+  bringUp("panel.path", path);
+  (*actions_)["panel.scene"]->trigger();
+  (*actions_)["panel.run"]->trigger();
   resizeDocks({interaction, scene}, {270, 340}, Qt::Horizontal);
-  resizeDocks({scene, counts, path}, {220, 250, 150}, Qt::Vertical);
+  resizeDocks({scene, counts}, {380, 240}, Qt::Vertical);
+  connect(environment_, &EnvironmentController::wanted, this, [this] {
+    (*actions_)["panel.semantics"]->trigger();
+    (*actions_)["panel.plan"]->trigger();
+  });
   connect(&environment_->document().undoStack(), &QUndoStack::cleanChanged, this, [this] { showTitle(); });
   connect(environment_, &EnvironmentController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("The places cannot be found"), why);
@@ -157,6 +179,8 @@ void MainWindow::makeMenus() {
   fill(view, "view.");
   fill(view->addMenu(tr("&Layers")), "layer.");
   QMenu* panels = view->addMenu(tr("&Panels"));
+  fill(panels, "panel.");
+  panels->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
   fill(menuBar()->addMenu(tr("&Help")), "help.");
 
@@ -172,6 +196,12 @@ void MainWindow::makeMenus() {
     } else {
       bar->addAction((*actions_)[QLatin1String(id)]);
     }
+  }
+  // Cubes and arrows speak for themselves; words there would push other buttons off small screens.
+  for (const char* id :
+       {"edit.undo", "edit.redo", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
+    auto* button = qobject_cast<QToolButton*>(bar->widgetForAction((*actions_)[QLatin1String(id)]));
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
 }
 
@@ -278,13 +308,15 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
 
 void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   if (!scenario_) return;
-  snapshot_ = snapshot;
   scene_->view().setSnapshot(snapshot);
   scene_->refresh();
   interaction_->setSnapshot(*snapshot);
   interaction_->setDevice(bridge_->deviceId());
   counts_->setSnapshot(*snapshot, *scenario_);
+  const bool justSolved = snapshot->path && (!snapshot_ || snapshot_->path != snapshot->path);
+  if (justSolved && !snapshot->coarsePlan) (*actions_)["panel.path"]->trigger();
   path_->setPath(snapshot->path, *scenario_);
+  snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
   status_->setText(statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")

@@ -52,7 +52,10 @@ class MainWindow final : public QMainWindow {
   void makeMenus();
   void connectActions();
   void connectViewActions();
-  QDockWidget* addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area);
+  /// Panels of fixed rows are scrolled as a whole; those with lists scroll these.
+  enum class Scrolling { Whole, Own };
+  QDockWidget* addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area,
+                        Scrolling scrolling = Scrolling::Whole);
   void showSnapshot(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void publishOperatorFrame();

@@ -57,6 +57,7 @@ QWidget* AttributeEditor::makeCheckBox() {
     const QSignalBlocker block(box);
     box->setTristate(!value);
     const bool* flag = value ? std::get_if<bool>(&*value) : nullptr;
+    box->setText(!value ? kDiffers : flag != nullptr && *flag ? tr("yes") : tr("no"));
     box->setCheckState(!value ? Qt::PartiallyChecked : flag != nullptr && *flag ? Qt::Checked : Qt::Unchecked);
   };
   return box;

@@ -70,7 +70,6 @@ void AttributeView::addRow(const AttributeDefinition& definition) {
   auto* editor = new AttributeEditor(definition);
   setItemWidget(item, 1, editor);
   auto* reset = new QToolButton;
-  reset->setText(QStringLiteral("↺"));
   reset->setAutoRaise(true);
   reset->setToolTip(tr("Take the edit back: the computed value again"));
   setItemWidget(item, 3, reset);
@@ -112,7 +111,8 @@ void AttributeView::showValues(Row& row) {
   QFont font = row.item->font(2);
   font.setBold(anyEdited);
   row.item->setFont(2, font);
-  row.reset->setVisible(anyEdited);
+  row.reset->setEnabled(anyEdited);
+  row.reset->setText(anyEdited ? QStringLiteral("↺") : QString());
 }
 
 }  // namespace glissade

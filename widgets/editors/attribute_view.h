@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QToolButton>
 #include <QTreeWidget>
 #include <vector>
 
@@ -29,7 +30,7 @@ class AttributeView final : public QTreeWidget {
     std::string attribute;
     AttributeEditor* editor;
     QTreeWidgetItem* item;
-    QWidget* reset;
+    QToolButton* reset;
   };
 
   void refresh();

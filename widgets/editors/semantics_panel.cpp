@@ -42,10 +42,10 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   splitter->addWidget(tree_);
   splitter->addWidget(attributes_);
   splitter->setChildrenCollapsible(false);
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 2);
-  tree_->setMinimumHeight(110);
-  attributes_->setMinimumHeight(110);
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 1);
+  tree_->setMinimumHeight(80);
+  attributes_->setMinimumHeight(80);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);

@@ -80,11 +80,15 @@ void PlanPanel::setPlan(const CoarsePlanPtr& plan) {
     return;
   }
   const QLocale locale;
-  summary_->setText(tr("Coarse path %1, cost %2; random configurations: coarse %3, fine %4")
-                        .arg(plan_->attempt)
-                        .arg(locale.toString(plan_->cost, 'f', 2))
-                        .arg(locale.toString(static_cast<qulonglong>(plan_->coarseConfigurations)),
-                             locale.toString(static_cast<qulonglong>(plan_->fineConfigurations))));
+  if (plan_->attempt == 0) {
+    summary_->setText(tr("Coarse path of cost %1, not tried yet").arg(locale.toString(plan_->cost, 'f', 2)));
+  } else {
+    summary_->setText(tr("Coarse path %1, cost %2; random configurations: coarse %3, fine %4")
+                          .arg(plan_->attempt)
+                          .arg(locale.toString(plan_->cost, 'f', 2))
+                          .arg(locale.toString(static_cast<qulonglong>(plan_->coarseConfigurations)),
+                               locale.toString(static_cast<qulonglong>(plan_->fineConfigurations))));
+  }
   while (steps_->topLevelItemCount() > static_cast<int>(plan_->steps.size())) {
     delete steps_->takeTopLevelItem(steps_->topLevelItemCount() - 1);
   }

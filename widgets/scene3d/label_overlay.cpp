@@ -44,7 +44,7 @@ void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
     const QString text = QString::fromStdString(label.text);
     QRectF box = metrics.boundingRect(text);
     box.adjust(-5, -2, 5, 2);
-    box.moveCenter(*at);
+    box.moveCenter(*at + QPointF(0, label.below ? box.height() : 0));
     QColor ground = palette().color(label.strong ? QPalette::Highlight : QPalette::Base);
     ground.setAlphaF(label.strong ? 0.95 : 0.75);
     painter.setPen(Qt::NoPen);

@@ -248,7 +248,7 @@ std::vector<SceneLabel> SceneView::labels() const {
   for (std::size_t i = 2; i < graph.nodes.size(); ++i) {
     std::ostringstream cost;
     cost << std::setprecision(3) << graph.nodes[i].cost;
-    if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, cost.str(), false});
+    if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, cost.str(), false, true});
   }
   return labels;
 }

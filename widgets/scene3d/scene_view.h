@@ -48,6 +48,7 @@ struct SceneLabel {
   Vector3 p_W;
   std::string text;
   bool strong = false;
+  bool below = false;  ///< written under the point, so that another text has room on it
 };
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on

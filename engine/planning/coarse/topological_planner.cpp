@@ -128,6 +128,23 @@ const TopologicalGraph::Edge& edgeBetween(const TopologicalGraph& graph, int fro
   return *best;
 }
 
+namespace {
+
+/// "B1-6" between P1 and P6, whatever the user calls them otherwise; a letter tells several apart.
+std::string borderName(const TopologicalMap& map, const SemanticModel& semantics, int border) {
+  const Border& b = map.borders[static_cast<std::size_t>(border)];
+  const auto shortName = [&](int place) {
+    const std::string& name = semantics.placeName(static_cast<std::size_t>(place));
+    const bool number = name.size() > 1 && name.front() == 'P' && name.find_first_not_of("0123456789", 1) == name.npos;
+    return number ? name.substr(1) : name;
+  };
+  const char last = b.name.back();
+  const std::string letter = last >= 'a' && last <= 'z' ? std::string(1, last) : std::string();
+  return "B" + shortName(b.placeA) + "-" + shortName(b.placeB) + letter;
+}
+
+}  // namespace
+
 CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
                           const Vector3& start, const Vector3& goal, const LearntCosts& learnt) {
   CoarsePlan plan;
@@ -143,7 +160,7 @@ CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semant
     step.place = edge.place;
     step.border = node.border;
     step.placeName = semantics.placeName(static_cast<std::size_t>(edge.place));
-    step.borderName = node.border < 0 ? "G" : map.borders[static_cast<std::size_t>(node.border)].name;
+    step.borderName = node.border < 0 ? "G" : borderName(map, semantics, node.border);
     plan.steps.push_back(std::move(step));
   }
   return plan;
