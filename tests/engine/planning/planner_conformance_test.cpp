@@ -51,6 +51,7 @@ TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
   const Problem problem = windowProblem();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     TestHost host(problem);
+    ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));  // those that give up do it soon
     const auto planner = make(problem, seed);
     const bool solved = planner->solve(host);
     if (!complete() && !solved) {
