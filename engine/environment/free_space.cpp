@@ -38,12 +38,13 @@ Box3 CellGrid::box(std::size_t cell) const {
 
 std::optional<std::size_t> CellGrid::find(const Vector3& p_W) const {
   const Vector3 scaled = (p_W - frame.origin) / cellSize();
+  constexpr double kRounding = 1e-9;
   std::array<int, 3> c{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double index = std::floor(scaled[axis]);
     const auto a = static_cast<std::size_t>(axis);
-    if (!(index >= 0.0 && index <= counts[a])) return std::nullopt;
-    c[a] = std::min(static_cast<int>(index), counts[a] - 1);  // a point on the far face belongs to the last cell
+    if (!(scaled[axis] >= 0.0 && scaled[axis] <= counts[a] + kRounding)) return std::nullopt;
+    // A point on the far face belongs to the last cell.
+    c[a] = std::min(static_cast<int>(scaled[axis]), counts[a] - 1);
   }
   return at(c[0], c[1], c[2]);
 }

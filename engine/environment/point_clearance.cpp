@@ -49,16 +49,16 @@ Vector3 PointClearance::widestNear(const Vector3& p_W, double step) const {
   double widest = (*this)(best);
   for (double s = step; s > step / 64.0;) {
     bool better = false;
-    for (int axis = 0; axis < 3; ++axis) {
-      for (const double sign : {-1.0, 1.0}) {
-        const Vector3 next = best + sign * s * Vector3::Unit(axis);
-        if ((next - about_).norm() > reach_ / 2.0) continue;
-        const double clearance = (*this)(next);
-        if (clearance <= widest * (1.0 + 1e-9)) continue;
-        widest = clearance;
-        best = next;
-        better = true;
-      }
+    // Diagonals, too: between two walls at a right angle no axis alone leads uphill.
+    for (int direction = 0; direction < 27; ++direction) {
+      const Vector3 way(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
+      const Vector3 next = best + s * way;
+      if ((next - about_).norm() > reach_ / 2.0) continue;
+      const double clearance = (*this)(next);
+      if (clearance <= widest * (1.0 + 1e-9)) continue;
+      widest = clearance;
+      best = next;
+      better = true;
     }
     if (!better) s /= 2.0;
   }

@@ -37,7 +37,7 @@ bool DirectPlanner::solve(PlannerHost& host) {
                                      host.parameters()[ParameterId::RequiredClearance], host.stopToken());
       if (path.certificate.status == CertificateStatus::Certified) {
         path_ = std::move(path);
-      } else {
+      } else if (!host.stopToken().stopRequested()) {
         giveUp("the direct way to the goal is not free");
       }
     }

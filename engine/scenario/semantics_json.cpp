@@ -31,7 +31,10 @@ namespace {
 EnvironmentOptions readEnvironment(const JsonCursor& at) {
   at.allowOnly({"cell_size", "memory", "topology_level", "places"});
   EnvironmentOptions options;
-  if (const auto size = at.find("cell_size")) options.cellSize = size->number();
+  if (const auto size = at.find("cell_size")) {
+    options.cellSize = size->number();
+    if (options.cellSize < 0.0) size->fail("is below zero", "Give metres, or 0 for as fine as the memory allows.");
+  }
   if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
   if (const auto level = at.find("topology_level")) {
     const std::uint64_t value = level->wholeNumber();

@@ -37,6 +37,8 @@ using Values = std::vector<RuleValue>;
 
 /// Deeper nesting is refused: it would be no rule that a person reads.
 constexpr int kDeepest = 64;
+/// Longer texts are refused as well: a chain of operations is as deep a tree as it is long.
+constexpr std::size_t kLongest = 4096;
 
 double numberOf(const RuleValue& value) {
   const double* number = std::get_if<double>(&value);
@@ -281,11 +283,15 @@ class Parser {
 }  // namespace
 
 Result<Expression> Expression::parse(const std::string& text, const std::function<bool(const std::string&)>& known) {
+  if (text.size() > kLongest) {
+    return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(kLongest + 1), "the rule is too long",
+                      "Use at most " + std::to_string(kLongest) + " characters."};
+  }
   try {
     return Expression(text, Parser(text, known).parse());
   } catch (const SyntaxError& error) {
     return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(error.position + 1), error.reason,
-                      "Correct the rule: " + text};
+                      "Correct the rule: " + (text.size() > 200 ? text.substr(0, 200) + "..." : text)};
   }
 }
 

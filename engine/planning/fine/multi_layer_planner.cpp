@@ -86,6 +86,7 @@ void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
   const std::vector<MilestoneEdit> before = edits_ ? edits_->milestones : std::vector<MilestoneEdit>{};
   edits_ = std::move(now);
   semantics_.reset();
+  parsed_.reset();  // an attribute that the rules name may be gone
   if (before != edits_->milestones) {
     milestones_.clear();
     crossed_.clear();

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -31,6 +34,76 @@ TEST(NearestNeighbours, AgreesWithThePlainMinimumAlsoForNearlyEqualOrientations)
     EXPECT_EQ(found->distance, best);
     EXPECT_EQ(metric.distance(poses[found->index], q), best);
   }
+}
+
+/// The grid over positions, of which 2048 configurations are the first, finds what a plain scan finds.
+class ManyNeighbours : public testing::Test {
+ protected:
+  void add(const Pose& q) {
+    neighbours.add(static_cast<std::uint32_t>(poses.size()), q);
+    poses.push_back(q);
+  }
+  void expectAsPlain(const Pose& q) const {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const double distance = metric.distance(poses[i], q);
+      if (distance * distance >= least) continue;
+      least = distance * distance;
+      best = i;
+    }
+    const auto found = neighbours.nearest(q);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->index, best);
+    EXPECT_EQ(found->distance, metric.distance(poses[best], q));
+  }
+
+  Se3Metric metric{0.7};
+  NearestNeighbours neighbours{metric};
+  std::vector<Pose> poses;
+  RandomStream stream{23, "many"};
+};
+
+TEST_F(ManyNeighbours, AgreeWithAPlainScanAlsoOutsideTheGridAndAmongEquals) {
+  while (poses.size() < 10000) {
+    const std::size_t n = poses.size();
+    Pose q = randomPose(stream, 1.0);
+    if (n % 5 == 1) q = poses[n / 2];    // a twin, to be passed over
+    if (n % 5 == 2) q.position *= 0.01;  // crowded about the origin
+    if (n % 5 == 3) q.orientation = poses[0].orientation;
+    if (n > 9000 && n % 5 == 4) q.position *= 10.0;  // outside the box that the grid was laid over
+    add(q);
+  }
+  for (int trial = 0; trial < 300; ++trial) {
+    Pose q = randomPose(stream, trial % 3 == 0 ? 12.0 : 1.0);
+    if (trial % 3 == 1) q = poses[static_cast<std::size_t>(stream.uniform(0, 10000))];
+    if (trial % 7 == 0) q.position *= 0.01;
+    expectAsPlain(q);
+  }
+}
+
+TEST_F(ManyNeighbours, AgreeWithAPlainScanOnALatticeOfEquals) {
+  for (int i = 0; i < 3 * 18 * 18 * 18; ++i) {
+    add(Pose::translation(Vector3(i % 18, i / 18 % 18, i / 324 % 18)));  // three at every point
+  }
+  for (int trial = 0; trial < 300; ++trial) {
+    Vector3 p(std::floor(stream.uniform(-3, 21)), std::floor(stream.uniform(0, 18)), std::floor(stream.uniform(0, 18)));
+    if (trial % 2 == 0) p += Vector3::Constant(0.5);  // as far from eight points
+    expectAsPlain(Pose::translation(p));
+  }
+}
+
+TEST_F(ManyNeighbours, AgreeWithAPlainScanOnAPlaneAndInAPoint) {
+  for (int i = 0; i < 3000; ++i) {
+    Pose q = randomPose(stream, 1.0);
+    q.position.z() = 0.25;
+    add(q);
+  }
+  for (int trial = 0; trial < 100; ++trial) expectAsPlain(randomPose(stream, 1.0));
+  neighbours = NearestNeighbours(metric);
+  poses.clear();
+  for (int i = 0; i < 3000; ++i) add(Pose{Vector3::Ones(), randomPose(stream, 1.0).orientation});
+  for (int trial = 0; trial < 100; ++trial) expectAsPlain(randomPose(stream, 1.0));
 }
 
 TEST(NearestNeighbours, FirstAmongEqualsAndNothingWhenEmpty) {

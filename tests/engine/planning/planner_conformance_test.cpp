@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <set>
 
 #include "engine/planning/planner.h"
@@ -11,26 +12,54 @@
 namespace glissade {
 namespace {
 
-std::vector<std::string> plannerIds() {
-  std::vector<std::string> ids;
-  const PlannerRegistry registry = makePlannerRegistry();
-  for (const PlannerEntry& entry : registry.entries()) ids.push_back(entry.id);
-  return ids;
+/// A planner and the registry that it is in.
+struct Entry {
+  PlannerRegistry (*registry)();
+  std::string name;  ///< of the registry
+  std::string id;
+
+  friend std::ostream& operator<<(std::ostream& stream, const Entry& entry) {
+    return stream << entry.name << ' ' << entry.id;
+  }
+};
+
+std::vector<Entry> allEntries() {
+  std::vector<Entry> all;
+  const auto addFrom = [&](PlannerRegistry (*make)(), const char* name) {
+    const PlannerRegistry registry = make();
+    for (const PlannerEntry& entry : registry.entries()) all.push_back({make, name, entry.id});
+  };
+  addFrom(makePlannerRegistry, "whole");
+  addFrom(makeLocalPlannerRegistry, "local");
+  return all;
 }
 
-class PlannerConformance : public testing::TestWithParam<std::string> {
+/// One tree pair and nothing else: what the first paper's tables count.
+bool growsOneTreePair(const std::string& id) { return id.find("birrt") != std::string::npos; }
+/// Nothing in them is random.
+bool isDeterministic(const std::string& id) { return id == "linear" || id == "potential-field"; }
+
+class PlannerConformance : public testing::TestWithParam<Entry> {
  protected:
   std::unique_ptr<Planner> make(const Problem& problem, std::uint64_t seed = 1) const {
-    return makePlannerRegistry().find(GetParam())->make(problem, seed);
+    return GetParam().registry().find(GetParam().id)->make(problem, seed);
   }
+  bool complete() const { return GetParam().registry().find(GetParam().id)->complete; }
 };
 
 TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
   const Problem problem = windowProblem();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     TestHost host(problem);
+    ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));  // those that give up do it soon
     const auto planner = make(problem, seed);
-    ASSERT_TRUE(planner->solve(host)) << "seed " << seed;
+    const bool solved = planner->solve(host);
+    if (!complete() && !solved) {
+      EXPECT_TRUE(planner->failure()) << "gave up without a word, seed " << seed;
+      EXPECT_EQ(planner->path(), nullptr);
+      continue;
+    }
+    ASSERT_TRUE(solved) << "seed " << seed;
     const Path* path = planner->path();
     ASSERT_NE(path, nullptr);
     EXPECT_EQ(path->points.front().q, problem.start);
@@ -49,15 +78,18 @@ TEST_P(PlannerConformance, CountsAreThoseOfTheRoadmap) {
   const Problem problem = windowProblem();
   TestHost host(problem);
   const auto planner = make(problem);
-  ASSERT_TRUE(planner->solve(host));
+  ASSERT_TRUE(planner->solve(host) || !complete());
   const PlannerCounts& counts = planner->counts();
   EXPECT_EQ(counts.nodes, planner->nodes().size());
   EXPECT_EQ(counts.edges, 2 * (planner->edges().size() - planner->droppedEdges().size()));
-  // One tree pair, nothing dropped: the identity of the papers' tables.
-  ASSERT_EQ(counts.droppedEdges, 0U);
-  EXPECT_EQ(counts.edges, 2 * counts.nodes - 2);
-  EXPECT_EQ(counts.steps, counts.randomConfigurations + counts.operatorConfigurations + counts.contactConfigurations);
+  EXPECT_EQ(counts.droppedEdges, planner->droppedEdges().size());
+  EXPECT_GE(counts.steps, counts.randomConfigurations + counts.operatorConfigurations + counts.contactConfigurations);
   EXPECT_GT(counts.queries.collision + counts.queries.distance, 0U);
+  if (growsOneTreePair(GetParam().id)) {
+    // Nothing dropped: the identity of the papers' tables.
+    ASSERT_EQ(counts.droppedEdges, 0U);
+    EXPECT_EQ(counts.edges, 2 * counts.nodes - 2);
+  }
 }
 
 TEST_P(PlannerConformance, SameSeedGrowsTheSameRoadmapBitByBitHoweverOftenItIsInterrupted) {
@@ -65,23 +97,29 @@ TEST_P(PlannerConformance, SameSeedGrowsTheSameRoadmapBitByBitHoweverOftenItIsIn
   const auto whole = make(problem, 3);
   TestHost host(problem);
   host.sample = operatorAt(problem, Pose::translation({-0.4, 0.1, 0.05}));
-  ASSERT_TRUE(whole->solve(host));
+  const bool solved = whole->solve(host);
+  ASSERT_TRUE(solved || whole->failure());
   const auto pieces = make(problem, 3);
   do {
     host.stepsLeft = 1;
-  } while (!pieces->solve(host));
+  } while (!pieces->solve(host) && !pieces->failure());
+  EXPECT_EQ(pieces->path() != nullptr, solved);
   ASSERT_EQ(whole->nodes().size(), pieces->nodes().size());
   for (std::size_t i = 0; i < whole->nodes().size(); ++i) EXPECT_EQ(whole->nodes()[i].q, pieces->nodes()[i].q);
 }
 
 TEST_P(PlannerConformance, DifferentSeedsGrowDifferentRoadmaps) {
-  const Problem problem = closedProblem();
+  if (isDeterministic(GetParam().id)) GTEST_SKIP() << "draws nothing at random";
+  // Without a way those that plan coarsely draw nothing.
+  const Problem problem = complete() ? closedProblem() : windowProblem();
   std::set<double> seen;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    TestHost host(problem, 20);
+    TestHost host(problem, 40);
     const auto planner = make(problem, seed);
-    EXPECT_FALSE(planner->solve(host));
-    seen.insert(planner->nodes().back().q.position.x());
+    planner->solve(host);
+    double sum = 0.0;
+    for (const RoadmapNode& node : planner->nodes()) sum += node.q.position.x();
+    seen.insert(sum);
   }
   EXPECT_EQ(seen.size(), 4U);
 }
@@ -110,7 +148,10 @@ TEST_P(PlannerConformance, EndsWithoutAPathWhenToldTo) {
   const auto planner = make(problem);
   EXPECT_FALSE(planner->solve(host));
   EXPECT_EQ(planner->path(), nullptr);
-  EXPECT_EQ(planner->counts().steps, 50U);
+  EXPECT_LE(planner->counts().steps, 50U);
+  if (growsOneTreePair(GetParam().id)) {
+    EXPECT_EQ(planner->counts().steps, 50U);
+  }
 }
 
 TEST_P(PlannerConformance, AStopIsSeenInsideAStep) {
@@ -131,18 +172,22 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
   problem.bounds = Box3(Vector3::Constant(-5.0), Vector3::Constant(5.0));
   TestHost host(problem);
   const auto planner = make(problem);
-  ASSERT_TRUE(planner->solve(host));
+  if (!planner->solve(host)) {
+    ASSERT_FALSE(complete());
+    EXPECT_TRUE(planner->failure());
+    return;
+  }
   const Vector3 end = planner->path()->points.back().q.position;
   EXPECT_GE(problem.world->obstaclesBox().exteriorDistance(end), problem.world->objectRadius() - 1e-9);
 }
 
-std::string testName(const testing::TestParamInfo<std::string>& parameter) {
-  std::string name = parameter.param;
+std::string testName(const testing::TestParamInfo<Entry>& parameter) {
+  std::string name = parameter.param.name + "_" + parameter.param.id;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, PlannerConformance, testing::ValuesIn(plannerIds()), testName);
+INSTANTIATE_TEST_SUITE_P(Registries, PlannerConformance, testing::ValuesIn(allEntries()), testName);
 
 }  // namespace
 }  // namespace glissade

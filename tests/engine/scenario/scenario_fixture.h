@@ -27,6 +27,28 @@ inline Scenario boxScenario() {
   return scenario;
 }
 
+/// The user's attributes, one of each type and both owners.
+inline std::vector<AttributeDefinition> ownAttributes() {
+  const auto define = [](const char* name, AttributeType type, AttributeOwner owner, AttributeValue initial) {
+    AttributeDefinition definition;
+    definition.name = definition.label = name;
+    definition.type = type;
+    definition.owner = owner;
+    definition.initial = std::move(initial);
+    return definition;
+  };
+  AttributeDefinition weight = define("weight", AttributeType::Number, AttributeOwner::Body, 1.0 / 3.0);
+  weight.unit = "kg";
+  weight.minimum = 1e-3;
+  weight.maximum = 1e3;
+  weight.description = "Masse – \"lourd\"";
+  AttributeDefinition quality = define("quality", AttributeType::Choice, AttributeOwner::Place, std::string("good"));
+  quality.choices = {"bad", "good"};
+  return {weight, quality, define("fragile", AttributeType::Bool, AttributeOwner::Body, false),
+          define("visits", AttributeType::Integer, AttributeOwner::Place, 2.0),
+          define("remark", AttributeType::Text, AttributeOwner::Place, std::string("none"))};
+}
+
 /// Every key of the format, with numbers that are awkward to print.
 inline Scenario fullScenario() {
   Scenario scenario = boxScenario();
@@ -40,7 +62,7 @@ inline Scenario fullScenario() {
   mesh.geometry = MeshGeometry{"part"};
   mesh.pose = {{0.1, 1.0 / 3.0, -1e-17}, fromRollPitchYaw(0.1, 0.2, 0.3)};
   mesh.colour = Colour{0.25, 0.5, 1.0};
-  mesh.attributes = {{"complexity", 3.0}, {"cluttered", true}, {"shape", std::string("star")}};
+  mesh.attributes = {{"weight", 0.1}, {"fragile", true}, {"shape", std::string("star")}};
   BodyDescription urdf;
   urdf.id = "robot";
   urdf.name = "The robot";
@@ -53,8 +75,20 @@ inline Scenario fullScenario() {
   scenario.object.geometry = SphereGeometry{0.125};
   scenario.goal = GoalOut{};
   scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
-  scenario.planner = "birrt";
+  scenario.planner = "own";
   scenario.parameters = {{ParameterId::Alpha, 0.7}, {ParameterId::ContactSamples, 5}};
+  scenario.environment = {0.1, 1.0 / 3.0, 5, "watershed"};
+  scenario.attributeDefinitions = ownAttributes();
+  scenario.object.attributes = {{"weight", 2.5}};
+  scenario.places = {{{1.0 / 3.0, 0, -0.1}, "Hall", {{"quality", std::string("bad")}, {"compatibility", 0.25}}},
+                     {{2, 0, 0}, "", {{"forbidden", true}}},
+                     {{3, 0, 0}, "Named only", {}}};
+  scenario.milestones = {{{0.7, 0, 0}, mesh.pose}};
+  scenario.rules = StrategyRules{"if(a.quality == \"bad\", size, 0)",
+                                 "distance * (1 + object.weight)",
+                                 {{"place.cluttered", true, "rrt"}, {"1", false, "linear"}},
+                                 true,
+                                 true};
   scenario.seed = 9223372036854775807U;
   return scenario;
 }

@@ -7,7 +7,7 @@
 #include <valijson/validator.hpp>
 
 #include "engine/scenario/run_record.h"
-#include "tests/engine/scenario/broken_scenarios.h"
+#include "tests/engine/scenario/broken_semantics.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -45,6 +45,10 @@ TEST(ScenarioSchema, AcceptsWhatIsWritten) {
   for (const char* name : {"environment-1", "environment-2", "sliding-plane"}) {
     EXPECT_EQ(schema.complaint(test::readWhole(test::sample(name))), "") << name;
   }
+  for (const char* name : {"shape-game/tight-star", "shape-game/paper-like-circle", "pump/mount", "pump/unmount"}) {
+    EXPECT_EQ(schema.complaint(test::readWhole(std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + ".json")), "")
+        << name;
+  }
 }
 
 TEST(ScenarioSchema, KnowsEveryParameter) {
@@ -58,8 +62,10 @@ TEST(ScenarioSchema, KnowsEveryParameter) {
 
 TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
   Schema schema("scenario-1");
-  for (const test::BrokenScenario& row : test::brokenScenarios()) {
-    EXPECT_EQ(schema.complaint(test::broken(row)).empty(), !row.schemaSees) << row.patch;
+  for (const auto& rows : {test::brokenScenarios(), test::brokenSemantics()}) {
+    for (const test::BrokenScenario& row : rows) {
+      EXPECT_EQ(schema.complaint(test::broken(row)).empty(), !row.schemaSees) << row.patch;
+    }
   }
 }
 

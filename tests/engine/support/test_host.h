@@ -16,10 +16,12 @@ class TestHost final : public PlannerHost {
   const ParameterValues& parameters() const override { return values; }
   bool afterStep() override { return --stepsLeft > 0; }
   const StopToken& stopToken() const override { return stop; }
+  SemanticEditsPtr semanticEdits() const override { return edits; }
 
   ParameterValues values;
   std::optional<OperatorSample> sample;
   StopToken stop;
+  SemanticEditsPtr edits;
   std::uint64_t stepsLeft;
 };
 

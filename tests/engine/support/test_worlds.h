@@ -37,6 +37,7 @@ inline Problem windowProblem() {
   problem.start = Pose::translation({-1.5, 0.0, 0.0});
   problem.goal = Pose::translation({1.5, 0.5, 0.5});
   problem.bounds = Box3(Vector3(-2.0, -2.0, -2.0), Vector3(2.0, 2.0, 2.0));
+  problem.scene.environment = {0.125, 16.0, 5, "region-growing"};  // coarse, so that it is built at once
   return problem;
 }
 
