@@ -3,6 +3,7 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/direct_planner.h"
 #include "engine/planning/fine/multi_layer_planner.h"
+#include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/planner.h"
 #include "engine/planning/rrt.h"
 
@@ -40,6 +41,21 @@ void addFirstPapersPlanners(PlannerRegistry& registry) {
                            OperatorUse::GuideAndContact));
   registry.add(
       interactive("birrt", "BiRRT", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
+}
+
+void addOmplPlanners(PlannerRegistry& registry) {
+  const auto add = [&](std::string id, std::string label, std::string description, OmplAlgorithm algorithm) {
+    registry.add({std::move(id), std::move(label), std::move(description), false, true,
+                  [algorithm](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                    return std::make_unique<OmplPlanner>(problem, seed, algorithm);
+                  }});
+  };
+  add("ompl-rrtconnect", "OMPL: RRT-Connect", "Two trees that grow towards each other (Kuffner and LaValle 2000).",
+      OmplAlgorithm::RrtConnect);
+  add("ompl-bkpiece", "OMPL: BKPIECE",
+      "Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).", OmplAlgorithm::Bkpiece);
+  add("ompl-prm", "OMPL: PRM", "A roadmap of the whole space (Kavraki et al. 1996).", OmplAlgorithm::Prm);
+  add("ompl-est", "OMPL: EST", "One tree that grows where it is sparse (Hsu et al. 1999).", OmplAlgorithm::Est);
 }
 
 }  // namespace
@@ -84,6 +100,7 @@ PlannerRegistry makePlannerRegistry() {
                           "Computed compatibility as a score, passages crossed "
                           "where they fit best, and the next best way where one fails."));
   registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
+  addOmplPlanners(registry);
   return registry;
 }
 
@@ -102,6 +119,7 @@ PlannerRegistry makeLocalPlannerRegistry() {
                   return std::make_unique<PotentialFieldPlanner>(problem);
                 }});
   addFirstPapersPlanners(registry);
+  addOmplPlanners(registry);
   return registry;
 }
 

@@ -1,0 +1,237 @@
+#include "engine/planning/ompl/ompl_planner.h"
+
+#include <ompl/base/PlannerData.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/est/EST.h>
+#include <ompl/geometric/planners/kpiece/BKPIECE1.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <algorithm>
+#include <exception>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "engine/base/tolerances.h"
+#include "engine/planning/goal_roots.h"
+#include "engine/planning/ompl/ompl_prm.h"
+#include "engine/planning/ompl/ompl_space.h"
+
+namespace glissade {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+/// Longest edge of the planners that have one, relative to the diagonal of the bounds.
+constexpr double kRange = 0.03;
+/// How many more draws to wait for until nodes are collected: it costs as much as there are nodes.
+constexpr std::uint64_t kCollectEvery = 64;
+constexpr std::uint64_t kCollectFraction = 16;
+
+template <class OmplType>
+ob::PlannerPtr withRange(const ob::SpaceInformationPtr& information, const Problem& problem) {
+  auto planner = std::make_shared<OmplType>(information);
+  planner->setRange(kRange * problem.bounds.diagonal().norm());
+  return planner;
+}
+
+ob::PlannerPtr makePlanner(OmplAlgorithm algorithm, const ob::SpaceInformationPtr& information,
+                           const OmplWorld& world) {
+  switch (algorithm) {
+    case OmplAlgorithm::RrtConnect: return withRange<og::RRTConnect>(information, world.problem);
+    case OmplAlgorithm::Bkpiece: return withRange<og::BKPIECE1>(information, world.problem);
+    case OmplAlgorithm::Prm: return std::make_shared<OmplPrm>(information, world);
+    case OmplAlgorithm::Est: return withRange<og::EST>(information, world.problem);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+/// OMPL's side. Destroyed in reverse order: the planner frees its states through the space.
+struct OmplPlanner::Engine {
+  Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm)
+      : world(problem, seed), twoTrees(algorithm == OmplAlgorithm::RrtConnect || algorithm == OmplAlgorithm::Bkpiece) {
+    // PRM tries again by itself, and looks at its termination condition in between.
+    constexpr unsigned kAttempts = 100;  // OMPL's default
+    const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
+    ompl::msg::noOutputHandler();
+    ompl::RNG::setSeed((RandomStream(seed, "ompl seed").bits() >> 33U) + 1);
+    information = makeSpaceInformation(world, algorithm == OmplAlgorithm::Prm ? 1 : kAttempts);
+    definition = std::make_shared<ob::ProblemDefinition>(information);
+    const ob::ScopedState<> start = scoped(problem.start);
+    definition->addStartState(start);
+    auto goal = std::make_shared<ob::GoalStates>(information);
+    for (const Pose& q : goalRoots(problem, *world.query)) {
+      if (!world.isFree(q)) continue;
+      goals.push_back(q);
+      goal->addState(scoped(q));
+    }
+    goal->setThreshold(1e-9 * world.metric.radius());
+    definition->setGoal(goal);
+    planner = makePlanner(algorithm, information, world);
+    planner->setProblemDefinition(definition);
+    planner->setup();
+  }
+
+  ob::ScopedState<> scoped(const Pose& q) const {
+    ob::ScopedState<> state(information);
+    OmplSpace::setPose(state.get(), q);
+    return state;
+  }
+
+  /// One draw, or one for each tree: OMPL's planners with two begin every call with the start's.
+  ob::PlannerStatus solvePiece() {
+    const int rounds = twoTrees ? 2 : 1;
+    int done = 0;
+    std::uint64_t seen = world.draws;
+    const ob::PlannerTerminationCondition ptc([&] {
+      if (world.stop.stopRequested()) return true;
+      if (world.draws != seen) ++done;
+      seen = world.draws;
+      return done >= rounds;
+    });
+    return planner->solve(ptc);
+  }
+
+  void restart() {
+    definition->clearSolutionPaths();
+    planner->clear();
+  }
+
+  OmplWorld world;
+  bool twoTrees;
+  std::vector<Pose> goals;
+  std::unordered_map<std::uint64_t, std::uint32_t> nodeOf;  ///< by the state's serial number
+  std::unordered_set<std::uint64_t> known;                  ///< edges
+  ob::SpaceInformationPtr information;
+  ob::ProblemDefinitionPtr definition;
+  ob::PlannerPtr planner;
+};
+
+OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm) {
+  nodes_.push_back({problem.start, Author::Computer, TreeSide::Start});
+  counts_.nodes = 1;
+  try {
+    engine_ = std::make_unique<Engine>(problem, seed, algorithm);
+    counts_.queries = engine_->world.query->counts();
+    if (engine_->goals.empty()) {
+      fail(ErrorKind::NoPath, "OMPL's planners need a free goal within the bounds, and there is none",
+           "Widen the bounds, or give another goal.");
+    }
+  } catch (const std::exception& error) {
+    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
+  }
+}
+
+OmplPlanner::~OmplPlanner() = default;
+
+void OmplPlanner::fail(ErrorKind kind, const std::string& reason, const std::string& advice) {
+  failure_ = Diagnostic{kind, "", "", reason, advice};
+}
+
+bool OmplPlanner::solve(PlannerHost& host) {
+  try {
+    while (owedSteps_ > 0 || (!path_ && !failure_)) {
+      if (owedSteps_ == 0) grow(host);
+      --owedSteps_;
+      ++counts_.steps;
+      if (!host.afterStep()) break;
+    }
+    if (engine_) collect();
+  } catch (const std::exception& error) {
+    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
+  }
+  return path_.has_value();
+}
+
+void OmplPlanner::grow(PlannerHost& host) {
+  OmplWorld& world = engine_->world;
+  world.growthStep = host.parameters()[ParameterId::GrowthStep];
+  world.stop = host.stopToken();
+  const std::uint64_t before = world.draws;
+  ++counts_.iterations;
+  const ob::PlannerStatus status = engine_->solvePiece();
+  if (status == ob::PlannerStatus::INVALID_START || status == ob::PlannerStatus::INVALID_GOAL) {
+    fail(ErrorKind::NoPath, "OMPL's planner was given no free start within the bounds", "Widen the bounds.");
+  }
+  if (engine_->definition->hasExactSolution()) deliverPath(host);
+  engine_->definition->clearSolutionPaths();  // approximate ones: every piece leaves one
+  owedSteps_ = std::max<std::uint64_t>(1, world.draws - before);
+  counts_.randomConfigurations = world.draws;
+  counts_.queries = world.query->counts();
+  if (world.draws >= nextCollection_ || path_) {
+    collect();
+    nextCollection_ = world.draws + std::max(std::min(world.draws, kCollectEvery), world.draws / kCollectFraction) + 1;
+  }
+}
+
+void OmplPlanner::deliverPath(PlannerHost& host) {
+  const OmplWorld& world = engine_->world;
+  const auto solution = std::static_pointer_cast<og::PathGeometric>(engine_->definition->getSolutionPath());
+  Path path;
+  for (const ob::State* state : solution->getStates())
+    path.points.push_back({OmplSpace::poseOf(state), Author::Computer});
+  // OMPL copies both ends; within the goal's threshold it may not.
+  const auto nearest = std::min_element(engine_->goals.begin(), engine_->goals.end(),
+                                        [&, end = path.points.back().q](const Pose& a, const Pose& b) {
+                                          return world.metric.distance(a, end) < world.metric.distance(b, end);
+                                        });
+  path.points.front().q = world.problem.start;
+  path.points.back().q = *nearest;
+  path.certificate = certifyPath(*world.query, world.problem.world->object(), path.configurations(),
+                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  if (path.certificate.status == CertificateStatus::Certified) {
+    path_ = std::move(path);
+  } else if (!host.stopToken().stopRequested()) {
+    collect();
+    engine_->restart();
+  }
+}
+
+void OmplPlanner::collect() {
+  ob::PlannerData data(engine_->information);
+  engine_->planner->getPlannerData(data);
+  struct Fresh {
+    std::uint64_t serial;
+    const ob::PlannerDataVertex* vertex;
+  };
+  std::vector<Fresh> fresh;
+  const auto serial = [&](unsigned vertex) { return OmplSpace::serialOf(data.getVertex(vertex).getState()); };
+  for (unsigned vertex = 0; vertex < data.numVertices(); ++vertex) {
+    if (engine_->nodeOf.count(serial(vertex)) > 0) continue;
+    if (data.isStartVertex(vertex)) {
+      engine_->nodeOf[serial(vertex)] = 0;
+    } else {
+      fresh.push_back({serial(vertex), &data.getVertex(vertex)});
+    }
+  }
+  std::sort(fresh.begin(), fresh.end(), [](const Fresh& a, const Fresh& b) { return a.serial < b.serial; });
+  for (const Fresh& node : fresh) {
+    constexpr int kGoalTag = 2;  // in OMPL's planners with two trees
+    const bool goalTree = engine_->twoTrees && node.vertex->getTag() == kGoalTag;
+    engine_->nodeOf[node.serial] = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back(
+        {OmplSpace::poseOf(node.vertex->getState()), Author::Computer, goalTree ? TreeSide::Goal : TreeSide::Start});
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links;  // the later node first
+  std::vector<unsigned> neighbours;
+  for (unsigned vertex = 0; vertex < data.numVertices(); ++vertex) {
+    const std::uint32_t from = engine_->nodeOf.at(serial(vertex));
+    data.getEdges(vertex, neighbours);
+    for (const unsigned neighbour : neighbours) {
+      const std::uint32_t to = engine_->nodeOf.at(serial(neighbour));
+      const std::uint64_t key = (std::uint64_t{std::max(from, to)} << 32U) | std::min(from, to);
+      if (from != to && engine_->known.insert(key).second) links.emplace_back(std::max(from, to), std::min(from, to));
+    }
+  }
+  std::sort(links.begin(), links.end());
+  for (const auto& [later, earlier] : links) edges_.push_back({earlier, later});
+  counts_.nodes = nodes_.size();
+  counts_.edges = 2 * edges_.size();
+}
+
+}  // namespace glissade

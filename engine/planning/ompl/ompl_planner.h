@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+/// The planners of the Open Motion Planning Library (I. A. Sucan, M. Moll, L. E. Kavraki, "The Open
+/// Motion Planning Library", 2012) that are offered by name.
+enum class OmplAlgorithm {
+  RrtConnect,  ///< Kuffner and LaValle 2000
+  Bkpiece,     ///< Sucan and Kavraki 2009, two trees
+  Prm,         ///< Kavraki et al. 1996
+  Est          ///< Hsu et al. 1999
+};
+
+/// One of OMPL's planners behind our interface, with our metric, random configurations, collision
+/// checks along the edges and certificate. OMPL's planner is called in pieces of one or two draws. A
+/// path that fails its certificate makes it start afresh, with random numbers that go on; the nodes
+/// grown so far stay listed.
+/// Deviations: a step of the lockstep clock is a draw, not a configuration kept; what a piece grew is
+/// published every so many draws, in the order in which it grew.
+class OmplPlanner final : public Planner {
+ public:
+  OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm);
+  ~OmplPlanner() override;
+
+  bool solve(PlannerHost& host) override;
+
+  const std::vector<RoadmapNode>& nodes() const override { return nodes_; }
+  const std::vector<RoadmapEdge>& edges() const override { return edges_; }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return dropped_; }
+  const PlannerCounts& counts() const override { return counts_; }
+  const Path* path() const override { return path_ ? &*path_ : nullptr; }
+  Author authority() const override { return Author::Computer; }
+  bool inContactMode() const override { return false; }
+  std::optional<Diagnostic> failure() const override { return failure_; }
+
+ private:
+  struct Engine;
+
+  void grow(PlannerHost& host);
+  void deliverPath(PlannerHost& host);
+  /// Appends what OMPL's planner has grown since the last time.
+  void collect();
+  void fail(ErrorKind kind, const std::string& reason, const std::string& advice);
+
+  std::unique_ptr<Engine> engine_;  ///< null where OMPL could not be set up
+  std::vector<RoadmapNode> nodes_;
+  std::vector<RoadmapEdge> edges_;
+  std::vector<std::uint32_t> dropped_;
+  PlannerCounts counts_;
+  std::uint64_t owedSteps_ = 0;       ///< draws of the last piece that no step stands for yet
+  std::uint64_t nextCollection_ = 1;  ///< in draws
+  std::optional<Path> path_;
+  std::optional<Diagnostic> failure_;
+};
+
+}  // namespace glissade

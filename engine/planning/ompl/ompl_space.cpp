@@ -1,0 +1,205 @@
+#include "engine/planning/ompl/ompl_space.h"
+
+#include <ompl/base/samplers/UniformValidStateSampler.h>
+
+#include <array>
+#include <cmath>
+
+#include "engine/planning/random_shooter.h"
+
+namespace glissade {
+namespace {
+
+namespace ob = ompl::base;
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct SerialState final : ob::SE3StateSpace::StateType {
+  std::uint64_t serial = 0;
+};
+
+/// `q` moved by a tangent vector: a translation and a rotation vector times the object's radius.
+Pose moved(const Pose& q, const std::array<double, 6>& tangent, double radius) {
+  const Vector3 rotation = Vector3(tangent[3], tangent[4], tangent[5]) / radius;
+  const double angle = std::min(rotation.norm(), kPi);
+  Pose result = q;
+  result.position += Vector3(tangent[0], tangent[1], tangent[2]);
+  if (angle > 0.0) {
+    const Quaternion turn(Eigen::AngleAxisd(angle, rotation.normalized()));
+    result.orientation = (turn * q.orientation).normalized();
+  }
+  return result;
+}
+
+class Sampler final : public ob::StateSampler {
+ public:
+  Sampler(const ob::StateSpace* space, OmplWorld& world) : StateSampler(space), world_(world) {}
+
+  void sampleUniform(ob::State* state) override { OmplSpace::setPose(state, world_.draw()); }
+  void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
+    OmplSpace::setPose(state, world_.drawNear(OmplSpace::poseOf(near), distance, false));
+  }
+  void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
+    OmplSpace::setPose(state, world_.drawNear(OmplSpace::poseOf(mean), deviation, true));
+  }
+
+ private:
+  OmplWorld& world_;
+};
+
+class ValidityChecker final : public ob::StateValidityChecker {
+ public:
+  ValidityChecker(ob::SpaceInformation* space, OmplWorld& world) : StateValidityChecker(space), world_(world) {}
+
+  bool isValid(const ob::State* state) const override { return world_.isFree(OmplSpace::poseOf(state)); }
+
+ private:
+  OmplWorld& world_;
+};
+
+/// Edges at the papers' step, not at a fraction of the space's extent.
+class GrowthValidator final : public ob::MotionValidator {
+ public:
+  GrowthValidator(ob::SpaceInformation* space, OmplWorld& world) : MotionValidator(space), world_(world) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    return count(world_.freeFraction(OmplSpace::poseOf(from), OmplSpace::poseOf(to)) >= 1.0);
+  }
+
+  bool checkMotion(const ob::State* from, const ob::State* to, std::pair<ob::State*, double>& last) const override {
+    const Pose a = OmplSpace::poseOf(from);
+    const Pose b = OmplSpace::poseOf(to);
+    const double free = world_.freeFraction(a, b);
+    if (free < 1.0) {
+      if (last.first != nullptr) OmplSpace::setPose(last.first, interpolate(a, b, free));
+      last.second = free;
+    }
+    return count(free >= 1.0);
+  }
+
+ private:
+  bool count(bool valid) const {
+    ++(valid ? valid_ : invalid_);
+    return valid;
+  }
+
+  OmplWorld& world_;
+};
+
+}  // namespace
+
+std::recursive_mutex& omplSeedMutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+OmplWorld::OmplWorld(const Problem& problem_, std::uint64_t seed)
+    : problem(problem_), metric(problem_.metric()), query(problem_.world->makeQuery()), stream(seed, "ompl") {}
+
+Pose OmplWorld::draw() {
+  ++draws;
+  Pose q;
+  if (problem.region) {
+    q.position = problem.region->sample(stream);
+  } else {
+    for (int axis = 0; axis < 3; ++axis) {
+      q.position[axis] = stream.uniform(problem.bounds.min()[axis], problem.bounds.max()[axis]);
+    }
+  }
+  q.orientation = RandomShooter::orientation(stream);
+  return q;
+}
+
+Pose OmplWorld::drawNear(const Pose& near, double distance, bool normal) {
+  constexpr int kAttempts = 8;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    ++draws;
+    std::array<double, 6> tangent;
+    double squared = 0.0;
+    for (double& coordinate : tangent) {
+      coordinate = stream.normal();
+      squared += coordinate * coordinate;
+    }
+    const double scale = normal ? distance : distance * std::pow(stream.uniform(), 1.0 / 6.0) / std::sqrt(squared);
+    for (double& coordinate : tangent) coordinate *= scale;
+    Pose q = moved(near, tangent, metric.radius());
+    q.position = q.position.cwiseMax(problem.bounds.min()).cwiseMin(problem.bounds.max());
+    if (!problem.region || problem.region->contains(q.position)) return q;
+  }
+  const Pose towards = draw();
+  const double length = metric.distance(near, towards);
+  return length > distance ? interpolate(near, towards, distance / length) : towards;
+}
+
+bool OmplWorld::isFree(const Pose& q) { return problem.bounds.contains(q.position) && !query->collides(q); }
+
+double OmplWorld::freeFraction(const Pose& from, const Pose& to) {
+  if (!problem.bounds.contains(to.position)) return 0.0;
+  return glissade::freeFraction(*query, problem.world->object(), from, to, growthStep, stop);
+}
+
+OmplSpace::OmplSpace(const Problem& problem) : bounds_(problem.bounds), metric_(problem.metric()) {
+  ob::RealVectorBounds bounds(3);
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    bounds.setLow(axis, bounds_.min()[axis]);
+    bounds.setHigh(axis, bounds_.max()[axis]);
+  }
+  setBounds(bounds);
+}
+
+Pose OmplSpace::poseOf(const ob::State* state) {
+  const auto* q = state->as<StateType>();
+  const ob::SO3StateSpace::StateType& rotation = q->rotation();
+  return {Vector3(q->getX(), q->getY(), q->getZ()), Quaternion(rotation.w, rotation.x, rotation.y, rotation.z)};
+}
+
+void OmplSpace::setPose(ob::State* state, const Pose& q) {
+  auto* target = state->as<StateType>();
+  target->setXYZ(q.position.x(), q.position.y(), q.position.z());
+  target->rotation().x = q.orientation.x();
+  target->rotation().y = q.orientation.y();
+  target->rotation().z = q.orientation.z();
+  target->rotation().w = q.orientation.w();
+}
+
+std::uint64_t OmplSpace::serialOf(const ob::State* state) { return static_cast<const SerialState*>(state)->serial; }
+
+ob::State* OmplSpace::allocState() const {
+  auto* state = new SerialState;  // OMPL's contract; it frees with freeState(), through the virtual destructor
+  state->serial = allocated_++;
+  allocStateComponents(state);
+  return state;
+}
+
+double OmplSpace::distance(const ob::State* a, const ob::State* b) const {
+  return metric_.distance(poseOf(a), poseOf(b));
+}
+
+double OmplSpace::getMaximumExtent() const { return std::hypot(bounds_.diagonal().norm(), kPi * metric_.radius()); }
+
+void OmplSpace::interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const {
+  setPose(state, glissade::interpolate(poseOf(from), poseOf(to), t));
+}
+
+bool OmplSpace::satisfiesBounds(const ob::State* state) const { return bounds_.contains(poseOf(state).position); }
+
+ob::SpaceInformationPtr makeSpaceInformation(OmplWorld& world, unsigned attempts) {
+  const auto space = std::make_shared<OmplSpace>(world.problem);
+  space->setStateSamplerAllocator([&world](const ob::StateSpace* owner) -> ob::StateSamplerPtr {
+    const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
+    return std::make_shared<Sampler>(owner, world);
+  });
+  auto information = std::make_shared<ob::SpaceInformation>(space);
+  information->setStateValidityChecker(std::make_shared<ValidityChecker>(information.get(), world));
+  information->setMotionValidator(std::make_shared<GrowthValidator>(information.get(), world));
+  information->setValidStateSamplerAllocator([attempts](const ob::SpaceInformation* owner) -> ob::ValidStateSamplerPtr {
+    const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
+    auto sampler = std::make_shared<ob::UniformValidStateSampler>(owner);
+    sampler->setNrAttempts(attempts);
+    return sampler;
+  });
+  information->setup();
+  return information;
+}
+
+}  // namespace glissade
