@@ -47,7 +47,7 @@ void printEnvironment(const SceneKnowledge& knowledge, const SemanticModel& sema
     const bool cluttered = std::get<bool>(semantics.ofPlace(i, "cluttered").value);
     std::cout << "  " << std::left << std::setw(8) << semantics.placeName(i) << "complexity " << std::setw(3)
               << complexity << "narrowness " << std::setw(10) << map.places[i].narrowness << "compatibility "
-              << std::setw(10) << toText(semantics.ofPlace(i, "compatibility").value)
+              << std::setw(10) << std::get<double>(semantics.ofPlace(i, "compatibility").value)
               << (map.places[i].passage ? "passage " : "") << (cluttered ? "cluttered" : "") << "\n";
   }
   std::cout << "\nborders\n";

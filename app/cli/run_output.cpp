@@ -20,6 +20,7 @@ std::string status(const SessionSnapshot& end) {
   if (end.state == SessionState::Stopped) return "interrupted";
   switch (end.problem ? end.problem->kind : ErrorKind::Internal) {
     case ErrorKind::LimitReached: return "limit-reached";
+    case ErrorKind::NoPath: return "no-path";
     case ErrorKind::InCollision: return "in-collision";
     case ErrorKind::Usage:
     case ErrorKind::MalformedInput: return "malformed";

@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>Put the object in your hand back to the start</source>
-        <translation>Remettre l'objet tenu en main au départ</translation>
+        <translation>Remettre l&apos;objet tenu en main au départ</translation>
     </message>
     <message>
         <source>&amp;Play the path</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>Move the object along the path, or hold it</source>
-        <translation>Déplacer l'objet le long du chemin, ou l'arrêter</translation>
+        <translation>Déplacer l&apos;objet le long du chemin, ou l&apos;arrêter</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -169,7 +169,7 @@
     </message>
     <message>
         <source>Show the object in your hand</source>
-        <translation>Montrer l'objet tenu en main</translation>
+        <translation>Montrer l&apos;objet tenu en main</translation>
     </message>
     <message>
         <source>Start and goal</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>Show the nearest obstacle and the tangent plane</source>
-        <translation>Montrer l'obstacle le plus proche et le plan tangent</translation>
+        <translation>Montrer l&apos;obstacle le plus proche et le plan tangent</translation>
     </message>
     <message>
         <source>&amp;Keys and shortcuts</source>
@@ -226,6 +226,285 @@
     <message>
         <source>Version, licence and the papers</source>
         <translation>Version, licence et articles</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>Enregi&amp;strer</translation>
+    </message>
+    <message>
+        <source>Save the scenario with its attributes, strategy and parameters</source>
+        <translation>Enregistrer le scénario avec ses attributs, sa stratégie et ses paramètres</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Enregistrer &amp;sous...</translation>
+    </message>
+    <message>
+        <source>Save the scenario under another name</source>
+        <translation>Enregistrer le scénario sous un autre nom</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Ann&amp;uler</translation>
+    </message>
+    <message>
+        <source>Take the last edit back</source>
+        <translation>Annuler la dernière modification</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Do again what was taken back</source>
+        <translation>Refaire ce qui a été annulé</translation>
+    </message>
+    <message>
+        <source>Find &amp;places</source>
+        <translation>Trouver les &amp;lieux</translation>
+    </message>
+    <message>
+        <source>Build the environment model: octree, places, borders, compatibility</source>
+        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
+    </message>
+    <message>
+        <source>&amp;Add attribute...</source>
+        <translation>&amp;Ajouter un attribut...</translation>
+    </message>
+    <message>
+        <source>Define an attribute of your own on places or bodies</source>
+        <translation>Définir un attribut à vous sur les lieux ou les corps</translation>
+    </message>
+    <message>
+        <source>Re&amp;name...</source>
+        <translation>Re&amp;nommer...</translation>
+    </message>
+    <message>
+        <source>Rename the attribute of the current row, where it is your own</source>
+        <translation>Renommer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>Suppri&amp;mer</translation>
+    </message>
+    <message>
+        <source>Remove the attribute of the current row, where it is your own</source>
+        <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
+    </message>
+    <message>
+        <source>&amp;Forbid</source>
+        <translation>&amp;Interdire</translation>
+    </message>
+    <message>
+        <source>Let no path lead through the selected places, or allow it again</source>
+        <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Prefer</source>
+        <translation>&amp;Préférer</translation>
+    </message>
+    <message>
+        <source>Favour ways through the selected places, or no longer</source>
+        <translation>Favoriser le passage par les lieux choisis, ou ne plus le faire</translation>
+    </message>
+    <message>
+        <source>&amp;Milestone here</source>
+        <translation>&amp;Jalon ici</translation>
+    </message>
+    <message>
+        <source>The chosen step ends where the object in your hand is</source>
+        <translation>L&apos;étape choisie finit là où se trouve l&apos;objet dans votre main</translation>
+    </message>
+    <message>
+        <source>R&amp;eset milestone</source>
+        <translation>R&amp;endre le jalon</translation>
+    </message>
+    <message>
+        <source>The chosen step ends where the planner likes</source>
+        <translation>L&apos;étape choisie finit où le planificateur veut</translation>
+    </message>
+    <message>
+        <source>Free cells</source>
+        <translation>Cellules libres</translation>
+    </message>
+    <message>
+        <source>Show the octree&apos;s free cells, the coarsest first</source>
+        <translation>Montrer les cellules libres de l&apos;octree, les plus grandes d&apos;abord</translation>
+    </message>
+    <message>
+        <source>Cells with mobile bodies</source>
+        <translation>Cellules à corps mobiles</translation>
+    </message>
+    <message>
+        <source>Show the cells that only mobile bodies clutter</source>
+        <translation>Montrer les cellules que seuls des corps mobiles encombrent</translation>
+    </message>
+    <message>
+        <source>Cells with static bodies</source>
+        <translation>Cellules à corps statiques</translation>
+    </message>
+    <message>
+        <source>Show the cells that static bodies clutter</source>
+        <translation>Montrer les cellules que des corps statiques encombrent</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lieux</translation>
+    </message>
+    <message>
+        <source>Show the places, coloured by complexity; click to select</source>
+        <translation>Montrer les lieux, colorés selon leur complexité ; cliquer pour choisir</translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation>Frontières</translation>
+    </message>
+    <message>
+        <source>Show where places meet</source>
+        <translation>Montrer où les lieux se touchent</translation>
+    </message>
+    <message>
+        <source>Topological graph</source>
+        <translation>Graphe topologique</translation>
+    </message>
+    <message>
+        <source>Show the topological graph with its costs</source>
+        <translation>Montrer le graphe topologique avec ses coûts</translation>
+    </message>
+    <message>
+        <source>Coarse path</source>
+        <translation>Chemin grossier</translation>
+    </message>
+    <message>
+        <source>Show the cheapest way through the graph</source>
+        <translation>Montrer le chemin le moins coûteux dans le graphe</translation>
+    </message>
+    <message>
+        <source>Milestones</source>
+        <translation>Jalons</translation>
+    </message>
+    <message>
+        <source>Show the configurations to pass through</source>
+        <translation>Montrer les configurations de passage</translation>
+    </message>
+    <message>
+        <source>Region of a step</source>
+        <translation>Région d&apos;une étape</translation>
+    </message>
+    <message>
+        <source>Show where the local planner of the chosen step searches</source>
+        <translation>Montrer où cherche le planificateur local de l&apos;étape choisie</translation>
+    </message>
+    <message>
+        <source>Scene panel</source>
+        <translation>Panneau Scène</translation>
+    </message>
+    <message>
+        <source>Bring the list of bodies to the front</source>
+        <translation>Mettre la liste des corps au premier plan</translation>
+    </message>
+    <message>
+        <source>Semantics panel</source>
+        <translation>Panneau Sémantique</translation>
+    </message>
+    <message>
+        <source>Bring the editor of semantic attributes to the front</source>
+        <translation>Mettre l&apos;éditeur des attributs sémantiques au premier plan</translation>
+    </message>
+    <message>
+        <source>Run panel</source>
+        <translation>Panneau Exécution</translation>
+    </message>
+    <message>
+        <source>Bring the figures of the run to the front</source>
+        <translation>Mettre les chiffres de l&apos;exécution au premier plan</translation>
+    </message>
+    <message>
+        <source>Plan panel</source>
+        <translation>Panneau Plan</translation>
+    </message>
+    <message>
+        <source>Bring the topological steps to the front</source>
+        <translation>Mettre les étapes topologiques au premier plan</translation>
+    </message>
+    <message>
+        <source>Path panel</source>
+        <translation>Panneau Chemin</translation>
+    </message>
+    <message>
+        <source>Bring the path and its certificate to the front</source>
+        <translation>Mettre le chemin et son certificat au premier plan</translation>
+    </message>
+</context>
+<context>
+    <name>Attributes</name>
+    <message>
+        <source>Complexity</source>
+        <translation>Complexité</translation>
+    </message>
+    <message>
+        <source>Cluttered</source>
+        <translation>Encombré</translation>
+    </message>
+    <message>
+        <source>Narrowness</source>
+        <translation>Étroitesse</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Compatibility</source>
+        <translation>Compatibilité</translation>
+    </message>
+    <message>
+        <source>Forbidden</source>
+        <translation>Interdit</translation>
+    </message>
+    <message>
+        <source>Preference</source>
+        <translation>Préférence</translation>
+    </message>
+    <message>
+        <source>Mobility</source>
+        <translation>Mobilité</translation>
+    </message>
+    <message>
+        <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
+        <translation>Difficulté de traverser le lieu : 1 pour le plus large, un de plus chaque fois que la largeur est divisée par deux.</translation>
+    </message>
+    <message>
+        <source>Mobile bodies are in the place.</source>
+        <translation>Des corps mobiles sont dans le lieu.</translation>
+    </message>
+    <message>
+        <source>Diameter of the largest ball that fits at the widest spot.</source>
+        <translation>Diamètre de la plus grande boule qui tient à l&apos;endroit le plus large.</translation>
+    </message>
+    <message>
+        <source>Shape of the place&apos;s section, as the objects&apos; shapes are called.</source>
+        <translation>Forme de la section du lieu, nommée comme celles des objets.</translation>
+    </message>
+    <message>
+        <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
+        <translation>Si l&apos;objet passe : 0 pas du tout, à partir de 0,5 il passe, 1 aisément.</translation>
+    </message>
+    <message>
+        <source>No path may lead through the place.</source>
+        <translation>Aucun chemin ne peut passer par le lieu.</translation>
+    </message>
+    <message>
+        <source>Ways through the place count this many times shorter.</source>
+        <translation>Les passages par le lieu comptent pour autant de fois plus courts.</translation>
+    </message>
+    <message>
+        <source>Static bodies shape the places; mobile ones clutter them.</source>
+        <translation>Les corps statiques forment les lieux ; les mobiles les encombrent.</translation>
+    </message>
+    <message>
+        <source>What the body is shaped like.</source>
+        <translation>La forme du corps.</translation>
     </message>
 </context>
 <context>
@@ -271,7 +550,7 @@
     </message>
     <message>
         <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l'ordinateur dans les itérations : 1 est le planificateur seul, 0 l'opérateur seul.</translation>
+        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Samples shot on the tangent plane each time contact mode is entered.</source>
@@ -279,7 +558,7 @@
     </message>
     <message>
         <source>Closer than this to the nearest obstacle, contact mode begins.</source>
-        <translation>Plus près que cela de l'obstacle le plus proche, le mode contact commence.</translation>
+        <translation>Plus près que cela de l&apos;obstacle le plus proche, le mode contact commence.</translation>
     </message>
     <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
@@ -302,18 +581,58 @@
     </message>
     <message>
         <source>Interactive BiRRT, contact first</source>
-        <translation>BiRRT interactif, contact d'abord</translation>
+        <translation>BiRRT interactif, contact d&apos;abord</translation>
+    </message>
+    <message>
+        <source>G: geometry</source>
+        <translation>G : géométrie</translation>
+    </message>
+    <message>
+        <source>GT: and topology</source>
+        <translation>GT : et topologie</translation>
+    </message>
+    <message>
+        <source>GTS1: and semantics, same shape</source>
+        <translation>GTS1 : et sémantique, même forme</translation>
+    </message>
+    <message>
+        <source>GTS2: and semantics, compatible</source>
+        <translation>GTS2 : et sémantique, compatible</translation>
+    </message>
+    <message>
+        <source>GTS: in a loop, with scores</source>
+        <translation>GTS : en boucle, avec scores</translation>
+    </message>
+    <message>
+        <source>Own rules</source>
+        <translation>Règles propres</translation>
+    </message>
+    <message>
+        <source>OMPL: RRT-Connect</source>
+        <translation>OMPL : RRT-Connect</translation>
+    </message>
+    <message>
+        <source>OMPL: BKPIECE</source>
+        <translation>OMPL : BKPIECE</translation>
+    </message>
+    <message>
+        <source>OMPL: PRM</source>
+        <translation>OMPL : PRM</translation>
+    </message>
+    <message>
+        <source>OMPL: EST</source>
+        <translation>OMPL : EST</translation>
     </message>
 </context>
 <context>
     <name>Status</name>
     <message>
         <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
-        <translation>Prêt. Appuyez sur Démarrer (F5), ou prenez l'objet avec les touches sur la vue.</translation>
+        <translation>Prêt. Appuyez sur Démarrer (F5), ou prenez l&apos;objet avec les touches sur la vue.</translation>
     </message>
     <message>
         <source>Planning: sampling on the nearest obstacle&apos;s tangent plane</source>
-        <translation>Planification : échantillonnage sur le plan tangent de l'obstacle le plus proche</translation>
+        <translation>Planification : échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
     </message>
     <message>
         <source>Planning: two trees grow</source>
@@ -337,6 +656,115 @@
     </message>
 </context>
 <context>
+    <name>glissade::AttributeDialog</name>
+    <message>
+        <source>Add an attribute</source>
+        <translation>Ajouter un attribut</translation>
+    </message>
+    <message>
+        <source>yes or no</source>
+        <translation>oui ou non</translation>
+    </message>
+    <message>
+        <source>whole number</source>
+        <translation>nombre entier</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>texte</translation>
+    </message>
+    <message>
+        <source>choice</source>
+        <translation>choix</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>lieux</translation>
+    </message>
+    <message>
+        <source>bodies</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>lower-case letters, digits and _</source>
+        <translation>lettres minuscules, chiffres et _</translation>
+    </message>
+    <message>
+        <source>separated by commas</source>
+        <translation>séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Describes</source>
+        <translation>Décrit</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Choices</source>
+        <translation>Choix</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Sens</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AttributeEditor</name>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AttributeView</name>
+    <message>
+        <source>default</source>
+        <translation>défaut</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculé</translation>
+    </message>
+    <message>
+        <source>edited</source>
+        <translation>modifié</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Take the edit back: the computed value again</source>
+        <translation>Annuler la modification : la valeur calculée à nouveau</translation>
+    </message>
+</context>
+<context>
     <name>glissade::CountsPanel</name>
     <message>
         <source>Iterations</source>
@@ -344,7 +772,7 @@
     </message>
     <message>
         <source>Passes of the paper&apos;s loop</source>
-        <translation>Passages dans la boucle de l'article</translation>
+        <translation>Passages dans la boucle de l&apos;article</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -368,15 +796,15 @@
     </message>
     <message>
         <source>Drawn by the computer, kept or not</source>
-        <translation>Tirées par l'ordinateur, gardées ou non</translation>
+        <translation>Tirées par l&apos;ordinateur, gardées ou non</translation>
     </message>
     <message>
         <source>Operator configurations</source>
-        <translation>Configurations de l'opérateur</translation>
+        <translation>Configurations de l&apos;opérateur</translation>
     </message>
     <message>
         <source>Where the operator held the object</source>
-        <translation>Là où l'opérateur tenait l'objet</translation>
+        <translation>Là où l&apos;opérateur tenait l&apos;objet</translation>
     </message>
     <message>
         <source>Contact configurations</source>
@@ -416,7 +844,7 @@
     </message>
     <message>
         <source>Of the object in the operator&apos;s hand</source>
-        <translation>De l'objet tenu par l'opérateur</translation>
+        <translation>De l&apos;objet tenu par l&apos;opérateur</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -424,7 +852,7 @@
     </message>
     <message>
         <source>To the nearest obstacle</source>
-        <translation>À l'obstacle le plus proche</translation>
+        <translation>À l&apos;obstacle le plus proche</translation>
     </message>
     <message>
         <source>on</source>
@@ -442,12 +870,8 @@
 <context>
     <name>glissade::InteractionPanel</name>
     <message>
-        <source>The planner of the next run</source>
-        <translation>Le planificateur du prochain calcul</translation>
-    </message>
-    <message>
         <source>Who holds the object</source>
-        <translation>Qui tient l'objet</translation>
+        <translation>Qui tient l&apos;objet</translation>
     </message>
     <message>
         <source>Same scenario, seed and inputs: same roadmap</source>
@@ -456,10 +880,6 @@
     <message>
         <source>Whose configuration was tried last</source>
         <translation>De qui vient la dernière configuration essayée</translation>
-    </message>
-    <message>
-        <source>Planner</source>
-        <translation>Planificateur</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -484,6 +904,14 @@
     <message>
         <source>operator, in contact</source>
         <translation>opérateur, en contact</translation>
+    </message>
+    <message>
+        <source>The strategy of the next run</source>
+        <translation>La stratégie de la prochaine exécution</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
     </message>
 </context>
 <context>
@@ -529,7 +957,7 @@
     </message>
     <message>
         <source>No scenario is open.</source>
-        <translation>Aucun scénario n'est ouvert.</translation>
+        <translation>Aucun scénario n&apos;est ouvert.</translation>
     </message>
     <message>
         <source>Interaction</source>
@@ -625,7 +1053,43 @@
     </message>
     <message>
         <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l'assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Semantics</source>
+        <translation>Sémantique</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>The places cannot be found</source>
+        <translation>Les lieux ne peuvent pas être trouvés</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>The scenario cannot be saved</source>
+        <translation>Le scénario ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Enregistrer le scénario</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.json)</source>
+        <translation>Scénarios (*.json)</translation>
+    </message>
+    <message>
+        <source>Unsaved edits</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>The scenario has edits that are not saved.</source>
+        <translation>Le scénario a des modifications non enregistrées.</translation>
     </message>
 </context>
 <context>
@@ -657,6 +1121,61 @@
     <message>
         <source>by computer %1, operator %2, contact %3</source>
         <translation>ordinateur %1, opérateur %2, contact %3</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PlanPanel</name>
+    <message>
+        <source>to do</source>
+        <translation>à faire</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>en cours</translation>
+    </message>
+    <message>
+        <source>✓ solved</source>
+        <translation>✓ résolu</translation>
+    </message>
+    <message>
+        <source>✗ failed</source>
+        <translation>✗ échoué</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lieu</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Vers</translation>
+    </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planificateur</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Aléat.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>Random configurations, milestone and local planner together</source>
+        <translation>Configurations aléatoires, jalon et planificateur local ensemble</translation>
+    </message>
+    <message>
+        <source>No coarse plan: choose strategy GT or GTS and start.</source>
+        <translation>Pas de plan grossier : choisissez la stratégie GT ou GTS et démarrez.</translation>
+    </message>
+    <message>
+        <source>Coarse path of cost %1, not tried yet</source>
+        <translation>Chemin grossier de coût %1, pas encore essayé</translation>
+    </message>
+    <message>
+        <source>Coarse path %1, cost %2; random configurations: coarse %3, fine %4</source>
+        <translation>Chemin grossier %1, coût %2 ; configurations aléatoires : grossier %3, fin %4</translation>
     </message>
 </context>
 <context>
@@ -704,6 +1223,91 @@
     <message>
         <source>mobile</source>
         <translation>mobile</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SemanticDocument</name>
+    <message>
+        <source>Set %1</source>
+        <translation>Définir %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Rendre %1</translation>
+    </message>
+    <message>
+        <source>Rename place</source>
+        <translation>Renommer le lieu</translation>
+    </message>
+    <message>
+        <source>Add attribute %1</source>
+        <translation>Ajouter l&apos;attribut %1</translation>
+    </message>
+    <message>
+        <source>Rename attribute</source>
+        <translation>Renommer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>Remove attribute %1</source>
+        <translation>Supprimer l&apos;attribut %1</translation>
+    </message>
+    <message>
+        <source>Move milestone</source>
+        <translation>Déplacer le jalon</translation>
+    </message>
+    <message>
+        <source>Reset milestone</source>
+        <translation>Rendre le jalon</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SemanticsPanel</name>
+    <message>
+        <source>Filter by name or value</source>
+        <translation>Filtrer par nom ou valeur</translation>
+    </message>
+    <message>
+        <source>Rename the attribute</source>
+        <translation>Renommer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>New name</source>
+        <translation>Nouveau nom</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SemanticsTree</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Complexity</source>
+        <translation>Complexité</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Places (not looked for yet)</source>
+        <translation>Lieux (pas encore cherchés)</translation>
+    </message>
+    <message>
+        <source>Places (%1)</source>
+        <translation>Lieux (%1)</translation>
+    </message>
+    <message>
+        <source>Cluttered by mobile bodies</source>
+        <translation>Encombré par des corps mobiles</translation>
+    </message>
+    <message>
+        <source>Bodies (%1)</source>
+        <translation>Corps (%1)</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>déplacé</translation>
     </message>
 </context>
 </TS>
