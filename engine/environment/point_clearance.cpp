@@ -44,7 +44,7 @@ double PointClearance::operator()(const Vector3& p_W) const {
   return std::sqrt(least);
 }
 
-Vector3 PointClearance::widestNear(const Vector3& p_W, double step) const {
+Vector3 PointClearance::widestNear(const Vector3& p_W, double step, const Box3& within) const {
   Vector3 best = p_W;
   double widest = (*this)(best);
   for (double s = step; s > step / 64.0;) {
@@ -53,7 +53,7 @@ Vector3 PointClearance::widestNear(const Vector3& p_W, double step) const {
     for (int direction = 0; direction < 27; ++direction) {
       const Vector3 way(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
       const Vector3 next = best + s * way;
-      if ((next - about_).norm() > reach_ / 2.0) continue;
+      if ((next - about_).norm() > reach_ / 2.0 || !within.contains(next)) continue;
       const double clearance = (*this)(next);
       if (clearance <= widest * (1.0 + 1e-9)) continue;
       widest = clearance;

@@ -15,8 +15,9 @@ class PointClearance {
 
   /// Distance to the triangles kept, at most `reach`.
   double operator()(const Vector3& p_W) const;
-  /// Goes uphill from p in ever smaller steps, at most `reach` / 2 away; returns the widest spot found.
-  Vector3 widestNear(const Vector3& p_W, double step) const;
+  /// Goes uphill from p in ever smaller steps, at most `reach` / 2 away and not out of `within`;
+  /// returns the widest spot found.
+  Vector3 widestNear(const Vector3& p_W, double step, const Box3& within) const;
 
  private:
   std::vector<std::array<Vector3, 3>> triangles_;

@@ -44,8 +44,10 @@ void measureNarrowness(const TriangleMesh& statics_W, const CellGrid& grid, Plac
   const double wall = (Box3(grid.box(0).min(), grid.box(grid.size() - 1).max())).exteriorDistance(place.anchor);
   const double reach = place.narrowness / 2.0 + 2.0 * grid.cellSize() + wall;
   const PointClearance clearanceAt(statics_W, place.anchor, reach);
-  const Vector3 widest = clearanceAt.widestNear(place.anchor, grid.cellSize() / 2.0);
-  if (place.box.contains(widest)) place.anchor = widest;
+  Box3 within = place.box;
+  // Uphill along its axis leads out of a passage: it is measured where it is narrow.
+  if (place.passage) within.min()[place.axis] = within.max()[place.axis] = place.anchor[place.axis];
+  place.anchor = clearanceAt.widestNear(place.anchor, grid.cellSize() / 2.0, within);
   // Passages are measured as they are; rooms end at the workspace, too, which cells know.
   const double exact = 2.0 * clearanceAt(place.anchor);
   place.narrowness = std::min(exact, place.narrowness + 2.0 * grid.cellSize());

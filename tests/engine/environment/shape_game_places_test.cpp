@@ -63,12 +63,12 @@ TEST_P(ShapeGamePlaces, HolesAreNarrowPassagesAndOnlyP2IsCluttered) {
     const double complexity = hole ? 4.0 : name == "P4" ? 3.0 : 1.0;
     EXPECT_EQ(std::get<double>(semantic.ofPlace(place, "complexity").value), complexity) << name;
   }
-  // Inscribed circles of the tight preset (facts): circle 0.062, square 1.23 / 2.
+  // Inscribed circles of the tight preset (facts), good to a fifth of a cell.
   const auto narrowness = [&](const char* name) {
     return model->map.places[static_cast<std::size_t>(test::placeNamed(semantic, name))].narrowness;
   };
-  EXPECT_NEAR(narrowness("P6"), 0.124, 0.001);
-  EXPECT_NEAR(narrowness("P7"), 0.123, 0.001);
+  EXPECT_NEAR(narrowness("P6"), 0.124, 0.004);
+  EXPECT_NEAR(narrowness("P7"), 0.123, 0.004);
   EXPECT_LT(narrowness("P4"), narrowness("P5"));
 }
 

@@ -33,13 +33,18 @@ TEST(LinearPlanner, GivesUpAtOnceWhereItIsBlocked) {
   EXPECT_LE(planner.counts().steps, 3U);
 }
 
-TEST(PotentialField, SlidesThroughTheWindowThatIsNotStraightAhead) {
-  const Problem problem = windowProblem();  // the goal lies half a metre aside and above
+TEST(PotentialField, SlidesRoundABallThatBlocksTheStraightWay) {
+  Problem problem = straightAhead();
+  RigidBody ball = boxBody("ball", Vector3::Ones(), Pose::translation({0.0, 0.25, 0.1}));
+  ball.mesh = std::make_shared<const TriangleMesh>(makeSphere(0.3));
+  problem.world = CollisionWorld::build({ball}, std::make_shared<const TriangleMesh>(makeBox({0.4, 0.4, 0.4})));
   TestHost host(problem);
+  LinearPlanner linear(problem);
+  ASSERT_FALSE(linear.solve(host));
   PotentialFieldPlanner planner(problem);
   ASSERT_TRUE(planner.solve(host));
   EXPECT_EQ(planner.path()->points.back().q, std::get<Pose>(problem.goal));
-  EXPECT_GT(planner.path()->points.size(), 2U);
+  EXPECT_GT(planner.path()->length(), 3.0);
   EXPECT_LT(planner.path()->length(), 5.0);
 }
 
