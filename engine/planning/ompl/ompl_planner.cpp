@@ -100,6 +100,7 @@ struct OmplPlanner::Engine {
   void restart() {
     definition->clearSolutionPaths();
     planner->clear();
+    world.certifyEdges = true;
   }
 
   OmplWorld world;
@@ -151,6 +152,8 @@ bool OmplPlanner::solve(PlannerHost& host) {
 void OmplPlanner::grow(PlannerHost& host) {
   OmplWorld& world = engine_->world;
   world.growthStep = host.parameters()[ParameterId::GrowthStep];
+  world.extensionStep = host.parameters()[ParameterId::ExtensionStep];
+  world.requiredClearance = host.parameters()[ParameterId::RequiredClearance];
   world.stop = host.stopToken();
   const std::uint64_t before = world.draws;
   ++counts_.iterations;

@@ -17,7 +17,8 @@ enum class OmplAlgorithm {
 
 /// One of OMPL's planners behind our interface, with our metric, random configurations, collision
 /// checks along the edges and certificate. OMPL's planner is called in pieces of one or two draws. A
-/// path that fails its certificate makes it start afresh, with random numbers that go on; the nodes
+/// path that fails its certificate makes it start afresh, with random numbers that go on, and with
+/// edges that are certified while they grow, so that it happens once; the nodes
 /// grown so far stay listed.
 /// Deviations: a step of the lockstep clock is a draw, not a configuration kept; what a piece grew is
 /// published every so many draws, in the order in which it grew.

@@ -23,8 +23,11 @@ struct OmplWorld {
   std::unique_ptr<CollisionQuery> query;
   RandomStream stream;
   std::uint64_t draws = 0;  ///< random configurations, kept or not
-  double growthStep = 0.0;  ///< of the piece under way
-  StopToken stop;           ///< of the piece under way
+  double growthStep = 0.0;  ///< this and the next three: of the piece under way
+  double extensionStep = 0.0;
+  double requiredClearance = 0.0;
+  StopToken stop;
+  bool certifyEdges = false;  ///< a path has failed its certificate: from now on edges are certified
 
   /// Uniform in the problem's region, or its bounds where it has none, and in SO(3).
   Pose draw();
@@ -33,7 +36,9 @@ struct OmplWorld {
   /// configuration towards one drawn there.
   Pose drawNear(const Pose& near, double distance, bool normal);
   bool isFree(const Pose& q);
-  /// As glissade::freeFraction; 0 where the end is out of bounds.
+  /// As glissade::freeFraction, but 0 where the end is out of bounds, and a blocked motion ends at a
+  /// multiple of the extension step, as our own planners' (tolerance::kGuidedExtensionStep): OMPL
+  /// keeps such ends as nodes, and nothing that touches an obstacle can be certified.
   double freeFraction(const Pose& from, const Pose& to);
 };
 
