@@ -201,7 +201,7 @@ TEST_F(Cli, AnInteractiveRunReplaysBitByBit) {
     const std::string again = (folder / "again.path").string();
     const std::string recordAgain = (folder / "again.json").string();
     const Finished replay = run("plan " + sample("environment-1") + " --operator replay:" + record + " --record " +
-                           recordAgain + " --out " + again);
+                                recordAgain + " --out " + again);
     ASSERT_EQ(replay.exitCode, 0) << replay.err;
     EXPECT_EQ(read(again), original);
     EXPECT_EQ(read(recordAgain), read(record));
@@ -246,7 +246,7 @@ TEST_F(Cli, OmplAppsProblemsAreReadAsOmplAppReadsThem) {
   if (!fs::exists(problems)) GTEST_SKIP() << "the public problems are not here";
   for (const std::string name : {"Easy", "cubicles", "alpha-1.5"}) {
     const Finished check = run("check " + (problems / (name + ".cfg")).string() + " " +
-                          (problems / (name + ".path")).string() + " --json --required-clearance 1e-4");
+                               (problems / (name + ".path")).string() + " --json --required-clearance 1e-4");
     EXPECT_EQ(Json::parse(check.out)["certificate"]["status"], "certified") << name << check.out;
   }
   EXPECT_EQ(run("plan " + (problems / "Easy.cfg").string() + " --seed 1 --time-limit 60").exitCode, 0);

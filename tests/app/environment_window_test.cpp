@@ -1,0 +1,92 @@
+// The editor of semantic attributes, the layers of the environment model and the table of topological
+// steps, used as a person would: by scripts on the whole window.
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using namespace glissade::test;
+
+class EnvironmentWindow : public WindowTest {
+ protected:
+  /// A sample's folder, copied so that it may be written to; the scenario file in it.
+  QString copyOf(const QString& sample, const QString& scenario) {
+    const QDir from(kSource + QStringLiteral("/samples/") + sample);
+    const QDir to(folder.filePath(sample));
+    EXPECT_TRUE(QDir().mkpath(to.path()));
+    for (const QString& name : from.entryList(QDir::Files)) QFile::copy(from.filePath(name), to.filePath(name));
+    return to.filePath(scenario);
+  }
+
+  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+};
+
+TEST_F(EnvironmentWindow, AComplexityChangesTheCoarsePathIsUndoneSavedAndThereAgain) {
+  const QString scenario = copyOf(QStringLiteral("shape-game"), QStringLiteral("tight-circle.json"));
+  const QString saved = QFileInfo(scenario).dir().filePath(QStringLiteral("saved.json"));
+  expectGood(run(scenario, QStringLiteral("action layer.places\n"
+                                          "click 448 369\n"  // the narrow passage P4
+                                          "expect-attribute complexity 3\n"
+                                          "expect-way P1,P9,P2,P5,P3\n"
+                                          "select place P9\n"
+                                          "attribute complexity 40\n"
+                                          "expect-way P1,P7,P2,P5,P3\n"
+                                          "action edit.undo\n"
+                                          "expect-attribute complexity 4\n"
+                                          "expect-way P1,P9,P2,P5,P3\n"
+                                          "action edit.redo\n"
+                                          "save %1\n"
+                                          "open %1\n"
+                                          "select place P9\n"
+                                          "expect-attribute complexity 40\n"
+                                          "expect-way P1,P7,P2,P5,P3\n"
+                                          "attribute complexity -\n"
+                                          "expect-attribute complexity 4\n")
+                               .arg(saved)));
+}
+
+TEST_F(EnvironmentWindow, APlaceIsForbiddenWhileTheRunGoesOn) {
+  expectGood(run(QStringLiteral("shape-game/tight-circle.json").prepend(kSource + QStringLiteral("/samples/")),
+                 QStringLiteral("action run.start\nsteps 1\nselect place P9\naction place.forbid\n"
+                                "expect-attribute forbidden yes\nsteps 2\nexpect-way P1,P7,P2,P5,P3\n"
+                                "wait solved 20000\nexpect-way P1,P7,P2,P5,P3\n")));
+}
+
+TEST_F(EnvironmentWindow, AttributesOfOnesOwnAreKeptAndBadValuesRefused) {
+  const QString scenario = copyOf(QStringLiteral("teaching"), QStringLiteral("scenario.json"));
+  expectGood(run(scenario, QStringLiteral("define fragile bool place\nselect place P2\nattribute fragile yes\n"
+                                          "select body O1\nattribute shape wall\nsave %1\nopen %1\n"
+                                          "select place P2\nexpect-attribute fragile yes\n"
+                                          "select body O1\nexpect-attribute shape wall\n")
+                               .arg(scenario)));
+  const RunResult refused = run(scenario, QStringLiteral("select place P2\nattribute compatibility 2\n"));
+  EXPECT_EQ(refused.exitCode, 3);
+  EXPECT_TRUE(refused.errors.contains(QStringLiteral("line 2: 'compatibility' is 2, which is out of range")))
+      << refused.errors.toStdString();
+}
+
+TEST_F(EnvironmentWindow, ABodyThatIsSetMobileShapesNoPlaceAnyMore) {
+  // Without O2 the two walls and the slot are gone: the way is straight up.
+  expectGood(run(QStringLiteral("teaching"), QStringLiteral("expect-way P2,P5,P3,P4,P1\nselect body O2\n"
+                                                            "attribute mobility mobile\naction edit.undo\n"
+                                                            "expect-way P2,P5,P3,P4,P1\n")));
+}
+
+TEST_F(EnvironmentWindow, PicturesOfTheEditorTheStepsAndTheLayers) {
+  const QString base = folder.filePath(QStringLiteral("shape"));
+  const QString sample = kSource + QStringLiteral("/samples/shape-game/tight-star.json");
+  expectGood(run(sample, QStringLiteral("action layer.places\nselect place P9\nscreenshot %1-editor.png\n"
+                                        "action run.start\nwait solved 20000\nselect step 3\n"
+                                        "action layer.region\naction layer.graph\nscreenshot %1-steps.png\n")
+                             .arg(base)));
+  expectLike(base + QStringLiteral("-editor.png"), QStringLiteral("shape-game-editor"));
+  expectLike(base + QStringLiteral("-steps.png"), QStringLiteral("shape-game-steps"));
+  expectGood(
+      run(sample,
+          QStringLiteral("action layer.free-cells\naction layer.mobile-cells\naction layer.borders\n"
+                         "action run.start\nwait solved 20000\nscreenshot %1-dark.png\n")
+              .arg(base),
+          {QStringLiteral("--theme"), QStringLiteral("dark"), QStringLiteral("--size"), QStringLiteral("1920x1080")}));
+  expectLike(base + QStringLiteral("-dark.png"), QStringLiteral("shape-game-dark"));
+}
+
+}  // namespace
