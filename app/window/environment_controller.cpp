@@ -62,6 +62,11 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
   enableActions();
 }
 
+EnvironmentController::~EnvironmentController() {
+  // The undo stack tells of its own end, when those who listen are gone already.
+  document_.undoStack().disconnect();
+}
+
 void EnvironmentController::connectActions() {
   const auto on = [this](const char* id, auto handler) {
     connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);

@@ -20,6 +20,7 @@ class EnvironmentController final : public QObject {
 
  public:
   EnvironmentController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene, QWidget* window);
+  ~EnvironmentController() override;
 
   SemanticDocument& document() { return document_; }
   SemanticsPanel* semanticsPanel() const { return semantics_; }

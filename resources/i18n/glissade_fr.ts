@@ -308,16 +308,8 @@
         <translation>Favoriser le passage par les lieux choisis, ou ne plus le faire</translation>
     </message>
     <message>
-        <source>&amp;Milestone here</source>
-        <translation>&amp;Jalon ici</translation>
-    </message>
-    <message>
         <source>The chosen step ends where the object in your hand is</source>
         <translation>L&apos;étape choisie finit là où se trouve l&apos;objet dans votre main</translation>
-    </message>
-    <message>
-        <source>R&amp;eset milestone</source>
-        <translation>R&amp;endre le jalon</translation>
     </message>
     <message>
         <source>The chosen step ends where the planner likes</source>
@@ -434,6 +426,14 @@
     <message>
         <source>Bring the path and its certificate to the front</source>
         <translation>Mettre le chemin et son certificat au premier plan</translation>
+    </message>
+    <message>
+        <source>&amp;Milestone</source>
+        <translation>&amp;Jalon</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>R&amp;endre</translation>
     </message>
 </context>
 <context>

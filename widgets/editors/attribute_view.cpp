@@ -9,6 +9,8 @@
 namespace glissade {
 namespace {
 
+constexpr int kResetColumn = 3;
+
 QString sourceText(Provenance provenance) {
   switch (provenance) {
     case Provenance::Initial: return AttributeView::tr("default");
@@ -31,8 +33,8 @@ AttributeView::AttributeView(SemanticDocument& document, QWidget* parent) : QTre
   header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(1, QHeaderView::Stretch);
   header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(3, QHeaderView::Fixed);
-  header()->resizeSection(3, 26);
+  header()->setSectionResizeMode(kResetColumn, QHeaderView::Fixed);
+  header()->resizeSection(kResetColumn, 26);
   connect(&document_, &SemanticDocument::changed, this, &AttributeView::refresh);
   connect(&document_, &SemanticDocument::selectionChanged, this, &AttributeView::refresh);
 }
@@ -69,19 +71,31 @@ void AttributeView::addRow(const AttributeDefinition& definition) {
   item->setToolTip(0, QCoreApplication::translate("Attributes", definition.description.c_str()));
   auto* editor = new AttributeEditor(definition);
   setItemWidget(item, 1, editor);
+  connect(editor, &AttributeEditor::edited, this,
+          [this, name = definition.name](const AttributeValue& value) { set(name, value); });
+  rows_.push_back({definition.name, editor, item});
+}
+
+/// The button is only there where there is something to take back.
+void AttributeView::showReset(const Row& row, bool wanted) {
+  if (wanted == (itemWidget(row.item, kResetColumn) != nullptr)) return;
+  if (!wanted) {
+    removeItemWidget(row.item, kResetColumn);
+    return;
+  }
   auto* reset = new QToolButton;
+  reset->setText(QStringLiteral("↺"));
   reset->setAutoRaise(true);
   reset->setToolTip(tr("Take the edit back: the computed value again"));
-  setItemWidget(item, 3, reset);
-  const auto set = [this, name = definition.name](const std::optional<AttributeValue>& value) {
-    const Outcome outcome = document_.setAttribute(document_.selection(), name, value);
-    if (outcome) return;
-    emit refused(outcome.error());
-    refresh();
-  };
-  connect(editor, &AttributeEditor::edited, this, [set](const AttributeValue& value) { set(value); });
-  connect(reset, &QToolButton::clicked, this, [set] { set(std::nullopt); });
-  rows_.push_back({definition.name, editor, item, reset});
+  connect(reset, &QToolButton::clicked, this, [this, name = row.attribute] { set(name, std::nullopt); });
+  setItemWidget(row.item, kResetColumn, reset);
+}
+
+void AttributeView::set(const std::string& attribute, const std::optional<AttributeValue>& value) {
+  const Outcome outcome = document_.setAttribute(document_.selection(), attribute, value);
+  if (outcome) return;
+  emit refused(outcome.error());
+  refresh();
 }
 
 std::vector<ProvenValue> AttributeView::valuesOf(const std::string& attribute) const {
@@ -111,8 +125,7 @@ void AttributeView::showValues(Row& row) {
   QFont font = row.item->font(2);
   font.setBold(anyEdited);
   row.item->setFont(2, font);
-  row.reset->setEnabled(anyEdited);
-  row.reset->setText(anyEdited ? QStringLiteral("↺") : QString());
+  showReset(row, anyEdited);
 }
 
 }  // namespace glissade

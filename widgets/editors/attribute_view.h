@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QToolButton>
 #include <QTreeWidget>
 #include <vector>
 
@@ -30,13 +29,14 @@ class AttributeView final : public QTreeWidget {
     std::string attribute;
     AttributeEditor* editor;
     QTreeWidgetItem* item;
-    QToolButton* reset;
   };
 
   void refresh();
   void rebuild(const std::vector<AttributeDefinition>& definitions);
   void addRow(const AttributeDefinition& definition);
   void showValues(Row& row);
+  void showReset(const Row& row, bool wanted);
+  void set(const std::string& attribute, const std::optional<AttributeValue>& value);
   std::vector<ProvenValue> valuesOf(const std::string& attribute) const;
 
   SemanticDocument& document_;

@@ -34,6 +34,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
     steps_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   }
   steps_->header()->setStretchLastSection(true);
+  steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   steps_->setMinimumHeight(90);
   why_->setWordWrap(true);
   summary_->setWordWrap(true);
