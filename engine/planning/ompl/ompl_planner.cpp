@@ -199,6 +199,8 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
 }
 
 void OmplPlanner::collect() {
+  if (collectedAt_ == counts_.iterations && !path_) return;
+  collectedAt_ = counts_.iterations;
   ob::PlannerData data(engine_->information);
   engine_->planner->getPlannerData(data);
   struct Fresh {
