@@ -54,6 +54,7 @@ class OmplPlanner final : public Planner {
   PlannerCounts counts_;
   std::uint64_t owedSteps_ = 0;       ///< draws of the last piece that no step stands for yet
   std::uint64_t nextCollection_ = 1;  ///< in draws
+  std::uint64_t collectedAt_ = 0;     ///< in pieces
   std::optional<Path> path_;
   std::optional<Diagnostic> failure_;
 };

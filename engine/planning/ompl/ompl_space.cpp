@@ -31,6 +31,13 @@ Pose moved(const Pose& q, const std::array<double, 6>& tangent, double radius) {
   return result;
 }
 
+/// What is out of bounds comes back in: cut off, it would pile up on their faces.
+Vector3 mirroredInto(const Box3& bounds, const Vector3& p) {
+  const Vector3 inside = bounds.min().cwiseMax(2.0 * bounds.min() - p).cwiseMax(p);
+  const Vector3 mirrored = inside.cwiseMin(2.0 * bounds.max() - inside);
+  return mirrored.cwiseMax(bounds.min()).cwiseMin(bounds.max());
+}
+
 class Sampler final : public ob::StateSampler {
  public:
   Sampler(const ob::StateSpace* space, OmplWorld& world) : StateSampler(space), world_(world) {}
@@ -123,7 +130,7 @@ Pose OmplWorld::drawNear(const Pose& near, double distance, bool normal) {
     const double scale = normal ? distance : distance * std::pow(stream.uniform(), 1.0 / 6.0) / std::sqrt(squared);
     for (double& coordinate : tangent) coordinate *= scale;
     Pose q = moved(near, tangent, metric.radius());
-    q.position = q.position.cwiseMax(problem.bounds.min()).cwiseMin(problem.bounds.max());
+    q.position = mirroredInto(problem.bounds, q.position);
     if (!problem.region || problem.region->contains(q.position)) return q;
   }
   const Pose towards = draw();
