@@ -2,6 +2,8 @@
 
 #include <QMouseEvent>
 
+#include <algorithm>
+
 #include "engine/planning/coarse/topological_planner.h"
 #include "widgets/model/complexity_colour.h"
 #include "widgets/scene3d/camera_controller.h"
@@ -57,6 +59,10 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
     showEnvironment();
     enableActions();
   });
+  connect(semantics_, &SemanticsPanel::identifierChosen, this, [this](const std::string& id) {
+    options_.identifier = id;
+    build();
+  });
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
   connectActions();
   enableActions();
@@ -79,6 +85,8 @@ void EnvironmentController::connectActions() {
   on("place.prefer", [this] { togglePreferred(); });
   on("milestone.set", [this] { setMilestone(true); });
   on("milestone.reset", [this] { setMilestone(false); });
+  on("view.finer-cells", [this] { changeCellLevel(1); });
+  on("view.coarser-cells", [this] { changeCellLevel(-1); });
   on("edit.undo", [this] { document_.undoStack().undo(); });
   on("edit.redo", [this] { document_.undoStack().redo(); });
   connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EnvironmentController::enableActions);
@@ -88,6 +96,8 @@ void EnvironmentController::open(const ScenarioPtr& scenario) {
   builder_.cancel();
   semantics_->setBusy(false);
   scenario_ = scenario;
+  options_ = scenario->scenario.environment;
+  semantics_->setIdentifier(options_.identifier);
   snapshot_.reset();
   shownPlan_.reset();
   plan_->setPlan(nullptr);
@@ -104,6 +114,7 @@ void EnvironmentController::build() {
   if (!scenario_) return;
   builtMobility_ = mobilityOf(document_.edits());
   Problem problem = scenario_->problem;
+  problem.scene.environment = options_;
   problem.scene.edits = std::make_shared<const SemanticEdits>(document_.edits());
   builder_.build(problem, scenario_->parameters[ParameterId::RequiredClearance],
                  bridge_.clock() == SessionClock::Lockstep);
@@ -127,6 +138,7 @@ void EnvironmentController::documentChanged() {
 void EnvironmentController::showEnvironment() {
   EnvironmentPicture picture;
   picture.knowledge = document_.knowledge();
+  picture.finestCellLevel = finestCellLevel_;
   if (const SemanticModel* semantics = document_.semantics()) {
     for (std::size_t place = 0; place < semantics->placeCount(); ++place) {
       const double complexity = std::get<double>(semantics->ofPlace(place, "complexity").value);
@@ -217,6 +229,11 @@ bool EnvironmentController::eventFilter(QObject* watched, QEvent* event) {
     }
   }
   return QObject::eventFilter(watched, event);
+}
+
+void EnvironmentController::changeCellLevel(int by) {
+  finestCellLevel_ = std::clamp(finestCellLevel_ + by, 1, Octree::kDeepest);
+  showEnvironment();
 }
 
 void EnvironmentController::toggleForbidden() {

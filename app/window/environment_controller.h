@@ -31,6 +31,8 @@ class EnvironmentController final : public QObject {
   /// Builds the environment model anew.
   void build();
   bool building() const { return builder_.busy(); }
+  /// How the environment is modelled: the scenario's, until somebody chooses otherwise.
+  const EnvironmentOptions& options() const { return options_; }
   /// The plan that is shown; null where there is none.
   const CoarsePlanPtr& shownPlan() const { return shownPlan_; }
   /// Selects what lies under a point of the scene widget; `add`: besides what is selected.
@@ -55,6 +57,7 @@ class EnvironmentController final : public QObject {
   void toggleForbidden();
   void togglePreferred();
   void setMilestone(bool here);
+  void changeCellLevel(int by);
   void enableActions();
 
   SessionBridge& bridge_;
@@ -65,6 +68,8 @@ class EnvironmentController final : public QObject {
   SemanticsPanel* semantics_;
   PlanPanel* plan_;
   ScenarioPtr scenario_;
+  EnvironmentOptions options_;
+  int finestCellLevel_ = 6;
   SnapshotPtr snapshot_;
   CoarsePlanPtr shownPlan_;
   SemanticEdits plannedEdits_;  ///< those that the session's plan was made with

@@ -358,6 +358,7 @@ void MainWindow::restart(std::uint64_t seed) {
 std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
   Scenario scenario = scenario_->scenario;
   setSemanticEdits(environment_->document().edits(), scenario);
+  scenario.environment = environment_->options();
   scenario.planner = snapshot_->plannerId;
   scenario.seed = snapshot_->seed;
   for (const ParameterSpec& spec : parameterTable()) {

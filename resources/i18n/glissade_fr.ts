@@ -435,6 +435,22 @@
         <source>R&amp;eset</source>
         <translation>R&amp;endre</translation>
     </message>
+    <message>
+        <source>Fi&amp;ner cells</source>
+        <translation>Cellules plus fi&amp;nes</translation>
+    </message>
+    <message>
+        <source>Show the octree&apos;s cells one level deeper</source>
+        <translation>Montrer les cellules de l&apos;octree un niveau plus bas</translation>
+    </message>
+    <message>
+        <source>&amp;Coarser cells</source>
+        <translation>Cellules plus &amp;grosses</translation>
+    </message>
+    <message>
+        <source>Show the octree&apos;s cells one level less deep</source>
+        <translation>Montrer les cellules de l&apos;octree un niveau plus haut</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -563,6 +579,17 @@
     <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
         <translation>Rayon du disque du plan tangent dans lequel les échantillons de contact sont tirés.</translation>
+    </message>
+</context>
+<context>
+    <name>PlaceIdentifiers</name>
+    <message>
+        <source>Region growing</source>
+        <translation>Croissance de régions</translation>
+    </message>
+    <message>
+        <source>Watershed</source>
+        <translation>Partage des eaux</translation>
     </message>
 </context>
 <context>
@@ -1273,6 +1300,10 @@
     <message>
         <source>New name</source>
         <translation>Nouveau nom</translation>
+    </message>
+    <message>
+        <source>How the places are found</source>
+        <translation>Comment les lieux sont trouvés</translation>
     </message>
 </context>
 <context>

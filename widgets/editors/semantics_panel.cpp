@@ -1,7 +1,9 @@
 #include "widgets/editors/semantics_panel.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QInputDialog>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -15,12 +17,22 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       document_(document),
       actions_(actions),
       filter_(new QLineEdit(this)),
+      identifier_(new QComboBox(this)),
       busy_(new QProgressBar(this)),
       tree_(new SemanticsTree(document, this)),
       attributes_(new AttributeView(document, this)),
       refusal_(new QLabel(this)) {
   filter_->setPlaceholderText(tr("Filter by name or value"));
   filter_->setClearButtonEnabled(true);
+  const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();
+  for (const PlaceIdentifierEntry& entry : identifiers.entries()) {
+    identifier_->addItem(QCoreApplication::translate("PlaceIdentifiers", entry.label.c_str()),
+                         QString::fromStdString(entry.id));
+    identifier_->setItemData(identifier_->count() - 1, QString::fromStdString(entry.description), Qt::ToolTipRole);
+  }
+  identifier_->setToolTip(tr("How the places are found"));
+  connect(identifier_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { emit identifierChosen(identifier_->currentData().toString().toStdString()); });
   busy_->setRange(0, 0);
   busy_->setTextVisible(false);
   busy_->setMaximumHeight(4);
@@ -50,7 +62,10 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addLayout(buttons);
-  layout->addWidget(filter_);
+  auto* finding = new QHBoxLayout;
+  finding->addWidget(filter_, 1);
+  finding->addWidget(identifier_);
+  layout->addLayout(finding);
   layout->addWidget(busy_);
   layout->addWidget(splitter, 1);
   layout->addWidget(refusal_);
@@ -67,6 +82,11 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
 }
 
 void SemanticsPanel::setBusy(bool busy) { busy_->setVisible(busy); }
+
+void SemanticsPanel::setIdentifier(const std::string& id) {
+  const QSignalBlocker block(identifier_);
+  identifier_->setCurrentIndex(identifier_->findData(QString::fromStdString(id)));
+}
 
 void SemanticsPanel::enableActions() {
   const AttributeDefinition* current = document_.table().find(attributes_->owner(), attributes_->currentAttribute());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -19,10 +20,15 @@ class SemanticsPanel final : public QWidget {
   SemanticsPanel(SemanticDocument& document, const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setBusy(bool busy);
+  /// The way in which places are found (an id of the registry).
+  void setIdentifier(const std::string& id);
   /// Carry out attribute.add, attribute.rename and attribute.remove.
   void addAttribute();
   void renameAttribute();
   void removeAttribute();
+
+ signals:
+  void identifierChosen(const std::string& id);
 
  private:
   void enableActions();
@@ -31,6 +37,7 @@ class SemanticsPanel final : public QWidget {
   SemanticDocument& document_;
   const ActionCatalogue& actions_;
   QLineEdit* filter_;
+  QComboBox* identifier_;
   QProgressBar* busy_;
   SemanticsTree* tree_;
   AttributeView* attributes_;

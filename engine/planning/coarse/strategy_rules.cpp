@@ -32,7 +32,7 @@ StrategyRules presetRules(std::string_view strategy) {
     rules.fine = paperFineRules();
   } else {
     rules.node = std::string("2 * size * (1 - min(a.compatibility, b.compatibility)) + 0.5 * ") + kEasiest;
-    rules.fine = {{"place.cluttered or place.complexity > 2", true, "birrt"}, {"1", false, "linear"}};
+    rules.fine = {{"place.cluttered or place.complexity > 2", true, "contact-birrt"}, {"1", false, "linear"}};
     rules.loop = true;
     rules.fitted = true;
   }

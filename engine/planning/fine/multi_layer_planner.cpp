@@ -232,7 +232,7 @@ void MultiLayerPlanner::startLocalPlanner(PlannerHost& host) {
   part.region = step.region;
   const std::string use = "step " + std::to_string(at_) + ", attempt " + std::to_string(plan_.attempt);
   const PlannerEntry* entry = locals_.find(choice_.local);
-  local_ = std::make_unique<SubPlanner>(entry->make(part, seedOf(use)), stepBudget(host.parameters()));
+  local_ = std::make_unique<SubPlanner>(entry->make(part, seedOf(use)), stepBudget(host.parameters()), step.region);
   publish();
 }
 
@@ -277,7 +277,7 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
     Problem whole = problem_;
     whole.region.reset();
     whole_ = std::make_unique<SubPlanner>(locals_.find("contact-birrt")->make(whole, seedOf("whole workspace")),
-                                          std::numeric_limits<std::uint64_t>::max());
+                                          std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
   const std::uint64_t before = whole_->randomConfigurations();
   const SubPlanner::State state = whole_->step(host, roadmap_);

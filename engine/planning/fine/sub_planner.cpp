@@ -6,9 +6,13 @@ namespace {
 /// The host of the whole, for one step.
 class OneStep final : public PlannerHost {
  public:
-  explicit OneStep(PlannerHost& host) : host_(host) {}
+  OneStep(PlannerHost& host, const SamplingRegion* region) : host_(host), region_(region) {}
 
-  std::optional<OperatorSample> operatorSample() override { return host_.operatorSample(); }
+  std::optional<OperatorSample> operatorSample() override {
+    auto sample = host_.operatorSample();
+    if (sample && region_ != nullptr && !region_->contains(sample->q_device.position)) return std::nullopt;
+    return sample;
+  }
   const ParameterValues& parameters() const override { return host_.parameters(); }
   bool afterStep() override { return false; }
   const StopToken& stopToken() const override { return host_.stopToken(); }
@@ -16,12 +20,13 @@ class OneStep final : public PlannerHost {
 
  private:
   PlannerHost& host_;
+  const SamplingRegion* region_;
 };
 
 }  // namespace
 
 SubPlanner::State SubPlanner::step(PlannerHost& host, SharedRoadmap& roadmap) {
-  OneStep one(host);
+  OneStep one(host, region_.get());
   const bool solved = planner_->solve(one);
   collect(roadmap);
   if (solved) return State::Solved;

@@ -15,9 +15,10 @@ struct SharedRoadmap {
 /// A planner that works on a part of a problem, one step at a time, for another planner.
 class SubPlanner {
  public:
-  /// `samples` limits its random configurations.
-  SubPlanner(std::unique_ptr<Planner> planner, std::uint64_t samples)
-      : planner_(std::move(planner)), samples_(samples) {}
+  /// `samples` limits its random configurations. The operator takes part while the object in his hand
+  /// is in the region (null: everywhere).
+  SubPlanner(std::unique_ptr<Planner> planner, std::uint64_t samples, SamplingRegionPtr region)
+      : planner_(std::move(planner)), samples_(samples), region_(std::move(region)) {}
 
   enum class State { Running, Solved, Failed };
   /// One step; what it grew and cost is added to the roadmap.
@@ -32,6 +33,7 @@ class SubPlanner {
 
   std::unique_ptr<Planner> planner_;
   std::uint64_t samples_;
+  SamplingRegionPtr region_;
   std::vector<std::uint32_t> nodeIn_;  ///< index in the shared roadmap, per own node
   std::vector<std::uint32_t> edgeIn_;
   std::size_t droppedTaken_ = 0;
