@@ -534,7 +534,7 @@ void writeScenario(const std::string& path, const std::vector<Part>& parts, cons
                       R"(], "object": {"id": "pump", "name": "pump", "geometry": {"mesh": "pump"}, )" +
                       R"("colour": [0.30, 0.62, 0.42]}, "start": )" + start + R"(, "goal": )" + goal +
                       R"(, "workspace": {"min": [-0.35, -0.75, 0.3], "max": [0.4, 0.15, 0.5]}, "way_points": [], )" +
-                      R"("planner": "birrt", "parameters": {}, "seed": 1})" + "\n");
+                      R"("planner": "gts", "parameters": {}, "seed": 1})" + "\n");
 }
 
 void generate(const std::string& folder) {

@@ -9,8 +9,8 @@ namespace {
 
 /// While a step runs, what it has spent is published at most every so many configurations.
 constexpr std::uint64_t kPublishEvery = 64;
-/// The first coarse paths get a part of the limit a step, each time four times as much.
-constexpr std::uint64_t kCautiousAttempts = 3;
+/// The first coarse paths get a part of the limit a step; every two of them four times as much.
+constexpr std::uint64_t kCautiousPairs = 3;
 /// The search of the whole workspace has a turn of at least this many random configurations.
 constexpr std::uint64_t kShortestTurn = 200;
 
@@ -311,8 +311,9 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
 
 std::uint64_t MultiLayerPlanner::stepBudget(const ParameterValues& parameters) const {
   const auto limit = static_cast<std::uint64_t>(parameters[ParameterId::StepSamples]);
-  if (!parsed_->loop || plan_.attempt > kCautiousAttempts) return limit;
-  return std::max<std::uint64_t>(1, limit >> (2 * (kCautiousAttempts + 1 - plan_.attempt)));
+  if (!parsed_->loop) return limit;
+  const std::uint64_t pair = std::min((plan_.attempt - 1) / 2, kCautiousPairs);
+  return std::max<std::uint64_t>(1, limit >> (2 * (kCautiousPairs - pair)));
 }
 
 std::uint64_t MultiLayerPlanner::seedOf(const std::string& use) const { return RandomStream(seed_, use).bits(); }
