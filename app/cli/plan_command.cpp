@@ -14,24 +14,20 @@ namespace {
 /// Planner steps between two looks at the clock of the outside world.
 constexpr std::uint64_t kSlice = 200;
 
-bool running(const SessionSnapshot& snapshot) {
-  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
-}
-
 /// Plans until the run ends or somebody interrupts it; parameters change at the recorded steps.
 SnapshotPtr planInLockstep(LockstepSession& session, const std::vector<RunRecord::ParameterChange>& changes,
                            const Interrupt& interrupt) {
   session.post(command::Start{});
   session.advance(0);
   auto change = changes.begin();
-  while (running(*session.snapshot()) && !interrupt.requested()) {
+  while (isRunning(*session.snapshot()) && !interrupt.requested()) {
     const std::uint64_t done = session.snapshot()->counts.steps;
     for (; change != changes.end() && change->step <= done; ++change) {
       session.post(command::SetParameter{change->id, change->value});
     }
     session.advance(change == changes.end() ? kSlice : std::min(kSlice, change->step - done), interrupt.token());
   }
-  if (running(*session.snapshot())) {
+  if (isRunning(*session.snapshot())) {
     session.post(command::Stop{});
     session.advance(0);
   }

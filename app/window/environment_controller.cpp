@@ -18,10 +18,6 @@ constexpr double kClickPixels = 4.0;
 /// How much shorter ways through a preferred place count.
 constexpr double kPreferred = 4.0;
 
-bool isRunning(const SessionSnapshot& snapshot) {
-  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
-}
-
 bool isMultiLayer(const std::string& planner) {
   const PlannerRegistry registry = makePlannerRegistry();
   const PlannerEntry* entry = registry.find(planner);

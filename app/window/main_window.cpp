@@ -35,10 +35,6 @@ namespace {
 constexpr double kRadiiPerSecond = 0.65;
 constexpr double kRadiansPerSecond = 1.0;
 
-bool isRunning(const SessionSnapshot& snapshot) {
-  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
-}
-
 }  // namespace
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)

@@ -48,8 +48,9 @@ struct SetDevicePose {
   Pose q_device;
 };  ///< puts the object in the operator's hand there
 }  // namespace command
-using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
-                             command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge, command::SetDevicePose>;
+using Command =
+    std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed, command::SetPlanner,
+                 command::SetParameter, command::SetSemantics, command::SetKnowledge, command::SetDevicePose>;
 
 /// Everything the window shows, frozen at one moment; shared and never changed.
 struct SessionSnapshot {
@@ -74,6 +75,11 @@ struct SessionSnapshot {
   std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
+
+/// A run is under way, held or not.
+inline bool isRunning(const SessionSnapshot& snapshot) {
+  return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
+}
 
 /// What a session works on. The world is shared; the device is owned by the session.
 struct SessionConfig {

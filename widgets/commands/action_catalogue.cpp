@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QKeySequence>
+#include <QToolButton>
 
 namespace glissade {
 namespace {
@@ -153,6 +154,20 @@ QString ActionCatalogue::shortcutTable() const {
             .arg(action->shortcut().toString(QKeySequence::NativeText), plain(action->text()), translated(spec.tip));
   }
   return rows;
+}
+
+QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  for (const char* id : ids) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(actions[QLatin1String(id)]);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(button);
+  }
+  row->addStretch();
+  return row;
 }
 
 }  // namespace glissade

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QHash>
 #include <QObject>
 #include <QString>
@@ -37,5 +38,8 @@ class ActionCatalogue final : public QObject {
  private:
   QHash<QString, QAction*> actions_;
 };
+
+/// A row of flat buttons for actions, reached with Tab.
+QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent);
 
 }  // namespace glissade

@@ -5,7 +5,6 @@
 #include <QInputDialog>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "widgets/editors/attribute_dialog.h"
@@ -40,16 +39,6 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   refusal_->setWordWrap(true);
   refusal_->setObjectName(QStringLiteral("refusal"));
   refusal_->hide();
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
-  for (const char* id : {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(actions[QLatin1String(id)]);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    buttons->addWidget(button);
-  }
-  buttons->addStretch();
   auto* splitter = new QSplitter(Qt::Vertical, this);
   splitter->addWidget(tree_);
   splitter->addWidget(attributes_);
@@ -61,7 +50,8 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
-  layout->addLayout(buttons);
+  layout->addLayout(
+      makeActionRow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
   auto* finding = new QHBoxLayout;
   finding->addWidget(filter_, 1);
   finding->addWidget(identifier_);

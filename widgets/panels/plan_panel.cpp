@@ -1,9 +1,7 @@
 #include "widgets/panels/plan_panel.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace glissade {
@@ -38,23 +36,13 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   steps_->setMinimumHeight(90);
   why_->setWordWrap(true);
   summary_->setWordWrap(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
-  for (const char* id : {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(actions[QLatin1String(id)]);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    buttons->addWidget(button);
-  }
-  buttons->addStretch();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(summary_);
   layout->addWidget(steps_, 1);
   layout->addWidget(why_);
-  layout->addLayout(buttons);
+  layout->addLayout(makeActionRow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
   setMinimumWidth(300);
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
     const auto step = currentStep();
