@@ -33,9 +33,11 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
 }  // namespace
 
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
-                                             const EnvironmentOptions& options) {
+                                             const EnvironmentOptions& options, const StopToken& stop) {
   const Outcome sound = check(options, workspace);
   if (!sound) return sound.error();
+  const Diagnostic interrupted{ErrorKind::Interrupted, "", "", "the environment model was not finished",
+                               "Start it again."};
   auto model = std::make_shared<EnvironmentModel>();
   model->options = options;
   const OctreeResolution resolution{options.cellSize, static_cast<std::size_t>(options.memory * (1U << 20))};
@@ -44,10 +46,13 @@ Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodie
   for (const RigidBody& body : bodies) {
     if (body.mobility == Mobility::Static) append(model->statics_W, transformed(*body.mesh, body.X_WB));
   }
+  if (stop.stopRequested()) return interrupted;
   const std::vector<double> clearance = distanceTransform(model->space);
   const std::vector<Passage> passages = findPassages(model->space);
+  if (stop.stopRequested()) return interrupted;
   const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
   const PlaceLabels labels = registry.find(options.identifier)->identify({model->space, clearance, passages});
+  if (stop.stopRequested()) return interrupted;
   model->map = makeTopologicalMap(model->space, labels, clearance, passages, model->statics_W);
   model->clearance = distanceTransform(model->space, true);
   model->cluttered.assign(model->map.places.size(), false);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/base/result.h"
+#include "engine/base/stop_token.h"
 #include "engine/environment/topological_map.h"
 
 namespace glissade {
@@ -33,8 +34,9 @@ struct EnvironmentModel {
 };
 using EnvironmentModelPtr = std::shared_ptr<const EnvironmentModel>;
 
-/// Unknown identifiers are ErrorKind::MalformedInput, as are options out of range.
+/// Unknown identifiers are ErrorKind::MalformedInput, as are options out of range. A stop is looked at
+/// between the layers (some tenths of a second each) and ends in ErrorKind::Interrupted.
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
-                                             const EnvironmentOptions& options);
+                                             const EnvironmentOptions& options, const StopToken& stop = {});
 
 }  // namespace glissade

@@ -173,8 +173,8 @@ bool operator==(const Octree& a, const Octree& b) {
     const Octree::Node& v = b.nodes_[q];
     if ((u.firstChild < 0) != (v.firstChild < 0)) return false;
     if (u.firstChild < 0) return a.clutters_[u.clutter] == b.clutters_[v.clutter];
-    for (std::int32_t child = 0; child < 8; ++child) {
-      if (!same(static_cast<std::size_t>(u.firstChild + child), static_cast<std::size_t>(v.firstChild + child))) {
+    for (std::size_t child = 0; child < 8; ++child) {
+      if (!same(static_cast<std::size_t>(u.firstChild) + child, static_cast<std::size_t>(v.firstChild) + child)) {
         return false;
       }
     }

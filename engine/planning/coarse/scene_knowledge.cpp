@@ -38,7 +38,7 @@ StrategyRules rulesOf(const Problem& problem, std::string_view strategy) {
 
 Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop) {
   auto knowledge = std::make_shared<SceneKnowledge>();
-  auto environment = buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment);
+  auto environment = buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment, stop);
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   const auto& places = knowledge->environment->map.places;
