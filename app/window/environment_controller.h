@@ -30,7 +30,6 @@ class EnvironmentController final : public QObject {
   void showSnapshot(const SnapshotPtr& snapshot);
   /// Builds the environment model anew.
   void build();
-  bool building() const { return builder_.busy(); }
   /// How the environment is modelled: the scenario's, until somebody chooses otherwise.
   const EnvironmentOptions& options() const { return options_; }
   /// The plan that is shown; null where there is none.

@@ -1161,14 +1161,6 @@
         <translation>en cours</translation>
     </message>
     <message>
-        <source>✓ solved</source>
-        <translation>✓ résolu</translation>
-    </message>
-    <message>
-        <source>✗ failed</source>
-        <translation>✗ échoué</translation>
-    </message>
-    <message>
         <source>Place</source>
         <translation>Lieu</translation>
     </message>
@@ -1203,6 +1195,14 @@
     <message>
         <source>Coarse path %1, cost %2; random configurations: coarse %3, fine %4</source>
         <translation>Chemin grossier %1, coût %2 ; configurations aléatoires : grossier %3, fin %4</translation>
+    </message>
+    <message>
+        <source>solved</source>
+        <translation>résolu</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échoué</translation>
     </message>
 </context>
 <context>

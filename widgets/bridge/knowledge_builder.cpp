@@ -9,7 +9,6 @@ KnowledgeBuilder::~KnowledgeBuilder() {
 
 void KnowledgeBuilder::cancel() {
   ++request_;
-  busy_ = false;
   stop_.requestStop();
 }
 
@@ -27,7 +26,6 @@ void KnowledgeBuilder::joinFinished() {
 void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, bool atOnce) {
   cancel();
   joinFinished();
-  busy_ = true;
   emit started();
   const std::uint64_t request = request_;
   if (atOnce) {
@@ -46,7 +44,6 @@ void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, b
 
 void KnowledgeBuilder::deliver(std::uint64_t request, const Result<SceneKnowledgePtr>& result) {
   if (request != request_) return;
-  busy_ = false;
   if (result) {
     emit finished(*result);
   } else {

@@ -22,7 +22,6 @@ class KnowledgeBuilder final : public QObject {
   /// `atOnce`: finished before this returns.
   void build(const Problem& problem, double requiredClearance, bool atOnce);
   void cancel();
-  bool busy() const { return busy_; }
 
  signals:
   void started();
@@ -40,7 +39,6 @@ class KnowledgeBuilder final : public QObject {
 
   std::list<Worker> workers_;
   StopSource stop_;
-  bool busy_ = false;
   std::uint64_t request_ = 0;
 };
 

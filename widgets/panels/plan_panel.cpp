@@ -11,8 +11,8 @@ QString resultText(StepResult result) {
   switch (result) {
     case StepResult::Pending: return PlanPanel::tr("to do");
     case StepResult::Running: return PlanPanel::tr("running");
-    case StepResult::Solved: return PlanPanel::tr("✓ solved");
-    case StepResult::Failed: return PlanPanel::tr("✗ failed");
+    case StepResult::Solved: return PlanPanel::tr("solved");
+    case StepResult::Failed: return PlanPanel::tr("failed");
   }
   return {};
 }
@@ -92,7 +92,7 @@ void PlanPanel::showStep(std::size_t index) {
   if (item == nullptr) item = new QTreeWidgetItem(steps_);
   item->setText(0, QString::fromStdString(step.placeName));
   item->setText(1, QString::fromStdString(step.borderName));
-  item->setText(2, (step.geometrical ? QStringLiteral("A* + ") : QString()) + QString::fromStdString(step.planner));
+  item->setText(2, (step.geometrical ? QStringLiteral("A*, ") : QString()) + QString::fromStdString(step.planner));
   item->setText(3, QLocale().toString(static_cast<qulonglong>(step.randomConfigurations)));
   item->setTextAlignment(3, Qt::AlignRight | Qt::AlignVCenter);
   item->setText(4, resultText(step.result));

@@ -26,7 +26,6 @@ class SubPlanner {
 
   const Planner& planner() const { return *planner_; }
   std::uint64_t randomConfigurations() const { return planner_->counts().randomConfigurations; }
-  void setSampleLimit(std::uint64_t samples) { samples_ = samples; }
 
  private:
   void collect(SharedRoadmap& roadmap);
