@@ -206,11 +206,6 @@ int TopologicalMap::placeNear(const Vector3& p_W) const {
   return nearest;
 }
 
-int TopologicalMap::placeByName(std::string_view name) const {
-  const auto found = std::find_if(places.begin(), places.end(), [&](const Place& place) { return place.name == name; });
-  return found == places.end() ? kNoPlace : static_cast<int>(std::distance(places.begin(), found));
-}
-
 TopologicalMap makeTopologicalMap(const FreeSpace& space, const PlaceLabels& labels,
                                   const std::vector<double>& clearance, const std::vector<Passage>& passages,
                                   const TriangleMesh& statics_W) {

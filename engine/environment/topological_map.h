@@ -29,8 +29,6 @@ struct Border {
   Vector3 centre = Vector3::Zero();   ///< of the faces that the two places share, world
   Vector3 normal = Vector3::UnitX();  ///< unit, from A to B, mean of the shared faces' normals
   double opening = 0.0;               ///< square metres of the shared faces
-
-  int otherPlace(int place) const { return place == placeA ? placeB : placeA; }
 };
 
 /// The topological layer: places and borders of the static environment. Names and order depend on
@@ -45,7 +43,6 @@ struct TopologicalMap {
   int placeAt(const Vector3& p_W) const;
   /// The place of the nearest cell that has one.
   int placeNear(const Vector3& p_W) const;
-  int placeByName(std::string_view name) const;
 };
 
 /// Places in the order of complexity, then along x, y, z. `statics_W` are the static bodies, in the
