@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/planning/coarse/milestones.h"
 #include "engine/planning/coarse/topological_planner.h"
 #include "widgets/model/complexity_colour.h"
 #include "widgets/scene3d/camera_controller.h"
@@ -41,6 +42,7 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
       bridge_(bridge),
       actions_(actions),
       scene_(scene),
+      milestones_(document_, scene, window),
       semantics_(new SemanticsPanel(document_, actions, window)),
       plan_(new PlanPanel(actions, window)) {
   scene_.widget()->installEventFilter(this);
@@ -60,6 +62,8 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
     build();
   });
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
+  connect(&milestones_, &MilestoneTool::moving, this, &EnvironmentController::drawPlan);
+  connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::failed);
   connectActions();
   enableActions();
 }
@@ -92,6 +96,7 @@ void EnvironmentController::open(const ScenarioPtr& scenario) {
   builder_.cancel();
   semantics_->setBusy(false);
   scenario_ = scenario;
+  milestones_.setScenario(scenario);
   options_ = scenario->scenario.environment;
   semantics_->setIdentifier(options_.identifier);
   snapshot_.reset();
@@ -160,7 +165,7 @@ void EnvironmentController::showSnapshot(const SnapshotPtr& snapshot) {
   if (newPlan) showPlan();
 }
 
-/// What the coarse planning would decide now, milestones not drawn.
+/// What the coarse planning would decide now, with no milestones but the user's.
 CoarsePlanPtr EnvironmentController::preview() const {
   const SemanticModel* semantics = document_.semantics();
   if (semantics == nullptr || !snapshot_ || !isMultiLayer(snapshot_->plannerId)) return nullptr;
@@ -168,8 +173,17 @@ CoarsePlanPtr EnvironmentController::preview() const {
   const auto rules = parseRules(rulesOf(scenario_->problem, snapshot_->plannerId), semantics->table(),
                                 idsOf(makeLocalPlannerRegistry()));
   if (goal == nullptr || !rules) return nullptr;
-  return std::make_shared<const CoarsePlan>(makeCoarsePlan(document_.knowledge()->environment->map, *semantics, *rules,
-                                                           scenario_->problem.start.position, goal->position, {}));
+  const TopologicalMap& map = document_.knowledge()->environment->map;
+  auto plan = std::make_shared<CoarsePlan>(
+      makeCoarsePlan(map, *semantics, *rules, scenario_->problem.start.position, goal->position, {}));
+  const auto query = scenario_->problem.world->makeQuery();
+  for (TopologicalStep& step : plan->steps) {
+    const auto edited = step.border >= 0 ? editedMilestone(map, step.border, document_.edits(), *query) : std::nullopt;
+    if (!edited) continue;
+    step.to = *edited;
+    step.milestone = true;
+  }
+  return plan;
 }
 
 /// The plan of the run, as long as it is about the edits that there are.
@@ -178,9 +192,14 @@ void EnvironmentController::showPlan() {
       snapshot_ && snapshot_->coarsePlan && (isRunning(*snapshot_) || plannedEdits_ == document_.edits());
   shownPlan_ = ofRun ? snapshot_->coarsePlan : preview();
   plan_->setPlan(shownPlan_);
-  scene_.view().setCoarsePlan(shownPlan_);
-  scene_.refresh();
+  milestones_.setPlan(shownPlan_);
+  drawPlan();
   enableActions();
+}
+
+void EnvironmentController::drawPlan() {
+  scene_.view().setCoarsePlan(milestones_.shownPlan());
+  scene_.refresh();
 }
 
 void EnvironmentController::showStep() {

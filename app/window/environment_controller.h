@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointF>
 
+#include "app/window/milestone_tool.h"
 #include "widgets/bridge/knowledge_builder.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/commands/action_catalogue.h"
@@ -51,6 +52,7 @@ class EnvironmentController final : public QObject {
   void documentChanged();
   void showEnvironment();
   void showPlan();
+  void drawPlan();
   void showStep();
   CoarsePlanPtr preview() const;
   void toggleForbidden();
@@ -63,6 +65,7 @@ class EnvironmentController final : public QObject {
   const ActionCatalogue& actions_;
   SceneWidget& scene_;
   SemanticDocument document_;
+  MilestoneTool milestones_;
   KnowledgeBuilder builder_;
   SemanticsPanel* semantics_;
   PlanPanel* plan_;

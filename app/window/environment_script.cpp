@@ -28,7 +28,7 @@ AttributeValue valueOf(const std::string& text) {
 std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command) {
   const auto& words = command.arguments;
   if (command.name == "select") return select(words[0], words[1]);
-  if (command.name == "click") return click(words[0], words[1]);
+  if (command.name == "click" || command.name == "drag") return press(words);
   if (command.name == "attribute") return setAttribute(words[0], words[1]);
   if (command.name == "define") return define(words[0], words[1], words[2]);
   if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
@@ -59,15 +59,24 @@ Outcome EnvironmentScript::select(const std::string& kind, const std::string& na
   return Done{};
 }
 
-Outcome EnvironmentScript::click(const std::string& x, const std::string& y) {
-  const auto px = toNumber(x);
-  const auto py = toNumber(y);
-  if (!px || !py) return usage("a click needs two numbers");
-  const QPointF at(*px, *py);
-  for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+/// A click where there is one pixel, a drag where there are two.
+Outcome EnvironmentScript::press(const std::vector<std::string>& pixels) {
+  std::vector<double> numbers;
+  for (const std::string& word : pixels) {
+    const auto number = toNumber(word);
+    if (!number) return usage("'" + word + "' is no pixel", "Give numbers.");
+    numbers.push_back(*number);
+  }
+  const auto send = [&](QEvent::Type type, const QPointF& at) {
     QMouseEvent event(type, at, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.scene().widget(), &event);
-  }
+  };
+  const QPointF from(numbers[0], numbers[1]);
+  const QPointF to(numbers[numbers.size() - 2], numbers.back());
+  send(QEvent::MouseButtonPress, from);
+  constexpr int kMoves = 8;
+  for (int i = 1; i <= kMoves && to != from; ++i) send(QEvent::MouseMove, from + (to - from) * i / kMoves);
+  send(QEvent::MouseButtonRelease, to);
   return Done{};
 }
 

@@ -29,6 +29,7 @@ struct ScriptCommand {
 ///   save FILE                   the scenario with its edits
 ///   select KIND NAME            a place by its name, a body by its id, a step by its number
 ///   click X Y                   the left button over the 3D view, in pixels
+///   drag X Y TO_X TO_Y          the left button held from one pixel of the 3D view to another
 ///   attribute NAME VALUE        on what is selected: yes, no, a number or a text; "-" resets it
 ///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
 ///   expect-attribute NAME VALUE what is selected has this value

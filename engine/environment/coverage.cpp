@@ -11,9 +11,12 @@ namespace {
 
 /// Goes down the octree along a surface, in Z order.
 class SurfaceWalk {
+  /// Deeper than this a stop is not looked at: the cells are done in a moment.
+  static constexpr int kStopLevel = 6;
+
  public:
-  SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth)
-      : frame_(frame), depth_(depth) {
+  SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth, const StopToken& stop)
+      : frame_(frame), depth_(depth), stop_(stop) {
     triangles_.reserve(mesh_W.triangles.size());
     for (const auto& [a, b, c] : mesh_W.triangles) {
       triangles_.push_back({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
@@ -39,6 +42,7 @@ class SurfaceWalk {
  private:
   /// Precondition: candidates_[level] are the triangles that enter the cell.
   void visit(const Cell& cell) {
+    if (cell.level <= kStopLevel && stop_.stopRequested()) return;
     const auto& entering = candidates_[static_cast<std::size_t>(cell.level)];
     if (entering.empty()) {
       const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
@@ -79,6 +83,7 @@ class SurfaceWalk {
 
   CellFrame frame_;
   int depth_;
+  StopToken stop_;
   std::vector<std::array<Vector3, 3>> triangles_;
   std::optional<InsideColumns> columns_;
   std::vector<std::vector<std::uint32_t>> candidates_;  ///< per level, of the cell being visited
@@ -87,8 +92,8 @@ class SurfaceWalk {
 
 }  // namespace
 
-CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth) {
-  return SurfaceWalk(mesh_W, closed, frame, depth).run();
+CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth, const StopToken& stop) {
+  return SurfaceWalk(mesh_W, closed, frame, depth, stop).run();
 }
 
 CellRuns difference(const CellRuns& a, const CellRuns& b) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/stop_token.h"
 #include "engine/environment/cell.h"
 #include "engine/geometry/triangle_mesh.h"
 
@@ -20,8 +21,9 @@ using CellRuns = std::vector<CellRun>;
 
 /// The finest cells (at `depth`) that a body occupies: those that its surface crosses, and where
 /// `closed` those inside its solid. A cell that the surface merely touches is not occupied.
-/// `mesh_W` is in world coordinates; parts outside the root cube are left out.
-CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth);
+/// `mesh_W` is in world coordinates; parts outside the root cube are left out. Unfinished after a stop.
+CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
+                    const StopToken& stop = {});
 
 /// The cells of a that are not in b.
 CellRuns difference(const CellRuns& a, const CellRuns& b);

@@ -32,29 +32,33 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
 
 }  // namespace
 
+Diagnostic environmentInterrupted() {
+  return {ErrorKind::Interrupted, "", "", "the environment model was not finished", "Start it again."};
+}
+
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
                                              const EnvironmentOptions& options, const StopToken& stop) {
   const Outcome sound = check(options, workspace);
   if (!sound) return sound.error();
-  const Diagnostic interrupted{ErrorKind::Interrupted, "", "", "the environment model was not finished",
-                               "Start it again."};
   auto model = std::make_shared<EnvironmentModel>();
   model->options = options;
   const OctreeResolution resolution{options.cellSize, static_cast<std::size_t>(options.memory * (1U << 20))};
-  model->octree = std::make_shared<const Octree>(bodies, workspace, resolution);
+  model->octree = std::make_shared<const Octree>(bodies, workspace, resolution, stop);
   model->space = freeSpaceOf(*model->octree, std::min(options.topologyLevel, model->octree->depth()));
   for (const RigidBody& body : bodies) {
     if (body.mobility == Mobility::Static) append(model->statics_W, transformed(*body.mesh, body.X_WB));
   }
-  if (stop.stopRequested()) return interrupted;
-  const std::vector<double> clearance = distanceTransform(model->space);
-  const std::vector<Passage> passages = findPassages(model->space);
-  if (stop.stopRequested()) return interrupted;
+  if (stop.stopRequested()) return environmentInterrupted();
+  const std::vector<double> clearance = distanceTransform(model->space, false, stop);
+  const std::vector<Passage> passages = findPassages(model->space, stop);
+  if (stop.stopRequested()) return environmentInterrupted();
   const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
-  const PlaceLabels labels = registry.find(options.identifier)->identify({model->space, clearance, passages});
-  if (stop.stopRequested()) return interrupted;
-  model->map = makeTopologicalMap(model->space, labels, clearance, passages, model->statics_W);
-  model->clearance = distanceTransform(model->space, true);
+  const PlaceLabels labels = registry.find(options.identifier)->identify({model->space, clearance, passages, stop});
+  if (stop.stopRequested()) return environmentInterrupted();
+  model->map = makeTopologicalMap(model->space, labels, clearance, passages, model->statics_W, stop);
+  if (stop.stopRequested()) return environmentInterrupted();
+  model->clearance = distanceTransform(model->space, true, stop);
+  if (stop.stopRequested()) return environmentInterrupted();
   model->cluttered.assign(model->map.places.size(), false);
   for (std::size_t cell = 0; cell < model->map.placeOf.size(); ++cell) {
     const int place = model->map.placeOf[cell];

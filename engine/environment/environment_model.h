@@ -35,8 +35,11 @@ struct EnvironmentModel {
 using EnvironmentModelPtr = std::shared_ptr<const EnvironmentModel>;
 
 /// Unknown identifiers are ErrorKind::MalformedInput, as are options out of range. A stop is looked at
-/// between the layers (some tenths of a second each) and ends in ErrorKind::Interrupted.
+/// inside the layers, too, and ends in ErrorKind::Interrupted.
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
                                              const EnvironmentOptions& options, const StopToken& stop = {});
+
+/// What a stop of buildEnvironment, or of what is computed from its model, is reported as.
+Diagnostic environmentInterrupted();
 
 }  // namespace glissade

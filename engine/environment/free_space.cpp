@@ -139,7 +139,7 @@ class LineTransform {
 
 }  // namespace
 
-std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo) {
+std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo, const StopToken& stop) {
   const CellGrid& grid = space.grid;
   std::vector<double> distance(grid.size());
   for (std::size_t cell = 0; cell < grid.size(); ++cell) {
@@ -151,7 +151,9 @@ std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo) {
     const std::size_t stride = grid.stride(axis);
     const auto count = grid.counts[static_cast<std::size_t>(axis)];
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      if (grid.coordinates(cell)[static_cast<std::size_t>(axis)] == 0) line.run(distance, cell, stride, count);
+      if (grid.coordinates(cell)[static_cast<std::size_t>(axis)] != 0) continue;
+      if (stop.stopRequested()) return distance;
+      line.run(distance, cell, stride, count);
     }
   }
   for (double& value : distance) value = std::sqrt(value) * grid.cellSize();

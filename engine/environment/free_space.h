@@ -57,7 +57,7 @@ FreeSpace freeSpaceOf(const Octree& octree, int level);
 
 /// Distance from each open cell's centre to the nearest cell that is not open (mobile bodies close a
 /// cell where `mobileToo`), or to the outside of the workspace, metres; 0 elsewhere. Exact for cell centres, linear in
-/// the cells (Felzenszwalb and Huttenlocher 2012).
-std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo = false);
+/// the cells (Felzenszwalb and Huttenlocher 2012). Unfinished after a stop.
+std::vector<double> distanceTransform(const FreeSpace& space, bool mobileToo = false, const StopToken& stop = {});
 
 }  // namespace glissade

@@ -7,7 +7,8 @@
 
 namespace glissade {
 
-Octree::Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution)
+Octree::Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution,
+               const StopToken& stop)
     : frame_(CellFrame::covering(workspace)), workspace_(workspace) {
   for (const RigidBody& body : bodies) {
     bodies_.push_back({body.mesh, body.mobility, audit(*body.mesh).closed(), body.X_WB, {}});
@@ -19,26 +20,27 @@ Octree::Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, cons
     clutters_.clear();
     clutterIds_.clear();
     intern(Clutter{});
-    addAll();
+    addAll(stop);
   };
   if (resolution.cellSize > 0.0) {
     rebuild(std::clamp(static_cast<int>(std::ceil(std::log2(frame_.side / resolution.cellSize) - 1e-9)), 1, kDeepest));
   } else {
     // One level more takes about four times the memory: surfaces are what is split.
     rebuild(4);
-    while (depth_ < kDeepest && 4 * nodes_.size() * sizeof(Node) <= resolution.memory) rebuild(depth_ + 1);
+    while (!stop.stopRequested() && depth_ < kDeepest && 4 * nodes_.size() * sizeof(Node) <= resolution.memory)
+      rebuild(depth_ + 1);
   }
 }
 
-void Octree::addAll() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    bodies_[i].cells = coverage(bodies_[i]);
+void Octree::addAll(const StopToken& stop) {
+  for (std::size_t i = 0; i < bodies_.size() && !stop.stopRequested(); ++i) {
+    bodies_[i].cells = coverage(bodies_[i], stop);
     edit(i, bodies_[i].cells, Edit::Add);
   }
 }
 
-CellRuns Octree::coverage(const Occupant& body) const {
-  return coverageOf(transformed(*body.mesh, body.X_WB), body.closed, frame_, depth_);
+CellRuns Octree::coverage(const Occupant& body, const StopToken& stop) const {
+  return coverageOf(transformed(*body.mesh, body.X_WB), body.closed, frame_, depth_, stop);
 }
 
 Octree::Change Octree::moveBody(std::size_t body, const Pose& X_WB) {

@@ -43,8 +43,9 @@ class Octree {
  public:
   static constexpr int kDeepest = 10;
 
-  /// Bodies outside the workspace are left out. Closed bodies occupy their inside.
-  Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution);
+  /// Bodies outside the workspace are left out. Closed bodies occupy their inside. Unfinished after a stop.
+  Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, const OctreeResolution& resolution,
+         const StopToken& stop = {});
 
   /// What a move has cost.
   struct Change {
@@ -90,8 +91,8 @@ class Octree {
   };
   enum class Edit { Add, Remove };
 
-  void addAll();
-  CellRuns coverage(const Occupant& body) const;
+  void addAll(const StopToken& stop);
+  CellRuns coverage(const Occupant& body, const StopToken& stop = {}) const;
   void edit(std::size_t body, const CellRuns& cells, Edit edit);
   void editNode(std::size_t node, std::uint64_t begin, int level, CellRuns::const_iterator& run,
                 CellRuns::const_iterator end);

@@ -32,10 +32,12 @@ void addOnce(std::vector<int>& list, int value) {
 /// The sections of all slices across one axis and how they hang together.
 class Slices {
  public:
-  Slices(const CellGrid& grid, const std::vector<char>& open, int axis)
+  Slices(const CellGrid& grid, const std::vector<char>& open, int axis, const StopToken& stop)
       : grid_(grid), open_(open), axis_(axis), sectionOf_(grid.size(), -1) {
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      if (open[cell] != 0 && sectionOf_[cell] < 0) flood(cell);
+      if (open[cell] == 0 || sectionOf_[cell] >= 0) continue;
+      if (stop.stopRequested()) return;
+      flood(cell);
     }
     const std::size_t stride = grid.stride(axis);
     for (std::size_t cell = 0; cell < grid.size(); ++cell) {
@@ -155,14 +157,14 @@ double sharpest(const std::vector<Passage>& passages) {
 
 }  // namespace
 
-std::vector<Passage> findPassages(const FreeSpace& space) {
+std::vector<Passage> findPassages(const FreeSpace& space, const StopToken& stop) {
   std::vector<char> open(space.grid.size());
   for (std::size_t cell = 0; cell < open.size(); ++cell) open[cell] = space.open(cell) ? 1 : 0;
   std::vector<Passage> all;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostRounds && !stop.stopRequested(); ++round) {
     std::vector<Passage> best;
     for (int axis = 0; axis < 3; ++axis) {
-      auto found = Slices(space.grid, open, axis).passages();
+      auto found = Slices(space.grid, open, axis, stop).passages();
       if (sharpest(found) > sharpest(best)) best = std::move(found);
     }
     if (best.empty()) break;

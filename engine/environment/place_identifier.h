@@ -19,6 +19,7 @@ struct IdentificationInput {
   const FreeSpace& space;
   const std::vector<double>& clearance;  ///< distanceTransform(space)
   const std::vector<Passage>& passages;  ///< findPassages(space): each is a place already
+  StopToken stop = {};                   ///< ends the identification; labels are unfinished then
 };
 
 /// A way to divide the free space into places (paper 2, section 5.1.2: "the modular architecture

@@ -89,11 +89,12 @@ class LevelBlocks {
 
 /// Free cells connected to cells of upper levels go to the place that these form. `firstPlace` is
 /// the first label that is not a passage: places do not grow out of passages.
-void aggregate(LevelBlocks& blocks, int firstPlace, PlaceLabels& labels) {
+void aggregate(LevelBlocks& blocks, int firstPlace, const StopToken& stop, PlaceLabels& labels) {
   for (int layer = 0; layer < kLayersPerLevel; ++layer) {
     std::vector<std::pair<std::size_t, int>> joining;
     for (std::size_t block = 0; block < blocks.size(); ++block) {
       if (!blocks.free(block)) continue;
+      if (stop.stopRequested()) return;
       const int label = blocks.labelBeside(block, firstPlace, labels);
       if (label != kNoPlace) joining.emplace_back(block, label);
     }
@@ -105,9 +106,10 @@ void aggregate(LevelBlocks& blocks, int firstPlace, PlaceLabels& labels) {
 }
 
 /// The remaining free cells initialise new places; connected cells a single one.
-int initialise(LevelBlocks& blocks, int nextLabel, PlaceLabels& labels) {
+int initialise(LevelBlocks& blocks, int nextLabel, const StopToken& stop, PlaceLabels& labels) {
   for (std::size_t seed = 0; seed < blocks.size(); ++seed) {
     if (!blocks.free(seed)) continue;
+    if (stop.stopRequested()) break;
     std::vector<std::size_t> connected{seed};
     blocks.take(seed);
     for (std::size_t i = 0; i < connected.size(); ++i) {
@@ -129,12 +131,12 @@ PlaceLabels growRegions(const IdentificationInput& input) {
   PlaceLabels labels = labelsOfPassages(input);
   const int passages = static_cast<int>(input.passages.size());
   int next = passages;
-  for (int level = 1; level <= input.space.grid.level; ++level) {
+  for (int level = 1; level <= input.space.grid.level && !input.stop.stopRequested(); ++level) {
     LevelBlocks blocks(input.space, level, labels);
-    aggregate(blocks, passages, labels);
-    next = initialise(blocks, next, labels);
+    aggregate(blocks, passages, input.stop, labels);
+    next = initialise(blocks, next, input.stop, labels);
   }
-  tidyLabels(input.space, kLeastCells, passages, labels);
+  if (!input.stop.stopRequested()) tidyLabels(input.space, kLeastCells, passages, labels);
   return labels;
 }
 

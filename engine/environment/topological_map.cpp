@@ -208,11 +208,14 @@ int TopologicalMap::placeNear(const Vector3& p_W) const {
 
 TopologicalMap makeTopologicalMap(const FreeSpace& space, const PlaceLabels& labels,
                                   const std::vector<double>& clearance, const std::vector<Passage>& passages,
-                                  const TriangleMesh& statics_W) {
+                                  const TriangleMesh& statics_W, const StopToken& stop) {
   TopologicalMap map;
   map.grid = space.grid;
   std::vector<Place> places = gatherPlaces(space.grid, labels, clearance, passages);
-  for (Place& place : places) measureNarrowness(statics_W, space.grid, place);
+  for (Place& place : places) {
+    if (stop.stopRequested()) return map;
+    measureNarrowness(statics_W, space.grid, place);
+  }
   rateComplexity(space.grid.frame.side, places);
   const std::vector<std::size_t> order = orderOf(space.grid, places);
   std::vector<int> number(places.size());
@@ -226,6 +229,7 @@ TopologicalMap makeTopologicalMap(const FreeSpace& space, const PlaceLabels& lab
     if (label != kNoPlace) label = number[static_cast<std::size_t>(label)];
   }
   for (const auto& [pair, faces] : sharedFaces(map.grid, map.placeOf)) {
+    if (stop.stopRequested()) return map;
     const auto groups = connectedFaces(map.grid, faces);
     for (std::size_t i = 0; i < groups.size(); ++i) map.borders.push_back(makeBorder(map, pair, i, groups[i]));
   }

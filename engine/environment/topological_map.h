@@ -46,9 +46,9 @@ struct TopologicalMap {
 };
 
 /// Places in the order of complexity, then along x, y, z. `statics_W` are the static bodies, in the
-/// world, on which clearances are measured.
+/// world, on which clearances are measured. Unfinished after a stop.
 TopologicalMap makeTopologicalMap(const FreeSpace& space, const PlaceLabels& labels,
                                   const std::vector<double>& clearance, const std::vector<Passage>& passages,
-                                  const TriangleMesh& statics_W);
+                                  const TriangleMesh& statics_W, const StopToken& stop = {});
 
 }  // namespace glissade

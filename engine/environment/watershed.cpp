@@ -50,6 +50,7 @@ PlaceLabels watershed(const IdentificationInput& input) {
                    [&](std::size_t a, std::size_t b) { return input.clearance[a] > input.clearance[b]; });
   Basins basins;
   for (const std::size_t cell : order) {
+    if (input.stop.stopRequested()) return labels;
     const double level = input.clearance[cell];
     std::vector<int> touching;
     grid.forEachNeighbour(cell, [&](std::size_t next) {

@@ -376,10 +376,6 @@
         <translation>Jalons</translation>
     </message>
     <message>
-        <source>Show the configurations to pass through</source>
-        <translation>Montrer les configurations de passage</translation>
-    </message>
-    <message>
         <source>Region of a step</source>
         <translation>Région d&apos;une étape</translation>
     </message>
@@ -450,6 +446,10 @@
     <message>
         <source>Show the octree&apos;s cells one level less deep</source>
         <translation>Montrer les cellules de l&apos;octree un niveau plus haut</translation>
+    </message>
+    <message>
+        <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
+        <translation>Montrer les configurations de passage ; tirer pour en déplacer une, Ctrl+tirer pour la tourner</translation>
     </message>
 </context>
 <context>

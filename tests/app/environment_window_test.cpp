@@ -1,5 +1,9 @@
 // The editor of semantic attributes, the layers of the environment model and the table of topological
 // steps, used as a person would: by scripts on the whole window.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -69,6 +73,22 @@ TEST_F(EnvironmentWindow, ABodyThatIsSetMobileShapesNoPlaceAnyMore) {
   expectGood(run(QStringLiteral("teaching"), QStringLiteral("expect-way P2,P5,P3,P4,P1\nselect body O2\n"
                                                             "attribute mobility mobile\naction edit.undo\n"
                                                             "expect-way P2,P5,P3,P4,P1\n")));
+}
+
+TEST_F(EnvironmentWindow, AMilestoneIsDraggedPassedThroughAndUndoneInOneStep) {
+  const QString scenario = copyOf(QStringLiteral("teaching"), QStringLiteral("scenario.json"));
+  const auto milestonesAfter = [&](const QString& script) {
+    const QString saved = QFileInfo(scenario).dir().filePath(QStringLiteral("saved.json"));
+    expectGood(run(scenario, script + QStringLiteral("save %1\n").arg(saved)));
+    QFile file(saved);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return QJsonDocument::fromJson(file.readAll()).object()[QStringLiteral("milestones")].toArray().size();
+  };
+  const QString drag = QStringLiteral("action run.start\nwait solved 20000\ndrag 474 320 490 290\n");
+  EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action run.start\nwait solved 20000\n")), 1);
+  EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action edit.undo\n")), 0);
+  // Into the wall: refused, and nothing is changed.
+  EXPECT_EQ(milestonesAfter(QStringLiteral("action run.start\nwait solved 20000\ndrag 474 320 400 350\n")), 0);
 }
 
 TEST_F(EnvironmentWindow, PicturesOfTheEditorTheStepsAndTheLayers) {

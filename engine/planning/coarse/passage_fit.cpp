@@ -86,14 +86,14 @@ void improve(const Section& section, const Opening& opening, const Silhouette& s
 
 /// The best placement of all silhouettes: every angle on the lattice, the most promising exactly.
 Placement bestPlacement(const PassageSection& section, const Opening& opening,
-                        const std::vector<Silhouette>& silhouettes, double width) {
+                        const std::vector<Silhouette>& silhouettes, double width, const StopToken& stop) {
   double arm = 0.0;
   for (const Silhouette& silhouette : silhouettes) arm = std::max(arm, silhouette.arm);
   const Point2 around = Point2::Constant(arm);
   const SampledSection lattice(section, {opening.box.min() - around, opening.box.max() + around}, kLatticePoints);
   std::vector<Placement> found;
   for (std::size_t i = 0; i < silhouettes.size(); ++i) {
-    for (int k = 0; k < kAngles; ++k) {
+    for (int k = 0; k < kAngles && !stop.stopRequested(); ++k) {
       Placement start{0.0, 2.0 * kPi * k / kAngles, opening.widest, i};
       start.margin = marginAt(lattice, opening, silhouettes[i], start, -1e300);
       improve(lattice, opening, silhouettes[i], width / 8.0, width / 200.0, start);
@@ -166,7 +166,8 @@ std::pair<double, double> extentAlong(const TriangleMesh& object, const Quaterni
 /// The straight way through the passage, long enough that the object can turn freely at its ends;
 /// shorter, just clear of the passage, where something stands in the way.
 std::optional<PassageFit::Crossing> straightThrough(const CollisionWorldPtr& world, const Box3& bounds, int axis,
-                                                    const Box3& passage, const Pose& inside, double required) {
+                                                    const Box3& passage, const Pose& inside, double required,
+                                                    const StopToken& stop) {
   const auto [back, front] = extentAlong(world->object(), inside.orientation, axis);
   const double radius = 1.02 * world->objectRadius();
   const auto query = world->makeQuery();
@@ -184,7 +185,7 @@ std::optional<PassageFit::Crossing> straightThrough(const CollisionWorldPtr& wor
     const PassageFit::Crossing crossing{at(passage.min()[axis] - reach.before), inside,
                                         at(passage.max()[axis] + reach.behind)};
     if (!bounds.contains(crossing.before.position) || !bounds.contains(crossing.behind.position)) continue;
-    if (certifyPath(*query, world->object(), {crossing.before, inside, crossing.behind}, required).status ==
+    if (certifyPath(*query, world->object(), {crossing.before, inside, crossing.behind}, required, stop).status ==
         CertificateStatus::Certified) {
       return crossing;
     }
@@ -244,7 +245,7 @@ std::vector<Vector3> principalDirections(const TriangleMesh& object, std::size_t
 }
 
 PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t place, const CollisionWorldPtr& world,
-                             const Box3& bounds, double requiredClearance) {
+                             const Box3& bounds, double requiredClearance, const StopToken& stop) {
   const Place& passage = environment.map.places[place];
   const int axis = passage.axis;
   const double low = passage.box.min()[axis];
@@ -265,16 +266,16 @@ PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t pl
   for (const double t : {0.1, 0.5, 0.9}) positions.push_back(low + t * (high - low));
   const PassageSection section(environment.statics_W, axis, positions, opening.widest,
                                across + 2.0 * world->objectRadius());
-  const Placement best = bestPlacement(section, opening, silhouettes, width);
+  const Placement best = bestPlacement(section, opening, silhouettes, width, stop);
   fit.margin = best.margin;
   const Quaternion turn(Eigen::AngleAxisd(best.angle, Vector3::Unit(axis)));
   const Pose inside{alongAxis(axis, (low + high) / 2.0, best.centre),
                     (turn * silhouettes[best.direction].R_WB).normalized()};
   if (best.margin > 0.0) {
-    fit.crossing = straightThrough(world, bounds, axis, passage.box, inside, requiredClearance);
+    fit.crossing = straightThrough(world, bounds, axis, passage.box, inside, requiredClearance, stop);
     fit.score = fit.crossing ? scoreOf(best.margin, width) : kUnproved;
   } else if (best.margin > -kProbeRange * width && !isConvex(world->object())) {
-    const ProbeResult probe = probePassage(environment, place, world, bounds, inside);
+    const ProbeResult probe = probePassage(environment, place, world, bounds, inside, stop);
     fit.probed = true;
     fit.randomConfigurations = probe.randomConfigurations;
     if (probe.passes) fit.score = PassageFit::kFits;
@@ -282,7 +283,7 @@ PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t pl
   return fit;
 }
 
-PassageFit fitInRoom(const EnvironmentModel& environment, std::size_t place, const TriangleMesh& object) {
+double slimmestExtent(const TriangleMesh& object) {
   double slimmest = 1e300;
   for (const Vector3& direction : principalDirections(object, kMostDirections)) {
     double least = 1e300;
@@ -293,9 +294,13 @@ PassageFit fitInRoom(const EnvironmentModel& environment, std::size_t place, con
     }
     slimmest = std::min(slimmest, most - least);
   }
+  return slimmest;
+}
+
+PassageFit fitInRoom(const Place& room, double slimmestExtent) {
   PassageFit fit;
-  fit.margin = (environment.map.places[place].narrowness - slimmest) / 2.0;
-  if (fit.margin < 0.0) fit.score = 0.9 * PassageFit::kFits * environment.map.places[place].narrowness / slimmest;
+  fit.margin = (room.narrowness - slimmestExtent) / 2.0;
+  if (fit.margin < 0.0) fit.score = 0.9 * PassageFit::kFits * room.narrowness / slimmestExtent;
   return fit;
 }
 

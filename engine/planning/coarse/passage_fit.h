@@ -32,12 +32,15 @@ struct PassageFit {
 /// sections and silhouettes the answer of the small linear programme over position for each angle);
 /// it counts as fitting once a straight motion through is certified. A silhouette that is only just too large, of an
 /// object that is not convex, is probed by a short search in 3D: such objects may pass by tilting. Deterministic.
-/// Precondition: place.passage.
+/// Unfinished after a stop. Precondition: place.passage.
 PassageFit fitThroughPassage(const EnvironmentModel& environment, std::size_t place, const CollisionWorldPtr& world,
-                             const Box3& bounds, double requiredClearance);
+                             const Box3& bounds, double requiredClearance, const StopToken& stop = {});
 
 /// For places that are not passages: whether the object's slimmest extent goes through the widest spot.
-PassageFit fitInRoom(const EnvironmentModel& environment, std::size_t place, const TriangleMesh& object);
+PassageFit fitInRoom(const Place& room, double slimmestExtent);
+
+/// The least distance of two parallel planes across a principal direction with the object between them.
+double slimmestExtent(const TriangleMesh& object);
 
 /// The directions, in B, along which the object is looked at: normals of its largest faces, each with
 /// its opposite.

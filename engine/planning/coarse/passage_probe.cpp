@@ -11,11 +11,14 @@ constexpr std::uint64_t kSeed = 1;
 /// Lets a planner run for a given number of random configurations.
 class ProbeHost final : public PlannerHost {
  public:
-  ProbeHost(const Planner& planner, double objectRadius) : planner_(planner), parameters_(objectRadius) {}
+  ProbeHost(const Planner& planner, double objectRadius, const StopToken& stop)
+      : planner_(planner), parameters_(objectRadius), stop_(stop) {}
 
   std::optional<OperatorSample> operatorSample() override { return std::nullopt; }
   const ParameterValues& parameters() const override { return parameters_; }
-  bool afterStep() override { return planner_.counts().randomConfigurations < kMostConfigurations; }
+  bool afterStep() override {
+    return planner_.counts().randomConfigurations < kMostConfigurations && !stop_.stopRequested();
+  }
   const StopToken& stopToken() const override { return stop_; }
 
  private:
@@ -38,7 +41,7 @@ SamplingRegionPtr regionOf(const TopologicalMap& map, std::size_t place) {
 }  // namespace
 
 ProbeResult probePassage(const EnvironmentModel& environment, std::size_t place, const CollisionWorldPtr& world,
-                         const Box3& bounds, const Pose& inside) {
+                         const Box3& bounds, const Pose& inside, const StopToken& stop) {
   const Place& passage = environment.map.places[place];
   const double radius = 1.02 * world->objectRadius();
   Problem problem;
@@ -53,7 +56,7 @@ ProbeResult probePassage(const EnvironmentModel& environment, std::size_t place,
   const auto query = world->makeQuery();
   if (query->collides(problem.start) || query->collides(goal)) return {};
   InteractiveContactBirrt planner(problem, kSeed, OperatorUse::None);
-  ProbeHost host(planner, world->objectRadius());
+  ProbeHost host(planner, world->objectRadius(), stop);
   const bool passes = planner.solve(host);
   return {passes, planner.counts().randomConfigurations};
 }

@@ -42,15 +42,14 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   const auto& places = knowledge->environment->map.places;
+  const double slimmest = slimmestExtent(problem.world->object());
   for (std::size_t place = 0; place < places.size(); ++place) {
-    if (stop.stopRequested()) {
-      return Diagnostic{ErrorKind::Interrupted, "", "", "the environment model was not finished", "Start it again."};
-    }
-    knowledge->fits.push_back(
-        places[place].passage
-            ? fitThroughPassage(*knowledge->environment, place, problem.world, problem.bounds, requiredClearance)
-            : fitInRoom(*knowledge->environment, place, problem.world->object()));
+    if (stop.stopRequested()) break;
+    knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, problem.world,
+                                                                        problem.bounds, requiredClearance, stop)
+                                                    : fitInRoom(places[place], slimmest));
   }
+  if (stop.stopRequested()) return environmentInterrupted();
   return SceneKnowledgePtr(std::move(knowledge));
 }
 

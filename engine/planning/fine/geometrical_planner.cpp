@@ -31,7 +31,7 @@ std::size_t nearestCell(const CellGrid& grid, const std::vector<std::size_t>& ar
 
 std::vector<std::size_t> findCellPath(const EnvironmentModel& environment, const std::vector<std::size_t>& area,
                                       const std::vector<double>& clearance, const Vector3& from, const Vector3& to,
-                                      double objectRadius) {
+                                      double objectRadius, const StopToken& stop) {
   const CellGrid& grid = environment.map.grid;
   if (area.empty()) return {};
   const std::size_t start = nearestCell(grid, area, from);
@@ -46,7 +46,7 @@ std::vector<std::size_t> findCellPath(const EnvironmentModel& environment, const
   const auto estimate = [&](std::size_t cell) { return (grid.centre(cell) - goalCentre).norm(); };
   reached[start] = {0.0, start};
   open.push({estimate(start), start, 0.0});
-  while (!open.empty()) {
+  while (!open.empty() && !stop.stopRequested()) {
     const Visit visit = open.top();
     open.pop();
     if (visit.cell == goal) break;

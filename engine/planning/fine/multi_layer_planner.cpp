@@ -225,7 +225,7 @@ void MultiLayerPlanner::startLocalPlanner(PlannerHost& host) {
   step.why = choice_.why;
   step.result = StepResult::Running;
   step.region = areaOf(*knowledge_, step.place, borderBefore(), step.border, choice_.geometrical, step.from, step.to,
-                       problem_.world->objectRadius());
+                       problem_.world->objectRadius(), host.stopToken());
   Problem part = problem_;
   part.start = step.from;
   part.goal = step.to;

@@ -35,7 +35,7 @@ FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked) {
 }
 
 SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBorder, int toBorder, bool geometrical,
-                         const Pose& from, const Pose& to, double objectRadius) {
+                         const Pose& from, const Pose& to, double objectRadius, const StopToken& stop) {
   const TopologicalMap& map = knowledge.environment->map;
   std::vector<std::size_t> area = map.places[static_cast<std::size_t>(place)].cells;
   for (const int border : {fromBorder, toBorder}) {
@@ -43,7 +43,7 @@ SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBor
   }
   if (geometrical) {
     const auto path = findCellPath(*knowledge.environment, area, knowledge.environment->clearance, from.position,
-                                   to.position, objectRadius);
+                                   to.position, objectRadius, stop);
     if (!path.empty()) area = regionAlong(map.grid, path, area, 1.5 * objectRadius);
   }
   return std::make_shared<const SamplingRegion>(map.grid, std::move(area));

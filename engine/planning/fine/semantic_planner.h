@@ -24,6 +24,6 @@ FineChoice fallbackFor(const ParsedRules& rules, const FineChoice& blocked);
 /// surroundings of a path of cells where `geometrical`. In that case an area without a way through
 /// stays whole.
 SamplingRegionPtr areaOf(const SceneKnowledge& knowledge, int place, int fromBorder, int toBorder, bool geometrical,
-                         const Pose& from, const Pose& to, double objectRadius);
+                         const Pose& from, const Pose& to, double objectRadius, const StopToken& stop = {});
 
 }  // namespace glissade

@@ -1,0 +1,102 @@
+#include "app/window/milestone_tool.h"
+
+#include <QMouseEvent>
+
+namespace glissade {
+namespace {
+
+/// Where the milestone of a border may be: in the border and the two places that it joins.
+SamplingRegion regionOf(const TopologicalMap& map, const Border& border) {
+  const auto cellsOf = [&](int place) { return map.places[static_cast<std::size_t>(place)].cells; };
+  return {map.grid, unionOf(border.cells, unionOf(cellsOf(border.placeA), cellsOf(border.placeB)))};
+}
+
+}  // namespace
+
+MilestoneTool::MilestoneTool(SemanticDocument& document, SceneWidget& scene, QObject* parent)
+    : QObject(parent), document_(document), scene_(scene) {
+  scene_.widget()->installEventFilter(this);
+}
+
+void MilestoneTool::setScenario(const ScenarioPtr& scenario) {
+  scenario_ = scenario;
+  drag_.reset();
+}
+
+void MilestoneTool::setPlan(const CoarsePlanPtr& plan) { plan_ = plan; }
+
+CoarsePlanPtr MilestoneTool::shownPlan() const {
+  if (!drag_) return plan_;
+  auto shown = std::make_shared<CoarsePlan>(*gripped_);
+  shown->steps[drag_->step()].to = drag_->pose();
+  return shown;
+}
+
+bool MilestoneTool::eventFilter(QObject* watched, QEvent* event) {
+  const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
+                     event->type() == QEvent::MouseButtonRelease;
+  if (!mouse) return QObject::eventFilter(watched, event);
+  const auto& pointer = static_cast<const QMouseEvent&>(*event);
+  if (event->type() == QEvent::MouseButtonPress) {
+    return pointer.button() == Qt::LeftButton && !pointer.modifiers().testFlag(Qt::ShiftModifier) &&
+           grip(pointer.localPos());
+  }
+  if (!drag_) return QObject::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseMove) {
+    follow(pointer.localPos(), pointer.modifiers().testFlag(Qt::ControlModifier));
+  } else if (pointer.button() == Qt::LeftButton) {
+    drop();
+  }
+  return true;
+}
+
+Ray MilestoneTool::rayAt(const QPointF& position) const {
+  const QWidget& widget = *scene_.widget();
+  const QPointF at = (position - QPointF(widget.width() / 2.0, widget.height() / 2.0)) / std::max(1, widget.height());
+  return rayThrough(scene_.view().camera(), at.x(), at.y());
+}
+
+bool MilestoneTool::grip(const QPointF& position) {
+  if (!plan_ || !document_.knowledge() || !scene_.view().layerVisible(SceneLayer::Milestones)) return false;
+  const Ray ray = rayAt(position);
+  const auto body = pickBody(scenario_->obstacles, ray);
+  drag_ = MilestoneDrag::grip(*plan_, scenario_->object.mesh, ray, body ? body->distance : 1e9,
+                              scene_.view().camera().R_WV());
+  gripped_ = plan_;
+  last_ = position;
+  if (drag_) scene_.widget()->setCursor(Qt::ClosedHandCursor);
+  return drag_.has_value();
+}
+
+void MilestoneTool::follow(const QPointF& position, bool turning) {
+  const TopologicalMap& map = document_.knowledge()->environment->map;
+  const int border = gripped_->steps[drag_->step()].border;
+  if (turning) {
+    const QPointF moved = (position - last_) / std::max(1, scene_.widget()->height());
+    drag_->turn(moved.x(), moved.y());
+  } else {
+    drag_->moveTo(rayAt(position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
+  }
+  last_ = position;
+  emit moving();
+}
+
+void MilestoneTool::drop() {
+  const Pose pose = drag_->pose();
+  const TopologicalStep& step = gripped_->steps[drag_->step()];
+  const Pose before = step.to;
+  const int border = step.border;
+  drag_.reset();
+  scene_.widget()->unsetCursor();
+  const auto blocking = scenario_->problem.world->makeQuery()->collidingBody(pose);
+  if (blocking) {
+    const auto& body = scenario_->problem.world->obstacles()[static_cast<std::size_t>(*blocking)];
+    emit refused({ErrorKind::InCollision, "", "", "the milestone would be in collision with '" + body.id + "'",
+                  "Drop it where the object is free."});
+  } else if (!(pose == before)) {
+    document_.setMilestone(border, pose);
+  }
+  emit moving();
+}
+
+}  // namespace glissade
