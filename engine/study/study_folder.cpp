@@ -1,0 +1,101 @@
+#include "engine/study/study_folder.h"
+
+#include <filesystem>
+
+#include "engine/base/file.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostPlanBytes = 1U << 30;
+constexpr std::size_t kMostRunBytes = 1U << 20;
+
+std::string planFile(const std::string& folder) { return folder + "/plan.json"; }
+
+bool isEmptyOrMissing(const std::string& folder) {
+  std::error_code ignored;
+  return !fs::exists(folder, ignored) || (fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored));
+}
+
+Outcome makeFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return Done{};
+  return Diagnostic{ErrorKind::Usage, folder, "", "cannot be made: " + error.message(), "Choose another --out."};
+}
+
+Diagnostic belongsToAnother(const std::string& folder) {
+  return {ErrorKind::Usage, folder, "plan.json",
+          "holds results of another study, of another version of it or of Glissade, or of its other size (--quick)",
+          "Choose another --out, or remove that folder."};
+}
+
+/// The plan comes last: a folder with a plan is complete.
+Outcome layOut(const std::string& folder, const std::string& studyText, const std::string& planText) {
+  const std::string copy = folder + "/study.json";
+  if (!isEmptyOrMissing(folder) && !fs::exists(copy)) {
+    return Diagnostic{ErrorKind::Usage, folder, "", "is not a folder of study results",
+                      "Choose a new folder as --out."};
+  }
+  const Outcome made = makeFolder(folder);
+  if (!made) return made;
+  const Outcome copied = writeFileAtomically(copy, studyText);
+  if (!copied) return copied;
+  return writeFileAtomically(planFile(folder), planText);
+}
+
+}  // namespace
+
+Result<StudyFolder> StudyFolder::begin(const std::string& folder, const StudyPlan& plan, const std::string& studyText) {
+  const std::string text = writePlan(plan);
+  const auto there = readFile(planFile(folder), kMostPlanBytes);
+  if (there && *there != text) return belongsToAnother(folder);
+  if (!there) {
+    const Outcome begun = layOut(folder, studyText, text);
+    if (!begun) return begun.error();
+  }
+  const Outcome made = makeFolder(folder + "/runs");
+  if (!made) return made.error();
+  return StudyFolder(folder, plan, text);
+}
+
+StudyFolder::StudyFolder(std::string path, StudyPlan plan, std::string planText)
+    : path_(std::move(path)), plan_(std::move(plan)), planText_(std::move(planText)), planSha256_(sha256(planText_)) {}
+
+Result<StudyFolder> StudyFolder::open(const std::string& folder) {
+  const auto text = readFile(planFile(folder), kMostPlanBytes);
+  if (!text) return text.error();
+  auto plan = readPlan(*text, planFile(folder));
+  if (!plan) return plan.error();
+  return StudyFolder(folder, std::move(*plan), *text);
+}
+
+std::string StudyFolder::fileOf(const StudyRun& run) const {
+  return path_ + "/runs/cell" + std::to_string(run.cell + 1) + "-seed" + std::to_string(run.seed) + ".json";
+}
+
+StudyResults StudyFolder::results(Warnings& warnings) const {
+  StudyResults results;
+  for (const StudyRun& run : runsOf(plan_.study, {})) {
+    const std::string file = fileOf(run);
+    if (!fs::exists(file)) continue;
+    const auto text = readFile(file, kMostRunBytes);
+    const auto row = text ? readRunRow(*text, file) : Result<RunRow>(text.error());
+    if (!row) {
+      warnings.push_back(row.error());
+    } else if (row->plan != planSha256_ || row->cell != run.cell + 1 || row->seed != run.seed) {
+      warnings.push_back({ErrorKind::MalformedInput, file, "", "is of another plan", "It is left out."});
+    } else {
+      results.emplace(run, row->outcome);
+    }
+  }
+  return results;
+}
+
+Outcome StudyFolder::save(const StudyRun& run, const RunOutcome& outcome) const {
+  return writeFileAtomically(fileOf(run), writeRunRow({planSha256_, run.cell + 1, run.seed, outcome}));
+}
+
+}  // namespace glissade
