@@ -66,9 +66,10 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
       *folder, runner, interrupt.token(), [&line](const StudyProgress& progress) { line.show(progress); }, warnings);
   line.end();
   reportWarnings(warnings);
-  if (!ran) return reportError(ran.error(), Format::Text);
+  if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), Format::Text);
   const Outcome written = writeTables(*folder, warnings);
   if (!written) return reportError(written.error(), Format::Text);
+  if (!ran) return reportError(ran.error(), Format::Text);
   printSummary(*folder, warnings);
   return 0;
 }

@@ -32,7 +32,7 @@ constexpr int kCannotStart = 127;
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
   const rlimit memoryLimit{memory, memory};
-  if (memory > 0) setrlimit(RLIMIT_AS, &memoryLimit);
+  if (kMemoryCanBeLimited && memory > 0) setrlimit(RLIMIT_AS, &memoryLimit);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);

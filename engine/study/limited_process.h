@@ -14,6 +14,13 @@
 
 namespace glissade {
 
+/// Sanitizers reserve terabytes of address space for themselves: no limit of memory under them.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kMemoryCanBeLimited = false;
+#else
+inline constexpr bool kMemoryCanBeLimited = true;
+#endif
+
 struct ProcessLimits {
   double seconds = 0.0;        ///< of wall-clock time, then it is killed; 0 is no limit
   std::uint64_t memoryMb = 0;  ///< of address space (RLIMIT_AS); 0 is no limit

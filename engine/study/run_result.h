@@ -17,7 +17,7 @@ struct ResultColumn {
   std::string_view pointer;  ///< JSON pointer into the report
   bool summarised;           ///< has quartiles and means in the summary
 };
-inline constexpr std::size_t kResultColumnCount = 21;
+inline constexpr std::size_t kResultColumnCount = 24;
 const std::array<ResultColumn, kResultColumnCount>& resultColumns();
 
 /// How a run ended. The last four are the machine's answer, not the planner's.

@@ -14,9 +14,13 @@ constexpr std::size_t kMostRunBytes = 1U << 20;
 
 std::string planFile(const std::string& folder) { return folder + "/plan.json"; }
 
+/// Nothing is there but what a writer that was cut off has left (base/file.h).
 bool isEmptyOrMissing(const std::string& folder) {
   std::error_code ignored;
-  return !fs::exists(folder, ignored) || (fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored));
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().find(".saving-") == std::string::npos) return false;
+  }
+  return !fs::exists(folder, ignored) || fs::is_directory(folder, ignored);
 }
 
 Outcome makeFolder(const std::string& folder) {
@@ -32,33 +36,30 @@ Diagnostic belongsToAnother(const std::string& folder) {
           "Choose another --out, or remove that folder."};
 }
 
-/// The plan comes last: a folder with a plan is complete.
+/// The plan comes first: a folder with a plan is ours.
 Outcome layOut(const std::string& folder, const std::string& studyText, const std::string& planText) {
-  const std::string copy = folder + "/study.json";
-  if (!isEmptyOrMissing(folder) && !fs::exists(copy)) {
+  const auto there = readFile(planFile(folder), kMostPlanBytes);
+  if (there && *there != planText) return belongsToAnother(folder);
+  if (!there && !isEmptyOrMissing(folder)) {
     return Diagnostic{ErrorKind::Usage, folder, "", "is not a folder of study results",
                       "Choose a new folder as --out."};
   }
   const Outcome made = makeFolder(folder);
   if (!made) return made;
-  const Outcome copied = writeFileAtomically(copy, studyText);
-  if (!copied) return copied;
-  return writeFileAtomically(planFile(folder), planText);
+  const Outcome planned = there ? Outcome(Done{}) : writeFileAtomically(planFile(folder), planText);
+  if (!planned) return planned;
+  const std::string copy = folder + "/study.json";
+  const Outcome copied = fs::exists(copy) ? Outcome(Done{}) : writeFileAtomically(copy, studyText);
+  return copied ? makeFolder(folder + "/runs") : copied;
 }
 
 }  // namespace
 
 Result<StudyFolder> StudyFolder::begin(const std::string& folder, const StudyPlan& plan, const std::string& studyText) {
-  const std::string text = writePlan(plan);
-  const auto there = readFile(planFile(folder), kMostPlanBytes);
-  if (there && *there != text) return belongsToAnother(folder);
-  if (!there) {
-    const Outcome begun = layOut(folder, studyText, text);
-    if (!begun) return begun.error();
-  }
-  const Outcome made = makeFolder(folder + "/runs");
-  if (!made) return made.error();
-  return StudyFolder(folder, plan, text);
+  const std::string planText = writePlan(plan);
+  const Outcome ready = layOut(folder, studyText, planText);
+  if (!ready) return ready.error();
+  return StudyFolder(folder, plan, planText);
 }
 
 StudyFolder::StudyFolder(std::string path, StudyPlan plan, std::string planText)

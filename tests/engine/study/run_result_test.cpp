@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* kSolved = R"({"solved": true, "status": "solved", "planning_s": 1.5, "virtual_s": 20.25,
   "nodes": 100, "edges": 198, "iterations": 90, "steps": 110, "random_configurations": 12,
+  "nodes_by_author": {"computer": 60, "operator": 30, "contact": 10},
   "path": {"configurations": 7, "length_m": 3.5, "rotation_rad": 1.25},
   "certificate": {"status": "certified", "min_clearance_m": 0.002, "tolerance_m": 1e-05}})";
 
@@ -34,6 +35,7 @@ TEST(RunResult, ReadsTheReportOfARun) {
   EXPECT_EQ(outcome.result.status, RunStatus::Solved);
   EXPECT_EQ(numberOf(outcome.result, "nodes"), 100.0);
   EXPECT_EQ(numberOf(outcome.result, "virtual_s"), 20.25);
+  EXPECT_EQ(numberOf(outcome.result, "nodes_operator"), 30.0);
   EXPECT_EQ(numberOf(outcome.result, "min_clearance_m"), 0.002);
   EXPECT_EQ(numberOf(outcome.result, "path_length_m"), 3.5);
   EXPECT_EQ(numberOf(outcome.result, "coarse_configurations"), std::nullopt);

@@ -61,8 +61,19 @@ TEST_F(StudyFolderTest, RefusesWhatIsNotItsOwn) {
 }
 
 TEST_F(StudyFolderTest, ABeginningThatWasCutOffIsGoneOnWith) {
-  files.folder.write("out/study.json", "study text");
-  EXPECT_TRUE(begin("out", plan()).ok());
+  files.folder.write("out/plan.json.saving-abc123", "{");
+  ASSERT_TRUE(begin("out", plan()).ok());
+  fs::remove_all(files.folder / "out/study.json");
+  fs::remove_all(files.folder / "out/runs");
+  const auto again = begin("out", plan());
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(test::readWhole(again->file("study.json")), "study text");
+  EXPECT_TRUE(again->save({0, 1}, solved(1)).ok());
+}
+
+TEST_F(StudyFolderTest, AStudyFileThatIsThereIsNotWrittenOver) {
+  EXPECT_EQ(StudyFolder::begin(files.folder.path(), plan(), "other").error().kind, ErrorKind::Usage);
+  EXPECT_EQ(test::readWhole(files.file), test::tinyStudy().dump());
 }
 
 TEST_F(StudyFolderTest, TornAndForeignRunsCountAsNotRun) {
