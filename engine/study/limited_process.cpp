@@ -99,16 +99,19 @@ LimitedProcess::~LimitedProcess() {
 
 std::optional<ProcessEnd> LimitedProcess::poll() {
   const std::chrono::duration<double> lived = Clock::now() - started_;
-  int status = 0;
-  rusage usage{};
-  if (wait4(pid_, &status, WNOHANG, &usage) != pid_) {
+  siginfo_t ended{};
+  waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT);
+  if (ended.si_pid == 0) {
     if (seconds_ > 0.0 && lived.count() > seconds_ && !killed_) {
       killed_ = true;
       kill(-pid_, SIGKILL);
     }
     return std::nullopt;
   }
-  kill(-pid_, SIGKILL);  // what it may have left running
+  kill(-pid_, SIGKILL);  // what it may have left running; its group is ours until it is collected
+  int status = 0;
+  rusage usage{};
+  wait4(pid_, &status, 0, &usage);
   pid_ = 0;
   ProcessEnd end;
   end.output = contentOf(output_);
