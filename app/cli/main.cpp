@@ -10,6 +10,7 @@
 #include "app/cli/convert_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/plan_command.h"
+#include "app/cli/study_command.h"
 
 namespace {
 
@@ -77,6 +78,25 @@ CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   return convert;
 }
 
+CLI::App* addStudy(CLI::App& app, StudyOptions& options) {
+  CLI::App* study = app.add_subcommand("study", "Repeat runs over scenarios, strategies, parameters and seeds");
+  study->add_option("STUDY", options.study, "Study file (samples/studies)")->required();
+  study->add_option("--out", options.out, "Folder of the results; one that was begun is gone on with")->required();
+  study->add_option("--jobs", options.jobs, "Runs at once")->check(CLI::Range(1, 1024))->capture_default_str();
+  study->add_option("--shard", options.shard, "I/N: only every N-th run, from the I-th; see merge")
+      ->capture_default_str();
+  study->add_flag("--quick", options.quick, "The study's quick section: about a minute");
+  study->add_flag("--dry-run", options.dryRun, "Say what would be run; write nothing");
+  return study;
+}
+
+CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
+  CLI::App* merge = app.add_subcommand("merge", "Unite the results of a study's shards and write its tables");
+  merge->add_option("DIR", options.folders, "Folders of results")->required();
+  merge->add_option("--out", options.out, "Folder of the united results")->required();
+  return merge;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Glissade: certified motions for virtual assembly"};
   app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
@@ -85,9 +105,13 @@ int run(int argc, char** argv) {
   CheckOptions check;
   InfoOptions info;
   ConvertOptions convert;
+  StudyOptions study;
+  MergeOptions merge;
   const CLI::App* planCommand = addPlan(app, plan);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* infoCommand = addInfo(app, info);
+  const CLI::App* studyCommand = addStudy(app, study);
+  const CLI::App* mergeCommand = addMerge(app, merge);
   addConvert(app, convert);
   try {
     app.parse(argc, argv);
@@ -97,6 +121,8 @@ int run(int argc, char** argv) {
   if (planCommand->parsed()) return runPlan(plan);
   if (checkCommand->parsed()) return runCheck(check);
   if (infoCommand->parsed()) return runInfo(info);
+  if (studyCommand->parsed()) return runStudyCommand(study);
+  if (mergeCommand->parsed()) return runMerge(merge);
   return runConvert(convert);
 }
 

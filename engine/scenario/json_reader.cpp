@@ -141,7 +141,7 @@ class ParserGuard {
 
 Result<Json> parseJson(const std::string& text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a scenario file."};
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a file with content."};
   }
   try {
     ParserGuard guard;

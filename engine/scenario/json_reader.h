@@ -11,7 +11,7 @@
 namespace glissade {
 
 /// A value inside a JSON document together with where it is: every getter either gives what was asked
-/// for or throws JsonError naming file and place. Private to the readers of this room.
+/// for or throws JsonError naming file and place. Private to the readers of files (rooms scenario and study).
 class JsonCursor {
  public:
   using Json = nlohmann::ordered_json;
@@ -25,6 +25,7 @@ class JsonCursor {
   const std::string& file() const { return file_; }
   bool isString() const { return value_->is_string(); }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
+  void expectObject() const;
   /// An object whose keys are all among those given; anything else is an error at that key.
   void allowOnly(std::initializer_list<const char*> keys) const;
   JsonCursor at(const std::string& key) const;
@@ -43,8 +44,6 @@ class JsonCursor {
   Pose pose() const;  ///< {"position": [x,y,z], "orientation": [x,y,z,w]}
 
  private:
-  void expectObject() const;
-
   const Json* value_;
   std::string file_;
   std::string pointer_;

@@ -8,6 +8,7 @@
 
 #include "engine/scenario/run_record.h"
 #include "tests/engine/scenario/broken_semantics.h"
+#include "tests/engine/study/broken_studies.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -81,6 +82,35 @@ TEST(RunSchema, AcceptsWhatIsWritten) {
   ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
   EXPECT_NE(schema.complaint("{}"), "");
+}
+
+TEST(StudySchema, AcceptsWhatIsShipped) {
+  Schema schema("study-1");
+  EXPECT_EQ(schema.complaint(test::tinyStudy().dump()), "");
+  for (const char* name :
+       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like"}) {
+    const std::string file = std::string(GLISSADE_SOURCE_DIR) + "/samples/studies/" + name + ".json";
+    EXPECT_EQ(schema.complaint(test::readWhole(file)), "") << name;
+  }
+}
+
+TEST(StudySchema, KnowsEveryParameterAndLimit) {
+  Schema schema("study-1");
+  for (const ParameterSpec& spec : parameterTable()) {
+    const std::string key(spec.key);
+    auto parameter = test::tinyStudy();
+    parameter["parameters"][key] = spec.defaultValue;
+    auto limit = test::tinyStudy();
+    limit["limits"][key] = spec.defaultValue;
+    EXPECT_NE(schema.complaint(parameter.dump()).empty(), schema.complaint(limit.dump()).empty()) << key;
+  }
+}
+
+TEST(StudySchema, RefusesWhatTheReaderRefuses) {
+  Schema schema("study-1");
+  for (const test::BrokenStudy& row : test::brokenStudies()) {
+    EXPECT_EQ(schema.complaint(test::broken(row)).empty(), !row.schemaSees) << row.patch;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,182 @@
+#include "engine/study/run_result.h"
+
+#include <algorithm>
+
+#include "engine/scenario/json_reader.h"
+#include "engine/study/study_json.h"
+
+namespace glissade {
+namespace {
+
+using Json = JsonCursor::Json;
+
+constexpr std::array<ResultColumn, kResultColumnCount> kColumns{{
+    {"nodes", "/nodes", true},
+    {"edges", "/edges", true},
+    {"dropped_edges", "/dropped_edges", false},
+    {"nodes_computer", "/nodes_by_author/computer", true},
+    {"nodes_operator", "/nodes_by_author/operator", true},
+    {"nodes_contact", "/nodes_by_author/contact", true},
+    {"iterations", "/iterations", true},
+    {"steps", "/steps", true},
+    {"random_configurations", "/random_configurations", true},
+    {"operator_configurations", "/operator_configurations", true},
+    {"contact_configurations", "/contact_configurations", true},
+    {"coarse_configurations", "/coarse_plan/coarse_configurations", true},
+    {"fine_configurations", "/coarse_plan/fine_configurations", true},
+    {"collision_queries", "/collision_queries", false},
+    {"distance_queries", "/distance_queries", false},
+    {"virtual_s", "/virtual_s", true},
+    {"path_configurations", "/path/configurations", false},
+    {"path_length_m", "/path/length_m", true},
+    {"path_share_computer", "/path_share_by_author/computer", true},
+    {"path_share_operator", "/path_share_by_author/operator", true},
+    {"path_share_contact", "/path_share_by_author/contact", true},
+    {"path_rotation_rad", "/path/rotation_rad", true},
+    {"min_clearance_m", "/certificate/min_clearance_m", true},
+    {"tolerance_m", "/certificate/tolerance_m", false},
+}};
+
+constexpr std::array<const char*, kRunStatusCount> kStatusNames{"solved", "no-path", "limit-reached", "in-collision",
+                                                                "error",  "time",    "memory",        "crashed"};
+
+/// The first line of a text, and not too much of it.
+std::string firstLine(const std::string& text) {
+  constexpr std::size_t kMost = 300;
+  return text.substr(0, std::min(text.find('\n'), kMost));
+}
+
+std::optional<double> numberAt(const Json& report, std::string_view pointer) {
+  const Json::json_pointer where{std::string(pointer)};
+  if (!report.contains(where) || !report.at(where).is_number()) return std::nullopt;
+  return report.at(where).get<double>();
+}
+
+std::string textAt(const Json& report, const char* pointer) {
+  const Json::json_pointer where(pointer);
+  return report.contains(where) && report.at(where).is_string() ? report.at(where).get<std::string>() : "";
+}
+
+/// What the standard library says where memory ends: in the error of a planner that caught it, or
+/// on standard error.
+bool saysOutOfMemory(const std::string& text) { return text.find("bad_alloc") != std::string::npos; }
+
+RunStatus statusOf(const ProcessEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {
+  if (end.killed) return RunStatus::Time;
+  if (saysOutOfMemory(end.errors) || saysOutOfMemory(outcome.result.message)) return RunStatus::Memory;
+  if (end.signal != 0 || !report.is_object()) return RunStatus::Crashed;
+  const std::string said = textAt(report, "/status");
+  if (report.contains("error") && said.empty()) return RunStatus::Error;
+  const auto status = runStatusOf(said);
+  if (!status) return said == "error" || said == "malformed" ? RunStatus::Error : RunStatus::Crashed;
+  const bool outOfTime = timeLimit > 0.0 && outcome.timing.planningSeconds.value_or(0.0) >= timeLimit;
+  return *status == RunStatus::LimitReached && outOfTime ? RunStatus::Time : *status;
+}
+
+std::string messageOf(const ProcessEnd& end, const Json& report) {
+  if (end.killed) return "killed over its time limit";
+  if (end.signal != 0) return "ended by signal " + std::to_string(end.signal);
+  const std::string reason = textAt(report, "/error/reason");
+  if (!reason.empty()) return firstLine(reason);
+  if (report.is_object()) return "";
+  return "no report, exit code " + std::to_string(end.exitCode) + ": " + firstLine(end.errors);
+}
+
+}  // namespace
+
+const std::array<ResultColumn, kResultColumnCount>& resultColumns() { return kColumns; }
+
+const char* name(RunStatus status) { return kStatusNames[static_cast<std::size_t>(status)]; }
+
+std::optional<RunStatus> runStatusOf(std::string_view name) {
+  const auto found = std::find(kStatusNames.begin(), kStatusNames.end(), name);
+  if (found == kStatusNames.end()) return std::nullopt;
+  return static_cast<RunStatus>(found - kStatusNames.begin());
+}
+
+bool dependsOnMachine(RunStatus status) {
+  return status == RunStatus::Time || status == RunStatus::Memory || status == RunStatus::Crashed ||
+         status == RunStatus::Error;
+}
+
+RunOutcome outcomeOf(const ProcessEnd& end, double timeLimit) {
+  RunOutcome outcome;
+  outcome.timing.wallSeconds = end.wallSeconds;
+  outcome.timing.peakMemoryMb = end.peakMemoryMb;
+  const Json report = Json::parse(end.output, nullptr, false);
+  if (report.is_object()) {
+    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+      outcome.result.numbers[i] = numberAt(report, kColumns[i].pointer);
+    }
+    outcome.result.certificate = textAt(report, "/certificate/status");
+    outcome.timing.planningSeconds = numberAt(report, "/planning_s");
+  }
+  outcome.result.message = messageOf(end, report);
+  outcome.result.status = statusOf(end, report, outcome, timeLimit);
+  return outcome;
+}
+
+std::string writeRunRow(const RunRow& row) {
+  const RunResult& result = row.outcome.result;
+  const RunTiming& timing = row.outcome.timing;
+  Json json;
+  json["format"] = "glissade-study-run";
+  json["version"] = 1;
+  json["plan_sha256"] = row.plan;
+  json["cell"] = row.cell;
+  json["seed"] = row.seed;
+  json["status"] = name(result.status);
+  json["certificate"] = result.certificate;
+  json["message"] = result.message;
+  json["numbers"] = Json::object();
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    if (result.numbers[i]) json["numbers"][std::string(kColumns[i].name)] = study_json::number(*result.numbers[i]);
+  }
+  json["timing"]["planning_s"] = timing.planningSeconds ? Json(*timing.planningSeconds) : Json(nullptr);
+  json["timing"]["wall_s"] = timing.wallSeconds;
+  json["timing"]["peak_memory_mb"] = timing.peakMemoryMb;
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+namespace {
+
+RunRow readRow(const JsonCursor& root) {
+  root.allowOnly(
+      {"format", "version", "plan_sha256", "cell", "seed", "status", "certificate", "message", "numbers", "timing"});
+  if (root.at("format").text() != "glissade-study-run") root.at("format").fail("is not \"glissade-study-run\"");
+  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+  RunRow row;
+  row.plan = root.at("plan_sha256").text();
+  row.cell = root.at("cell").wholeNumber();
+  row.seed = root.at("seed").wholeNumber();
+  RunResult& result = row.outcome.result;
+  const auto status = runStatusOf(root.at("status").text());
+  if (!status) root.at("status").fail("is not a status");
+  result.status = *status;
+  result.certificate = root.at("certificate").text();
+  result.message = root.at("message").text();
+  const JsonCursor numbers = root.at("numbers");
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    if (const auto at = numbers.find(std::string(kColumns[i].name))) result.numbers[i] = at->number();
+  }
+  const JsonCursor timing = root.at("timing");
+  const JsonCursor planning = timing.at("planning_s");
+  if (!planning.json().is_null()) row.outcome.timing.planningSeconds = planning.number();
+  row.outcome.timing.wallSeconds = timing.at("wall_s").number();
+  row.outcome.timing.peakMemoryMb = timing.at("peak_memory_mb").number();
+  return row;
+}
+
+}  // namespace
+
+Result<RunRow> readRunRow(const std::string& text, const std::string& file) {
+  const auto document = parseJson(text, file);
+  if (!document) return document.error();
+  try {
+    return readRow(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+}  // namespace glissade

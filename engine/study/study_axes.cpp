@@ -1,0 +1,83 @@
+#include "engine/study/study_axes.h"
+
+#include <filesystem>
+
+#include "engine/base/number_text.h"
+
+namespace glissade {
+namespace {
+
+void append(std::string& label, const std::string& part) { label += (label.empty() ? "" : ", ") + part; }
+
+/// "environment-1/scenario" and "tight-star": enough to tell scenarios apart.
+std::string shortName(const std::string& scenario) {
+  const std::filesystem::path path(scenario);
+  const std::string stem = path.stem().string();
+  return stem == "scenario" ? path.parent_path().filename().string() : stem;
+}
+
+/// One value of each grid parameter.
+using GridPoint = std::vector<std::pair<ParameterId, double>>;
+
+std::vector<GridPoint> pointsOf(const StudyAxes& axes) {
+  std::vector<GridPoint> points{{}};
+  for (const auto& [id, values] : axes.grid) {
+    std::vector<GridPoint> finer;
+    for (const GridPoint& point : points) {
+      for (const double value : values) {
+        finer.push_back(point);
+        finer.back().emplace_back(id, value);
+      }
+    }
+    points = std::move(finer);
+  }
+  return points;
+}
+
+StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::string& strategy,
+                 const std::string& operatorName, const GridPoint& point) {
+  const StudyAxes& axes = row.axes;
+  StudyCell cell;
+  cell.row = row.label;
+  cell.label = row.label;
+  if (axes.scenarios.size() > 1) append(cell.label, shortName(scenario));
+  if (axes.strategies.size() > 1) append(cell.label, strategy);
+  if (axes.operators.size() > 1) append(cell.label, operatorName);
+  for (const auto& [id, value] : point) append(cell.label, std::string(specOf(id).key) + "=" + toText(value));
+  cell.scenario = scenario;
+  cell.strategy = strategy;
+  cell.operatorName = operatorName;
+  cell.settings = axes.settings;
+  for (const auto& [id, value] : point) cell.settings[id] = value;
+  cell.memoryLimitMb = axes.memoryLimitMb;
+  cell.seeds = axes.seeds;
+  cell.paper = row.paper;
+  cell.place = row.place;
+  return cell;
+}
+
+}  // namespace
+
+double cellCount(const StudyRow& row) {
+  double count =
+      static_cast<double>(row.axes.scenarios.size() * row.axes.strategies.size() * row.axes.operators.size());
+  for (const auto& [id, values] : row.axes.grid) count *= static_cast<double>(values.size());
+  return count;
+}
+
+std::vector<StudyCell> cellsOf(const StudyRow& row) {
+  const std::vector<GridPoint> points = pointsOf(row.axes);
+  std::vector<StudyCell> cells;
+  for (const std::string& scenario : row.axes.scenarios) {
+    for (const std::string& strategy : row.axes.strategies) {
+      for (const std::string& operatorName : row.axes.operators) {
+        for (const GridPoint& point : points) {
+          cells.push_back(cellOf(row, scenario, strategy, operatorName, point));
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+}  // namespace glissade

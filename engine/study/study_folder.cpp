@@ -1,0 +1,102 @@
+#include "engine/study/study_folder.h"
+
+#include <filesystem>
+
+#include "engine/base/file.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostPlanBytes = 1U << 30;
+constexpr std::size_t kMostRunBytes = 1U << 20;
+
+std::string planFile(const std::string& folder) { return folder + "/plan.json"; }
+
+/// Nothing is there but what a writer that was cut off has left (base/file.h).
+bool isEmptyOrMissing(const std::string& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().filename().string().find(".saving-") == std::string::npos) return false;
+  }
+  return !fs::exists(folder, ignored) || fs::is_directory(folder, ignored);
+}
+
+Outcome makeFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return Done{};
+  return Diagnostic{ErrorKind::Usage, folder, "", "cannot be made: " + error.message(), "Choose another --out."};
+}
+
+Diagnostic belongsToAnother(const std::string& folder) {
+  return {ErrorKind::Usage, folder, "plan.json",
+          "holds results of another study, of another version of it or of Glissade, or of its other size (--quick)",
+          "Choose another --out, or remove that folder."};
+}
+
+/// The plan comes first: a folder with a plan is ours.
+Outcome layOut(const std::string& folder, const std::string& studyText, const std::string& planText) {
+  const auto there = readFile(planFile(folder), kMostPlanBytes);
+  if (there && *there != planText) return belongsToAnother(folder);
+  if (!there && !isEmptyOrMissing(folder)) {
+    return Diagnostic{ErrorKind::Usage, folder, "", "is not a folder of study results",
+                      "Choose a new folder as --out."};
+  }
+  const Outcome made = makeFolder(folder);
+  if (!made) return made;
+  const Outcome planned = there ? Outcome(Done{}) : writeFileAtomically(planFile(folder), planText);
+  if (!planned) return planned;
+  const std::string copy = folder + "/study.json";
+  const Outcome copied = fs::exists(copy) ? Outcome(Done{}) : writeFileAtomically(copy, studyText);
+  return copied ? makeFolder(folder + "/runs") : copied;
+}
+
+}  // namespace
+
+Result<StudyFolder> StudyFolder::begin(const std::string& folder, const StudyPlan& plan, const std::string& studyText) {
+  const std::string planText = writePlan(plan);
+  const Outcome ready = layOut(folder, studyText, planText);
+  if (!ready) return ready.error();
+  return StudyFolder(folder, plan, planText);
+}
+
+StudyFolder::StudyFolder(std::string path, StudyPlan plan, std::string planText)
+    : path_(std::move(path)), plan_(std::move(plan)), planText_(std::move(planText)), planSha256_(sha256(planText_)) {}
+
+Result<StudyFolder> StudyFolder::open(const std::string& folder) {
+  const auto text = readFile(planFile(folder), kMostPlanBytes);
+  if (!text) return text.error();
+  auto plan = readPlan(*text, planFile(folder));
+  if (!plan) return plan.error();
+  return StudyFolder(folder, std::move(*plan), *text);
+}
+
+std::string StudyFolder::fileOf(const StudyRun& run) const {
+  return path_ + "/runs/cell" + std::to_string(run.cell + 1) + "-seed" + std::to_string(run.seed) + ".json";
+}
+
+StudyResults StudyFolder::results(Warnings& warnings) const {
+  StudyResults results;
+  for (const StudyRun& run : runsOf(plan_.study, {})) {
+    const std::string file = fileOf(run);
+    if (!fs::exists(file)) continue;
+    const auto text = readFile(file, kMostRunBytes);
+    const auto row = text ? readRunRow(*text, file) : Result<RunRow>(text.error());
+    if (!row) {
+      warnings.push_back(row.error());
+    } else if (row->plan != planSha256_ || row->cell != run.cell + 1 || row->seed != run.seed) {
+      warnings.push_back({ErrorKind::MalformedInput, file, "", "is of another plan", "It is left out."});
+    } else {
+      results.emplace(run, row->outcome);
+    }
+  }
+  return results;
+}
+
+Outcome StudyFolder::save(const StudyRun& run, const RunOutcome& outcome) const {
+  return writeFileAtomically(fileOf(run), writeRunRow({planSha256_, run.cell + 1, run.seed, outcome}));
+}
+
+}  // namespace glissade

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/study/run_result.h"
+#include "engine/study/study_plan.h"
+
+namespace glissade {
+
+/// What is known so far, in the order of cells and seeds.
+using StudyResults = std::map<StudyRun, RunOutcome>;
+
+/// A folder of results:
+///
+///     study.json   the study file, byte for byte
+///     plan.json    what came of it (StudyPlan): folders belong together when these are equal
+///     runs/        one file a run, written when it has ended: a killed study loses no finished run
+///     *.csv, summary.json   the tables (study_tables.h)
+///
+/// Several processes may work in one folder.
+class StudyFolder {
+ public:
+  /// Makes the folder, or takes up one that was begun with the same plan. A folder of another study or
+  /// version, or with other content, is a Usage error.
+  static Result<StudyFolder> begin(const std::string& folder, const StudyPlan& plan, const std::string& studyText);
+  /// An existing folder of results; anything else is a MalformedInput error.
+  static Result<StudyFolder> open(const std::string& folder);
+
+  const std::string& path() const { return path_; }
+  const StudyPlan& plan() const { return plan_; }
+  const std::string& planText() const { return planText_; }
+  const std::string& planSha256() const { return planSha256_; }
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+  /// Every planned run that is there. A file that cannot be read, or is of another plan, counts as
+  /// not run and is named among the warnings.
+  StudyResults results(Warnings& warnings) const;
+  Outcome save(const StudyRun& run, const RunOutcome& outcome) const;
+
+ private:
+  StudyFolder(std::string path, StudyPlan plan, std::string planText);
+
+  std::string fileOf(const StudyRun& run) const;
+
+  std::string path_;
+  StudyPlan plan_;
+  std::string planText_;
+  std::string planSha256_;
+};
+
+/// Unites the results of folders with the same plan in `out` (new, or of that plan) and writes its
+/// tables. Refused: different plans; a run that two folders have with different results, unless one of
+/// them depends on the machine (then the folder named first has it).
+Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const std::string& out, Warnings& warnings);
+
+}  // namespace glissade

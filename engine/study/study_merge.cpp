@@ -1,0 +1,55 @@
+#include "engine/base/file.h"
+#include "engine/study/study_folder.h"
+#include "engine/study/study_tables.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostStudyBytes = 16U << 20;
+
+/// Adds what a folder knows; a run that is there already must have ended the same way.
+Outcome unite(const StudyFolder& folder, StudyResults& all, Warnings& warnings) {
+  for (const auto& [run, outcome] : folder.results(warnings)) {
+    const auto [entry, isNew] = all.emplace(run, outcome);
+    const RunResult& known = entry->second.result;
+    if (isNew || known == outcome.result) continue;
+    if (dependsOnMachine(known.status) || dependsOnMachine(outcome.result.status)) continue;
+    return Diagnostic{ErrorKind::MalformedInput, folder.path(),
+                      "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
+                      "has another result than a folder named before it",
+                      "The same run must end the same everywhere: look for different builds of Glissade."};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const std::string& out, Warnings& warnings) {
+  const auto first = StudyFolder::open(folders.front());
+  if (!first) return first.error();
+  StudyResults all;
+  for (const std::string& path : folders) {
+    const auto folder = StudyFolder::open(path);
+    if (!folder) return folder.error();
+    if (folder->planText() != first->planText()) {
+      return Diagnostic{ErrorKind::MalformedInput, path, "plan.json",
+                        "is of another study, version or size than " + first->path(),
+                        "Merge folders of one study, made by one version of Glissade."};
+    }
+    const Outcome united = unite(*folder, all, warnings);
+    if (!united) return united.error();
+  }
+  const auto studyText = readFile(first->file("study.json"), kMostStudyBytes);
+  if (!studyText) return studyText.error();
+  auto merged = StudyFolder::begin(out, first->plan(), *studyText);
+  if (!merged) return merged.error();
+  for (const auto& [run, outcome] : all) {
+    const Outcome saved = merged->save(run, outcome);
+    if (!saved) return saved.error();
+  }
+  const Outcome written = writeTables(*merged, warnings);
+  if (!written) return written.error();
+  return merged;
+}
+
+}  // namespace glissade

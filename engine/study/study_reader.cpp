@@ -1,0 +1,311 @@
+#include "engine/study/study_reader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/operator/device_registry.h"
+#include "engine/planning/planner.h"
+#include "engine/scenario/json_reader.h"
+#include "engine/study/run_result.h"
+#include "engine/study/study_axes.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::uint64_t kMostRuns = 10'000'000;
+constexpr double kMostCells = 100'000;
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void expectOneOf(const JsonCursor& at, const std::vector<std::string>& known, const std::string& what) {
+  const std::string name = at.nonEmptyText();
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  at.fail("names the unknown " + what + " '" + name + "'", "Choose one of " + listed(known) + ".");
+}
+
+std::vector<std::string> knownOperators() {
+  std::vector<std::string> names{"none"};
+  const DeviceRegistry registry = makeDeviceRegistry();
+  for (const DeviceEntry& entry : registry.entries()) {
+    if (entry.simulated) names.push_back(entry.id);
+  }
+  return names;
+}
+
+/// Applies `read` to every element of a list that must not be empty.
+template <class Read>
+auto readList(const JsonCursor& list, Read read) {
+  std::vector<decltype(read(list))> values;
+  for (std::size_t i = 0; i < list.size(); ++i) values.push_back(read(list.element(i)));
+  if (values.empty()) list.fail("is empty");
+  return values;
+}
+
+/// A list of different values.
+template <class Read>
+auto readSet(const JsonCursor& list, Read read) {
+  auto values = readList(list, read);
+  std::set<typename decltype(values)::value_type> seen;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!seen.insert(values[i]).second) list.element(i).fail("is there a second time", "Remove it.");
+  }
+  return values;
+}
+
+/// Limits are parameters, too; here they have a place of their own.
+bool isLimit(ParameterId id) {
+  return id == ParameterId::TimeLimit || id == ParameterId::MaxSteps || id == ParameterId::MaxSamples ||
+         id == ParameterId::StepsPerSecond;
+}
+
+ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
+  const auto id = parameterByKey(key);
+  if (!id) at.fail("is not a parameter", "See 'glissade-cli plan --help'; '_' stands for '-'.");
+  if (isLimit(*id)) at.fail("is a limit", "Move it to \"limits\".");
+  return *id;
+}
+
+class Reader {
+ public:
+  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistry())) {}
+
+  Study read(bool quick) {
+    root_.allowOnly({"format", "version", "name", "title", "description", "citation", "paper", "scenarios",
+                     "strategies", "operators", "parameters", "grid", "limits", "seeds", "rows", "quick"});
+    if (root_.at("format").text() != "glissade-study") root_.at("format").fail("is not \"glissade-study\"");
+    if (root_.at("version").wholeNumber() != 1) root_.at("version").fail("is not 1", "Use a newer Glissade.");
+    readHeading();
+    StudyAxes axes;
+    readAxes(root_, axes);
+    readRows(axes);
+    applyQuick(quick);
+    spellOut();
+    study_.quick = quick;
+    return study_;
+  }
+
+ private:
+  std::string optionalText(const char* key) const {
+    const auto at = root_.find(key);
+    return at ? at->text() : "";
+  }
+
+  void readHeading() {
+    StudyHeading& heading = study_.heading;
+    heading.name = root_.at("name").nonEmptyText();
+    heading.title = root_.at("title").nonEmptyText();
+    heading.description = optionalText("description");
+    heading.citation = optionalText("citation");
+    const auto columns = root_.find("paper");
+    if (!columns) return;
+    heading.paper = readList(*columns, readColumn);
+  }
+
+  static PaperColumn readColumn(const JsonCursor& at) {
+    at.allowOnly({"key", "title", "measure", "statistic", "over"});
+    std::vector<std::string> measures{"success_rate", "planning_s", "wall_s"};
+    for (const ResultColumn& column : resultColumns()) measures.emplace_back(column.name);
+    expectOneOf(at.at("measure"), measures, "measure");
+    PaperColumn column{at.at("key").nonEmptyText(), at.at("title").nonEmptyText(), at.at("measure").text(), "", ""};
+    if (column.measure == "success_rate") return column;
+    expectOneOf(at.at("statistic"), {"median", "mean"}, "statistic");
+    expectOneOf(at.at("over"), {"solved", "all"}, "kind of runs");
+    column.statistic = at.at("statistic").text();
+    column.over = at.at("over").text();
+    return column;
+  }
+
+  /// The keys that study, rows and quick section have in common.
+  void readAxes(const JsonCursor& at, StudyAxes& axes) const {
+    if (const auto list = at.find("scenarios")) {
+      axes.scenarios = readSet(*list, [](const JsonCursor& name) { return name.nonEmptyText(); });
+    }
+    if (const auto list = at.find("strategies")) {
+      axes.strategies = readSet(*list, [this](const JsonCursor& name) { return readStrategy(name); });
+    }
+    if (const auto list = at.find("operators")) axes.operators = readSet(*list, readOperator);
+    if (const auto limits = at.find("limits")) readLimits(*limits, axes);
+    if (const auto parameters = at.find("parameters")) readParameters(*parameters, axes);
+    if (const auto grid = at.find("grid")) readGrid(*grid, axes);
+    if (const auto seeds = at.find("seeds")) axes.seeds = readSeeds(*seeds);
+  }
+
+  std::string readStrategy(const JsonCursor& at) const {
+    expectOneOf(at, strategies_, "strategy");
+    return at.text();
+  }
+
+  static std::string readOperator(const JsonCursor& at) {
+    expectOneOf(at, knownOperators(), "operator");
+    return at.text();
+  }
+
+  static void readParameters(const JsonCursor& parameters, StudyAxes& axes) {
+    parameters.expectObject();
+    for (const auto& item : parameters.json().items()) {
+      const JsonCursor at = parameters.at(item.key());
+      axes.settings[readParameterId(at, item.key())] = at.number();
+    }
+  }
+
+  static void readGrid(const JsonCursor& grid, StudyAxes& axes) {
+    grid.expectObject();
+    axes.grid.clear();
+    for (const auto& item : grid.json().items()) {
+      const JsonCursor at = grid.at(item.key());
+      axes.grid.emplace_back(readParameterId(at, item.key()),
+                             readSet(at, [](const JsonCursor& value) { return value.number(); }));
+    }
+  }
+
+  static void readLimits(const JsonCursor& limits, StudyAxes& axes) {
+    limits.allowOnly({"time_limit", "max_steps", "max_samples", "steps_per_second", "memory_limit_mb"});
+    for (const auto& item : limits.json().items()) {
+      const JsonCursor at = limits.at(item.key());
+      if (const auto id = parameterByKey(item.key())) {
+        axes.settings[*id] = at.number();
+      } else {
+        axes.memoryLimitMb = at.wholeNumber();
+      }
+    }
+  }
+
+  static std::vector<std::uint64_t> readSeeds(const JsonCursor& at) {
+    if (at.json().is_array()) {
+      auto seeds = readSet(at, [](const JsonCursor& seed) { return seed.wholeNumber(); });
+      std::sort(seeds.begin(), seeds.end());
+      return seeds;
+    }
+    at.allowOnly({"first", "count"});
+    const std::uint64_t first = at.at("first").wholeNumber();
+    const std::uint64_t count = at.at("count").wholeNumber();
+    if (count == 0 || count > kMostRuns || first > UINT64_MAX - count) {
+      at.at("count").fail("is not from 1 to " + std::to_string(kMostRuns));
+    }
+    std::vector<std::uint64_t> seeds(count);
+    for (std::size_t i = 0; i < seeds.size(); ++i) seeds[i] = first + i;
+    return seeds;
+  }
+
+  void readRows(const StudyAxes& axes) {
+    const auto list = root_.find("rows");
+    if (!list) {
+      rows_.push_back({"", axes, {}, ""});
+      return;
+    }
+    std::set<std::string> labels;
+    rows_ = readList(*list, [&](const JsonCursor& at) {
+      StudyRow row = readRow(at, axes);
+      if (!labels.insert(row.label).second) at.at("label").fail("is there a second time", "Labels name rows.");
+      row.place = "/rows/" + std::to_string(labels.size() - 1);
+      return row;
+    });
+  }
+
+  StudyRow readRow(const JsonCursor& at, const StudyAxes& axes) const {
+    at.allowOnly({"label", "scenarios", "strategies", "operators", "parameters", "grid", "limits", "seeds", "paper"});
+    StudyRow row{at.at("label").nonEmptyText(), axes, {}, ""};
+    readAxes(at, row.axes);
+    if (const auto paper = at.find("paper")) row.paper = readPaper(*paper);
+    return row;
+  }
+
+  std::map<std::string, PaperValue> readPaper(const JsonCursor& paper) const {
+    paper.expectObject();
+    std::vector<std::string> keys{"note"};
+    for (const PaperColumn& column : study_.heading.paper) keys.push_back(column.key);
+    std::map<std::string, PaperValue> values;
+    for (const auto& item : paper.json().items()) {
+      const JsonCursor at = paper.at(item.key());
+      if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
+        at.fail("is not a column of \"paper\"", "Use one of: " + listed(keys) + ".");
+      }
+      if (item.value().is_null()) continue;
+      values[item.key()] = item.value().is_string() ? PaperValue(at.text()) : PaperValue(at.number());
+    }
+    return values;
+  }
+
+  /// Read also where it is not asked for, so that a fault in it is found.
+  void applyQuick(bool wanted) {
+    const auto quick = root_.find("quick");
+    if (!quick) {
+      if (wanted) root_.at("quick");
+      return;
+    }
+    quick->allowOnly({"seeds", "rows", "operators", "limits"});
+    std::vector<StudyRow> kept;
+    for (StudyRow& row : quickRows(*quick)) {
+      readAxes(*quick, row.axes);
+      kept.push_back(std::move(row));
+    }
+    if (wanted) rows_ = std::move(kept);
+  }
+
+  std::vector<StudyRow> quickRows(const JsonCursor& quick) const {
+    const auto list = quick.find("rows");
+    if (!list) return rows_;
+    std::vector<std::string> labels;
+    for (const StudyRow& row : rows_) labels.push_back(row.label);
+    const auto names = readSet(*list, [&](const JsonCursor& at) {
+      expectOneOf(at, labels, "row");
+      return at.text();
+    });
+    std::vector<StudyRow> chosen;
+    for (const StudyRow& row : rows_) {
+      if (std::find(names.begin(), names.end(), row.label) != names.end()) chosen.push_back(row);
+    }
+    return chosen;
+  }
+
+  void spellOut() {
+    double runs = 0.0;
+    for (const StudyRow& row : rows_) {
+      expectComplete(row);
+      const double cells = cellCount(row);
+      runs += cells * static_cast<double>(row.axes.seeds.size());
+      if (cells > kMostCells || runs > kMostRuns)
+        placeOf(row).fail("makes too many runs", "Vary less, or less finely.");
+      for (StudyCell& cell : cellsOf(row)) study_.cells.push_back(std::move(cell));
+    }
+  }
+
+  void expectComplete(const StudyRow& row) const {
+    const auto limited = [&](ParameterId id) {
+      const auto found = row.axes.settings.find(id);
+      return found != row.axes.settings.end() && found->second > 0.0;
+    };
+    if (row.axes.scenarios.empty()) placeOf(row).fail("has no scenario", "Add \"scenarios\".");
+    if (row.axes.strategies.empty()) placeOf(row).fail("has no strategy", "Add \"strategies\".");
+    if (row.axes.seeds.empty()) placeOf(row).fail("has no seeds", "Add \"seeds\".");
+    if (!limited(ParameterId::TimeLimit) && !limited(ParameterId::MaxSteps) && !limited(ParameterId::MaxSamples)) {
+      placeOf(row).fail("may run for ever", "Give time_limit, max_steps or max_samples under \"limits\".");
+    }
+  }
+
+  JsonCursor placeOf(const StudyRow& row) const { return {root_.json(), root_.file(), row.place}; }
+
+  const JsonCursor& root_;
+  std::vector<std::string> strategies_;
+  std::vector<StudyRow> rows_;
+  Study study_;
+};
+
+}  // namespace
+
+Result<Study> parseStudy(const std::string& text, const std::string& file, bool quick) {
+  const auto document = parseJson(text, file);
+  if (!document) return document.error();
+  try {
+    const JsonCursor root(*document, file, "");
+    return Reader(root).read(quick);
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+}  // namespace glissade

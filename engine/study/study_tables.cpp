@@ -1,0 +1,159 @@
+#include "engine/study/study_tables.h"
+
+#include "engine/base/file.h"
+#include "engine/study/csv_table.h"
+#include "engine/study/summary_json.h"
+
+namespace glissade {
+namespace {
+
+void nameCell(CsvTable& table) { table.header({"cell", "label"}); }
+
+void nameSettings(CsvTable& table) {
+  table.header({"row", "scenario", "strategy", "operator"});
+  for (const ParameterSpec& spec : parameterTable()) table.header({std::string(spec.key)});
+}
+
+void addCell(CsvTable& table, std::size_t index, const StudyCell& cell) {
+  table.number(static_cast<double>(index + 1));
+  table.text(cell.label);
+}
+
+void addSettings(CsvTable& table, const StudyCell& cell) {
+  table.text(cell.row);
+  table.text(cell.scenario);
+  table.text(cell.strategy);
+  table.text(cell.operatorName);
+  for (const ParameterSpec& spec : parameterTable()) table.number(cell.parameters.at(spec.id));
+}
+
+std::string runsTable(const Study& study, const StudyResults& results) {
+  CsvTable table;
+  nameCell(table);
+  nameSettings(table);
+  table.header({"seed", "status", "solved"});
+  for (const ResultColumn& column : resultColumns()) table.header({std::string(column.name)});
+  table.header({"certificate", "message"});
+  for (const auto& [run, outcome] : results) {
+    const RunResult& result = outcome.result;
+    table.row();
+    addCell(table, run.cell, study.cells[run.cell]);
+    addSettings(table, study.cells[run.cell]);
+    table.text(std::to_string(run.seed));
+    table.text(name(result.status));
+    table.text(result.status == RunStatus::Solved ? "1" : "0");
+    for (const auto& number : result.numbers) table.number(number);
+    table.text(result.certificate);
+    table.text(result.message);
+  }
+  return table.content();
+}
+
+std::string timingTable(const Study& study, const StudyResults& results) {
+  CsvTable table;
+  nameCell(table);
+  table.header({"seed", "status", "planning_s", "wall_s", "peak_memory_mb"});
+  for (const auto& [run, outcome] : results) {
+    table.row();
+    addCell(table, run.cell, study.cells[run.cell]);
+    table.text(std::to_string(run.seed));
+    table.text(name(outcome.result.status));
+    table.number(outcome.timing.planningSeconds);
+    table.number(outcome.timing.wallSeconds);
+    table.number(outcome.timing.peakMemoryMb);
+  }
+  return table.content();
+}
+
+void nameMeasures(CsvTable& table, const std::vector<MeasureSummary>& measures) {
+  for (const MeasureSummary& measure : measures) {
+    for (const char* over : {"_solved", "_all"}) {
+      for (const char* what : {"_n", "_q1", "_median", "_q3", "_mean"}) table.header({measure.name + over + what});
+    }
+  }
+}
+
+void addDistribution(CsvTable& table, const Distribution& distribution) {
+  const bool any = distribution.count > 0;
+  table.number(static_cast<double>(distribution.count));
+  for (const double value :
+       {distribution.firstQuartile, distribution.median, distribution.thirdQuartile, distribution.mean}) {
+    table.number(any ? std::optional<double>(value) : std::nullopt);
+  }
+}
+
+void addMeasures(CsvTable& table, const std::vector<MeasureSummary>& measures) {
+  for (const MeasureSummary& measure : measures) {
+    addDistribution(table, measure.solved);
+    addDistribution(table, measure.all);
+  }
+}
+
+void addPaper(CsvTable& table, const StudyCell& cell, const std::string& key) {
+  const auto found = cell.paper.find(key);
+  if (found == cell.paper.end()) return table.text("");
+  if (const auto* number = std::get_if<double>(&found->second)) return table.number(*number);
+  table.text(std::get<std::string>(found->second));
+}
+
+std::string summaryTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  CsvTable table;
+  nameCell(table);
+  nameSettings(table);
+  table.header({"planned", "runs", "solved", "success_rate", "success_low", "success_high"});
+  for (std::size_t i = 1; i < kRunStatusCount; ++i) {
+    table.header({std::string("runs_") + name(static_cast<RunStatus>(i))});
+  }
+  nameMeasures(table, summaries.front().measures);
+  for (const PaperColumn& column : study.heading.paper) table.header({"paper_" + column.key});
+  table.header({"paper_note"});
+  for (std::size_t c = 0; c < summaries.size(); ++c) {
+    const CellSummary& summary = summaries[c];
+    table.row();
+    addCell(table, c, study.cells[c]);
+    addSettings(table, study.cells[c]);
+    table.number(static_cast<double>(summary.planned));
+    table.number(static_cast<double>(summary.runs));
+    table.number(static_cast<double>(summary.solved()));
+    table.number(summary.success.share);
+    table.number(summary.success.low);
+    table.number(summary.success.high);
+    for (std::size_t i = 1; i < kRunStatusCount; ++i) table.number(static_cast<double>(summary.statuses[i]));
+    addMeasures(table, summary.measures);
+    for (const PaperColumn& column : study.heading.paper) addPaper(table, study.cells[c], column.key);
+    addPaper(table, study.cells[c], "note");
+  }
+  return table.content();
+}
+
+std::string timingSummaryTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  CsvTable table;
+  nameCell(table);
+  nameMeasures(table, summaries.front().timing);
+  for (std::size_t c = 0; c < summaries.size(); ++c) {
+    table.row();
+    addCell(table, c, study.cells[c]);
+    addMeasures(table, summaries[c].timing);
+  }
+  return table.content();
+}
+
+}  // namespace
+
+Outcome writeTables(const StudyFolder& folder, Warnings& warnings) {
+  const Study& study = folder.plan().study;
+  const StudyResults results = folder.results(warnings);
+  const std::vector<CellSummary> summaries = summarise(study, results);
+  const std::map<std::string, std::string> files{
+      {"runs.csv", runsTable(study, results)},          {"timing.csv", timingTable(study, results)},
+      {"summary.csv", summaryTable(study, summaries)},  {"timing_summary.csv", timingSummaryTable(study, summaries)},
+      {"summary.json", summaryJson(folder, summaries)},
+  };
+  for (const auto& [name, content] : files) {
+    const Outcome written = writeFileAtomically(folder.file(name), content);
+    if (!written) return written;
+  }
+  return Done{};
+}
+
+}  // namespace glissade

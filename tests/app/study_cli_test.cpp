@@ -1,0 +1,218 @@
+// glissade-cli study and merge as their user runs them: shards, kills, limits, messages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "engine/study/limited_process.h"
+#include "tests/engine/study/study_fixture.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+const std::string kCli = GLISSADE_BIN_DIR "/glissade-cli";
+
+class StudyCli : public testing::Test {
+ protected:
+  /// Exit code of a shell command; what it said is in `said`.
+  int shell(const std::string& command) {
+    const std::string log = files.folder / "said";
+    const int status = std::system(("( " + command + " ) >" + log + " 2>&1").c_str());
+    said = test::readWhole(log);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string command(const std::string& out, const std::string& more = "") const {
+    return kCli + " study " + files.file + " --out " + path(out) + " " + more;
+  }
+  std::string path(const std::string& name) const { return files.folder / name; }
+  void use(const Json& study) { files.folder.write("study.json", study.dump()); }
+  std::size_t finishedRuns(const std::string& out) const {
+    if (!fs::exists(path(out) + "/runs")) return 0;
+    const fs::directory_iterator runs(path(out) + "/runs");
+    return static_cast<std::size_t>(std::count_if(
+        begin(runs), end(runs), [](const fs::directory_entry& entry) { return entry.path().extension() == ".json"; }));
+  }
+  void expectSameTables(const std::string& a, const std::string& b) const {
+    for (const char* table : {"/runs.csv", "/summary.csv", "/summary.json", "/plan.json", "/study.json"}) {
+      const std::string content = test::readWhole(path(a) + table);
+      EXPECT_FALSE(content.empty()) << table;
+      EXPECT_TRUE(content == test::readWhole(path(b) + table)) << table << " of " << a << " and " << b;
+    }
+  }
+  /// Starts the study, and sends it a signal once it has finished some runs. Its exit status.
+  int interruptAfter(std::size_t runs, int signal, const std::string& out) {
+    const pid_t pid = fork();
+    if (pid == 0) {
+      execl(kCli.c_str(), kCli.c_str(), "study", files.file.c_str(), "--out", path(out).c_str(), "--jobs", "2",
+            nullptr);
+      _exit(127);
+    }
+    while (finishedRuns(out) < runs) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    kill(pid, signal);
+    int status = 0;
+    waitpid(pid, &status, 0);
+    return status;
+  }
+
+  /// Interactive runs of some 50 ms each, so that a signal comes in their midst.
+  static Json slidingStudy() {
+    Json study = test::tinyStudy();
+    study["scenarios"] = {GLISSADE_SOURCE_DIR "/samples/sliding-plane/scenario.json"};
+    study["strategies"] = {"contact-birrt", "birrt"};
+    study["operators"] = {"expert", "novice"};
+    study["limits"]["max_steps"] = 800;
+    study["rows"] = {{{"label", "a"}, {"grid", {{"alpha", {0.2, 0.8}}}}}};
+    study["seeds"] = {{"first", 1}, {"count", 3}};
+    study.erase("quick");
+    return study;
+  }
+
+  test::StudyFiles files;
+  std::string said;
+};
+
+TEST_F(StudyCli, TwoShardsMergedAreTheStudyInOneProcess) {
+  use(slidingStudy());
+  ASSERT_EQ(shell(command("whole")), 0) << said;
+  const bool parallel = std::system("parallel --version 2>/dev/null | grep -q GNU") == 0;
+  if (!parallel) std::cout << "GNU parallel is not installed: two plain processes instead\n";
+  const std::string shard = kCli + " study " + files.file + " --out " + path("shard-{}") + " --shard {}/2";
+  const auto numbered = [&](const std::string& number) {
+    std::string text = shard;
+    for (std::size_t at = text.find("{}"); at != std::string::npos; at = text.find("{}")) text.replace(at, 2, number);
+    return text;
+  };
+  ASSERT_EQ(shell(parallel ? "parallel --will-cite '" + shard + "' ::: 1 2"
+                           : numbered("1") + " & " + numbered("2") + " && wait $!"),
+            0)
+      << said;
+  EXPECT_EQ(finishedRuns("shard-1") + finishedRuns("shard-2"), finishedRuns("whole"));
+  ASSERT_EQ(shell(kCli + " merge " + path("shard-1") + " " + path("shard-2") + " --out " + path("merged")), 0) << said;
+  expectSameTables("whole", "merged");
+}
+
+TEST_F(StudyCli, ASlurmTaskIsAShard) {
+  const std::string script = GLISSADE_SOURCE_DIR "/samples/studies/slurm.sh";
+  const std::string common = "CLI=" + kCli + " STUDY=" + files.file + " OUT=" + path("array") + " ";
+  for (const std::string task : {"1", "2", "3"}) {
+    const std::string slurm = "SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=2 SLURM_ARRAY_TASK_ID=" + task + " ";
+    ASSERT_EQ(shell(common + slurm + "sh " + script), 0) << said;
+    EXPECT_EQ(finishedRuns("array/shard-" + task), 2U);
+  }
+  ASSERT_EQ(shell(kCli + " merge " + path("array") + "/shard-* --out " + path("all")), 0) << said;
+  EXPECT_EQ(finishedRuns("all"), 6U);
+  EXPECT_NE(shell("CLI=" + kCli + " STUDY=" + files.file + " sh " + script), 0) << "OUT is missing";
+}
+
+TEST_F(StudyCli, AKilledStudyGoesOnWhereItWas) {
+  use(slidingStudy());
+  ASSERT_EQ(shell(command("whole", "--jobs 2")), 0) << said;
+  const int status = interruptAfter(5, SIGKILL, "killed");
+  ASSERT_TRUE(WIFSIGNALED(status));
+  const std::size_t before = finishedRuns("killed");
+  ASSERT_LT(before, finishedRuns("whole")) << "it was over before it was killed";
+  const auto oldest = fs::last_write_time(path("killed") + "/runs/cell1-seed1.json");
+  ASSERT_EQ(shell(command("killed")), 0) << said;
+  EXPECT_EQ(fs::last_write_time(path("killed") + "/runs/cell1-seed1.json"), oldest) << "it was run again";
+  expectSameTables("whole", "killed");
+}
+
+TEST_F(StudyCli, AnInterruptedStudySaysSoAndGoesOn) {
+  use(slidingStudy());
+  ASSERT_EQ(shell(command("whole", "--jobs 2")), 0) << said;
+  const int status = interruptAfter(3, SIGINT, "stopped");
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_TRUE(fs::exists(path("stopped") + "/summary.csv")) << "what is known is in the tables";
+  ASSERT_EQ(shell(command("stopped", "--dry-run")), 0);
+  EXPECT_THAT(said, HasSubstr(std::to_string(finishedRuns("stopped")) + " of them done"));
+  ASSERT_EQ(shell(command("stopped")), 0) << said;
+  expectSameTables("whole", "stopped");
+}
+
+TEST_F(StudyCli, LimitsOfTimeAndMemoryAreRows) {
+  Json study = test::tinyStudy();
+  Json closed = Json::parse(test::tinyScenario());
+  closed["bodies"][0]["geometry"]["box"] = {0.1, 9, 9};
+  files.folder.write("closed.json", closed.dump());
+  study["scenarios"] = {"closed.json"};
+  study["seeds"] = {1};
+  study["rows"] = {{{"label", "steps"}, {"limits", {{"max_steps", 50}}}},
+                   {{"label", "time"}, {"limits", {{"max_steps", 0}, {"time_limit", 0.2}}}},
+                   {{"label", "memory"}, {"limits", {{"memory_limit_mb", 60}, {"time_limit", 600}, {"max_steps", 0}}}}};
+  study.erase("quick");
+  use(study);
+  ASSERT_EQ(shell(command("out")), 0) << said;
+  const Json summary = Json::parse(test::readWhole(path("out") + "/summary.json"));
+  EXPECT_EQ(summary["cells"][0]["statuses"]["limit-reached"], 1);
+  EXPECT_EQ(summary["cells"][1]["statuses"]["time"], 1);
+  if (!kMemoryCanBeLimited) return;
+  EXPECT_EQ(summary["cells"][2]["statuses"]["memory"], 1) << test::readWhole(path("out") + "/runs.csv");
+}
+
+TEST_F(StudyCli, WrongUsageAndBadFilesGetOneClearMessage) {
+  const auto expectRefused = [&](const std::string& command, int code, const std::string& mentions) {
+    EXPECT_EQ(shell(command), code) << said;
+    EXPECT_THAT(said, HasSubstr(mentions));
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  };
+  expectRefused(command("out", "--shard 3/2"), 2, "--shard");
+  expectRefused(command("out", "--shard x"), 2, "--shard");
+  expectRefused(kCli + " study " + files.file + " --out " + files.folder.path(), 2, "not a folder of study results");
+  expectRefused(kCli + " study " + path("none.json") + " --out " + path("out"), 3, "none.json");
+  expectRefused(kCli + " merge " + path("none") + " --out " + path("out"), 3, "plan.json");
+  Json study = test::tinyStudy();
+  study["strategies"] = {"warp"};
+  use(study);
+  expectRefused(command("out"), 3, "/strategies/0");
+  EXPECT_FALSE(fs::exists(path("out"))) << "a bad study leaves nothing behind";
+  EXPECT_EQ(shell(kCli + " study"), 2);
+}
+
+TEST_F(StudyCli, ADryRunWritesNothing) {
+  ASSERT_EQ(shell(command("out", "--dry-run --quick")), 0) << said;
+  EXPECT_THAT(said, HasSubstr("1 cells, 1 runs"));
+  EXPECT_THAT(said, HasSubstr("--max-steps 100"));
+  EXPECT_FALSE(fs::exists(path("out")));
+}
+
+/// Every shipped study can be run, in both sizes.
+TEST_F(StudyCli, ShippedStudiesAreSound) {
+  for (const char* name :
+       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like"}) {
+    const std::string study = std::string(GLISSADE_SOURCE_DIR "/samples/studies/") + name + ".json";
+    for (const char* size : {"", "--quick"}) {
+      EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run " + size), 0) << said;
+      EXPECT_THAT(said, HasSubstr("0 of them done"));
+    }
+  }
+}
+
+TEST_F(StudyCli, AQuickStudyOfThePaperHoldsItsNumbers) {
+  const std::string study = GLISSADE_SOURCE_DIR "/samples/studies/table-2.json";
+  ASSERT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --quick --jobs 2 --shard 1/3"), 0) << said;
+  const Json summary = Json::parse(test::readWhole(path("out") + "/summary.json"));
+  ASSERT_EQ(summary["cells"].size(), 10U);
+  for (const Json& cell : summary["cells"]) {
+    EXPECT_EQ(cell["planned"], 3);
+    EXPECT_EQ(cell["runs"], 1) << "shard 1 of 3 has one of three seeds";
+    if (cell["operator"] != "expert") continue;
+    EXPECT_EQ(cell["statuses"]["solved"], 1) << cell["label"];
+    EXPECT_LT(cell["measures"]["nodes"]["solved"]["median"], 27600 / 10) << "any operator beats none by ten times";
+  }
+  EXPECT_EQ(summary["cells"][4]["paper"]["nodes"], 715);
+}
+
+}  // namespace
+}  // namespace glissade

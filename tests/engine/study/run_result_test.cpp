@@ -1,0 +1,95 @@
+#include "engine/study/run_result.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace glissade {
+namespace {
+
+constexpr const char* kSolved = R"({"solved": true, "status": "solved", "planning_s": 1.5, "virtual_s": 20.25,
+  "nodes": 100, "edges": 198, "iterations": 90, "steps": 110, "random_configurations": 12,
+  "nodes_by_author": {"computer": 60, "operator": 30, "contact": 10},
+  "path": {"configurations": 7, "length_m": 3.5, "rotation_rad": 1.25},
+  "certificate": {"status": "certified", "min_clearance_m": 0.002, "tolerance_m": 1e-05}})";
+
+ProcessEnd saying(const std::string& output, int exitCode = 0) {
+  ProcessEnd end;
+  end.output = output;
+  end.exitCode = exitCode;
+  end.wallSeconds = 2.5;
+  return end;
+}
+
+std::optional<double> numberOf(const RunResult& result, std::string_view column) {
+  for (std::size_t i = 0; i < kResultColumnCount; ++i) {
+    if (resultColumns()[i].name == column) return result.numbers[i];
+  }
+  ADD_FAILURE() << "no column " << column;
+  return std::nullopt;
+}
+
+TEST(RunResult, ReadsTheReportOfARun) {
+  const RunOutcome outcome = outcomeOf(saying(kSolved), 60.0);
+  EXPECT_EQ(outcome.result.status, RunStatus::Solved);
+  EXPECT_EQ(numberOf(outcome.result, "nodes"), 100.0);
+  EXPECT_EQ(numberOf(outcome.result, "virtual_s"), 20.25);
+  EXPECT_EQ(numberOf(outcome.result, "nodes_operator"), 30.0);
+  EXPECT_EQ(numberOf(outcome.result, "min_clearance_m"), 0.002);
+  EXPECT_EQ(numberOf(outcome.result, "path_length_m"), 3.5);
+  EXPECT_EQ(numberOf(outcome.result, "coarse_configurations"), std::nullopt);
+  EXPECT_EQ(outcome.result.certificate, "certified");
+  EXPECT_EQ(outcome.timing.planningSeconds, 1.5);
+  EXPECT_EQ(outcome.timing.wallSeconds, 2.5);
+}
+
+TEST(RunResult, TellsTheWaysToEndApart) {
+  const auto status = [](const ProcessEnd& end) { return outcomeOf(end, 60.0).result.status; };
+  const auto report = [](const std::string& said, const std::string& reason, double seconds) {
+    return R"({"status": ")" + said + R"(", "planning_s": )" + std::to_string(seconds) +
+           R"(, "path": null, "certificate": null, "error": {"reason": ")" + reason + "\"}}";
+  };
+  EXPECT_EQ(status(saying(report("limit-reached", "the step limit", 3.0), 5)), RunStatus::LimitReached);
+  EXPECT_EQ(status(saying(report("limit-reached", "the time limit", 60.01), 5)), RunStatus::Time);
+  EXPECT_EQ(status(saying(report("no-path", "no way", 3.0), 1)), RunStatus::NoPath);
+  EXPECT_EQ(status(saying(report("in-collision", "start", 0.0), 4)), RunStatus::InCollision);
+  EXPECT_EQ(status(saying(report("error", "the planner failed: std::bad_alloc", 3.0), 70)), RunStatus::Memory);
+  EXPECT_EQ(status(saying(report("error", "the planner failed: x", 3.0), 70)), RunStatus::Error);
+  EXPECT_EQ(status(saying(R"({"error": {"reason": "cannot be opened"}})", 3)), RunStatus::Error);
+  EXPECT_EQ(status(saying("", 70)), RunStatus::Crashed);
+  EXPECT_EQ(status(saying("{\"status\": \"sol", 0)), RunStatus::Crashed);
+  EXPECT_EQ(status(saying("[1]", 0)), RunStatus::Crashed);
+  EXPECT_EQ(status(saying(R"({"status": "interrupted"})", 130)), RunStatus::Crashed);
+  ProcessEnd crashed = saying("");
+  crashed.signal = SIGSEGV;
+  EXPECT_EQ(status(crashed), RunStatus::Crashed);
+  crashed.errors = "terminate called after throwing an instance of 'std::bad_alloc'";
+  EXPECT_EQ(status(crashed), RunStatus::Memory);
+  ProcessEnd killed = saying("");
+  killed.killed = true;
+  killed.signal = SIGKILL;
+  EXPECT_EQ(status(killed), RunStatus::Time);
+}
+
+TEST(RunResult, FilesReadBackAsTheyWere) {
+  RunRow row{"hash", 3, 18446744073709551615ULL, outcomeOf(saying(kSolved), 60.0)};
+  row.outcome.result.message = "two \"words\", a comma";
+  const auto back = readRunRow(writeRunRow(row), "run.json");
+  ASSERT_TRUE(back.ok()) << toString(back.error());
+  EXPECT_EQ(back->plan, "hash");
+  EXPECT_EQ(back->cell, 3U);
+  EXPECT_EQ(back->seed, row.seed);
+  EXPECT_EQ(back->outcome.result, row.outcome.result);
+  EXPECT_EQ(back->outcome.timing.planningSeconds, 1.5);
+}
+
+TEST(RunResult, TornFilesAreRefused) {
+  const std::string whole = writeRunRow({"hash", 1, 1, outcomeOf(saying(kSolved), 60.0)});
+  for (std::size_t length = 0; length + 2 < whole.size(); length += 5) {
+    EXPECT_FALSE(readRunRow(whole.substr(0, length), "run.json").ok()) << length;
+  }
+}
+
+}  // namespace
+}  // namespace glissade
