@@ -25,7 +25,12 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"define", 3},
                                                          {"expect-attribute", 2},
                                                          {"expect-way", 1},
-                                                         {"select-strategy", 1}};
+                                                         {"select-strategy", 1},
+                                                         {"plug", 2},
+                                                         {"unplug", 1},
+                                                         {"deflect", 7},
+                                                         {"press", 2},
+                                                         {"expect-steering", 1}};
   return counts;
 }
 

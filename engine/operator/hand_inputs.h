@@ -46,13 +46,17 @@ enum class SteeringTarget { Object, Camera };
 /// All that a person can hold, for as long as the program runs: runs and scenarios come and go while the
 /// devices stay open. Shared by their readers, the operator thread and the window.
 struct HandInputs {
-  HandInputs() { keyboard.mailbox.connect("Keyboard"); }
-
   /// A 6D mouse repeats its deflection while it is held: half a second of silence is rest.
   static constexpr std::chrono::milliseconds kSilence{500};
 
+  /// No silence: a script holds the mouse, in a time of its own.
+  explicit HandInputs(std::optional<std::chrono::milliseconds> silence = kSilence)
+      : mouse6d(InputKind::Mouse6D, silence) {
+    keyboard.mailbox.connect("Keyboard");
+  }
+
   HandInput keyboard{InputKind::Keyboard, std::nullopt};
-  HandInput mouse6d{InputKind::Mouse6D, kSilence};
+  HandInput mouse6d;
   HandInput gamepad{InputKind::Gamepad, std::nullopt};
   std::atomic<SteeringTarget> target{SteeringTarget::Object};
   std::atomic<bool> focused{true};  ///< false: another program has the window focus, all is at rest

@@ -16,18 +16,28 @@ double ramp(double actual, double wanted, double dt) {
 
 }  // namespace
 
-ShapedDevice::ShapedDevice(HandInputsPtr hand, const HandInput& input) : hand_(std::move(hand)), input_(input) {}
-
-Pose ShapedDevice::advance(double dt, const OperatorView& view, const Box3& bounds) {
-  if (dt <= 0.0) return view.q_device;
-  RawAxes raw = input_.mailbox.reading().axes;
-  if (hand_->target != SteeringTarget::Object || !hand_->focused) raw = RawAxes{};
+Deflection HandShaper::deflection(double dt, const DeviceShaping& shaping, bool maySteer) {
+  RawAxes raw = maySteer ? input_.mailbox.reading().axes : RawAxes{};
   if (input_.kind == InputKind::Keyboard) {
     for (std::size_t i = 0; i < raw.size(); ++i) ramped_[i] = ramp(ramped_[i], raw[i], dt);
     raw = ramped_;
   }
+  return shape(shaping, raw, dominant_);
+}
+
+void HandShaper::restart() {
+  ramped_ = RawAxes{};
+  dominant_.reset();
+}
+
+ShapedDevice::ShapedDevice(HandInputsPtr hand, const HandInput& input)
+    : hand_(std::move(hand)), input_(input), shaper_(input) {}
+
+Pose ShapedDevice::advance(double dt, const OperatorView& view, const Box3& bounds) {
+  if (dt <= 0.0) return view.q_device;
+  const bool maySteer = hand_->target == SteeringTarget::Object && hand_->focused;
   const DeviceShaping shaping = input_.shaping.get();
-  const Deflection deflection = shape(shaping, raw, dominant_);
+  const Deflection deflection = shaper_.deflection(dt, shaping, maySteer);
   return integrate(view.q_device, toTwist(deflection, shapedFrame(shaping, view)), bounds, dt);
 }
 

@@ -166,7 +166,7 @@ TEST_F(Spacenav, DeathsLeakNothingAndCostNothing) {
   SpacenavReader reader(hand, milliseconds(2));
   std::ptrdiff_t files = 0;
   std::ptrdiff_t bytes = 0;
-  const int rounds = stressRounds();
+  const int rounds = stressRounds(50);
   for (int round = -5; round < rounds; ++round) {
     if (round == 0) {
       files = openFiles();
@@ -190,7 +190,7 @@ TEST_F(Spacenav, UnplugsLeakNothing) {
   ASSERT_TRUE(comes());
   const std::ptrdiff_t files = openFiles();
   const std::ptrdiff_t bytes = allocatedBytes();
-  const int rounds = stressRounds();
+  const int rounds = stressRounds(50);
   for (int round = 0; round < rounds; ++round) {
     daemon.plug(std::nullopt);
     ASSERT_TRUE(goes()) << round;
