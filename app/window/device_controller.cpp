@@ -69,12 +69,14 @@ void DeviceController::addIndicators(QStatusBar& bar) {
   gamepad_->setObjectName(QStringLiteral("gamepad-state"));
   target_ = new QToolButton(window_);
   target_->setObjectName(QStringLiteral("steering-target"));
-  target_->setDefaultAction(actions_["operator.camera"]);
+  target_->setCheckable(true);
   target_->setFocusPolicy(Qt::TabFocus);
+  target_->setToolTip(actions_["operator.camera"]->toolTip());
+  connect(target_, &QToolButton::clicked, actions_["operator.camera"], &QAction::trigger);
   bar.addPermanentWidget(target_);
   bar.addPermanentWidget(mouse_);
   bar.addPermanentWidget(gamepad_);
-  setTarget(SteeringTarget::Object);
+  showTarget();
   showStates();
 }
 
@@ -128,9 +130,15 @@ void DeviceController::showStates() {
 void DeviceController::setTarget(SteeringTarget target) {
   hand_->target = target;
   for (HandShaper& shaper : shapers_) shaper.restart();
-  if (target_ != nullptr)
-    target_->setText(target == SteeringTarget::Camera ? tr("Moves: camera") : tr("Moves: object"));
+  showTarget();
   look();
+}
+
+void DeviceController::showTarget() {
+  if (target_ == nullptr) return;
+  const bool camera = hand_->target == SteeringTarget::Camera;
+  target_->setText(camera ? tr("Moves: camera") : tr("Moves: object"));
+  target_->setChecked(camera);
 }
 
 void DeviceController::showCalibration() {

@@ -49,6 +49,7 @@ class DeviceController final : public QObject {
   void lookAt(std::size_t which);
   void press(const HandInput& input, std::size_t button);
   void showStates();
+  void showTarget();
   void setTarget(SteeringTarget target);
   void showCalibration();
   void steer(double dt);

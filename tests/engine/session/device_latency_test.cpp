@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include "engine/base/random_stream.h"
@@ -66,9 +67,8 @@ TEST(DeviceLatency, AMoveOfTheMouseReachesTheSnapshotWhilePlanning) {
   const SpacenavReader reader(hand, milliseconds(5));
   while (!hand->mouse6d.mailbox.reading().connected) std::this_thread::sleep_for(milliseconds(5));
 
-  SessionConfig config = unsolvableConfig();
-  config.device = std::make_unique<ShapedDevice>(hand, hand->mouse6d);
-  const auto session = makeThreadedSession(std::move(config));
+  const auto session =
+      makeThreadedSession(sessionConfig(closedProblem(), std::make_unique<ShapedDevice>(hand, hand->mouse6d)));
   Window window(*session);
   session->post(command::Start{});
   while (window.next()->state != SessionState::Planning) {
@@ -76,7 +76,7 @@ TEST(DeviceLatency, AMoveOfTheMouseReachesTheSnapshotWhilePlanning) {
 
   RandomStream phases(1, "phases");
   std::vector<double> latencies;
-  const int rounds = stressRounds(30);
+  const int rounds = stressRounds(20);
   for (int round = 0; round < rounds; ++round) {
     daemon.sendMotion(0, 0, 0);
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(60.0 + phases.uniform(0.0, 16.0)));
