@@ -1042,6 +1042,10 @@
         <source>not connected</source>
         <translation>non connecté</translation>
     </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
 </context>
 <context>
     <name>glissade::CountsPanel</name>

@@ -50,6 +50,7 @@ CalibrationDialog::CalibrationDialog(HandInputsPtr hand, DeviceSettings& setting
   trouble_->setVisible(false);
   layout->addWidget(trouble_);
   auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  close->button(QDialogButtonBox::Close)->setText(tr("&Close"));
   connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
   layout->addWidget(close);
   timer_.setInterval(kRefreshInterval);
