@@ -47,10 +47,17 @@ class VirtualPad {
   SDL_Joystick* joystick_ = nullptr;
 };
 
+/// SDL's start and end are not made for threads: it is up before the reader begins and after it has ended.
+struct SdlIsUp {
+  SdlIsUp() { SDL_InitSubSystem(SDL_INIT_JOYSTICK); }
+  ~SdlIsUp() { SDL_QuitSubSystem(SDL_INIT_JOYSTICK); }
+};
+
 class Gamepad : public testing::Test {
  protected:
-  Gamepad() { SDL_InitSubSystem(SDL_INIT_JOYSTICK); }
-  ~Gamepad() override { SDL_QuitSubSystem(SDL_INIT_JOYSTICK); }
+  void SetUp() override {
+    ASSERT_TRUE(eventually([this] { return reader.wakeUps() > 0; }));
+  }
 
   InputReading now() const { return hand->gamepad.mailbox.reading(); }
   static bool eventually(const std::function<bool()>& condition) {
@@ -65,6 +72,7 @@ class Gamepad : public testing::Test {
     return eventually([&] { return !now().connected; });
   }
 
+  SdlIsUp sdl;
   HandInputsPtr hand = std::make_shared<HandInputs>();
   GamepadReader reader{hand};
 };
