@@ -51,6 +51,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolButton:focus { border: 1px solid %4; }"
              "QStatusBar { border-top: 1px solid %2; }"
              "QStatusBar::item { border: none; }"
+             "QStatusBar QToolButton { padding: 0px 6px; }"
              "QTreeWidget { border: none; }"
              "QLabel#authority { font-weight: 600; }"
              "#calibration QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 2px; "
