@@ -1,12 +1,14 @@
 #include "app/window/main_window.h"
 
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QStyle>
@@ -14,6 +16,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/window/device_controller.h"
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
@@ -29,14 +32,6 @@
 #include "widgets/scene3d/label_overlay.h"
 
 namespace glissade {
-namespace {
-
-/// Full deflection of a key moves the object by this many of its radii in a second.
-constexpr double kRadiiPerSecond = 0.65;
-constexpr double kRadiansPerSecond = 1.0;
-
-}  // namespace
-
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : actions_(new ActionCatalogue(this)),
       bridge_(new SessionBridge(clock, this)),
@@ -50,13 +45,16 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(320, 240);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
-  scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->keys(), this));
+  scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->hand()->keyboard.mailbox, this));
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
   new LabelOverlay(scene_->view(), scene_->widget());
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
+  devices_ = new DeviceController(*bridge_, *actions_, *scene_, this);
+  connect(devices_, &DeviceController::cameraMoved, this, [this] { publishOperatorFrame(); });
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
+  devices_->addIndicators(*statusBar());
   statusBar()->addPermanentWidget(elapsed_);
   makePanels();
   makeMenus();
@@ -100,7 +98,7 @@ QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget*
 }
 
 void MainWindow::makePanels() {
-  interaction_ = new InteractionPanel(*actions_, bridge_->clock(), this);
+  interaction_ = new InteractionPanel(*actions_, this);
   counts_ = new CountsPanel(this);
   sceneTree_ = new ScenePanel(this);
   path_ = new PathPanel(*actions_, this);
@@ -171,6 +169,7 @@ void MainWindow::makeMenus() {
   run->addSeparator();
   fill(run, "object.");
   fill(run, "path.");
+  fill(menuBar()->addMenu(tr("&Operator")), "operator.");
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, "view.");
   fill(view->addMenu(tr("&Layers")), "layer.");
@@ -240,6 +239,7 @@ void MainWindow::connectViewActions() {
   look("view.bottom", StandardView::Bottom);
   connect((*actions_)["view.fit"], &QAction::triggered, this, [this] {
     scene_->view().fit();
+    publishOperatorFrame();
     scene_->refresh();
   });
   connect((*actions_)["view.dark"], &QAction::toggled, this,
@@ -339,9 +339,10 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
 
 void MainWindow::publishOperatorFrame() {
   if (!scenario_) return;
+  const CameraController& camera = scene_->view().camera();
   OperatorFrame frame;
-  frame.R_WV = scene_->view().camera().R_WV();
-  frame.speed = {kRadiiPerSecond * scenario_->problem.world->objectRadius(), kRadiansPerSecond};
+  frame.R_WV = camera.R_WV();
+  frame.speed = operatorSpeed(camera.viewHeight(), scenario_->problem.world->objectRadius());
   bridge_->setOperatorFrame(frame);
 }
 
@@ -386,7 +387,14 @@ std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
   return std::nullopt;
 }
 
-QImage MainWindow::picture() { return grab().toImage(); }
+QImage MainWindow::picture() {
+  QPixmap whole = grab();
+  QPainter painter(&whole);
+  for (QDialog* dialog : findChildren<QDialog*>()) {
+    if (dialog->isVisible()) painter.drawPixmap(dialog->geometry().topLeft() - geometry().topLeft(), dialog->grab());
+  }
+  return whole.toImage();
+}
 
 void MainWindow::setTheme(Theme theme) {
   applyTheme(theme);

@@ -12,6 +12,7 @@
 namespace glissade {
 
 class CountsPanel;
+class DeviceController;
 class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
@@ -35,11 +36,12 @@ class MainWindow final : public QMainWindow {
   ActionCatalogue& actions() { return *actions_; }
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
+  DeviceController& devices() { return *devices_; }
   /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
   std::optional<Diagnostic> exportPath(const QString& file);
-  /// The whole window as a picture.
+  /// The whole window as a picture, with the dialogs that lie over it.
   QImage picture();
 
  protected:
@@ -79,6 +81,7 @@ class MainWindow final : public QMainWindow {
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
+  DeviceController* devices_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

@@ -18,8 +18,13 @@ struct ScriptCommand {
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
 ///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5
-///   select-operator ID          hand, keyboard, expert, default, novice
+///   select-operator ID          hand, keyboard, mouse6d, gamepad, expert, default, novice
 ///   key press|release|tap KEY   a key over the 3D view, e.g. key press W
+///   plug DEVICE NAME            a keyboard, mouse6d or gamepad of that name comes, offscreen
+///   unplug DEVICE               it goes
+///   deflect DEVICE X Y Z RX RY RZ   its six raw axes, each in [-1, 1]
+///   press DEVICE BUTTON         a button of it, from 0
+///   expect-steering TARGET      object or camera
 ///   steps N                     let the session do N planner steps (offscreen)
 ///   wait STATE LIMIT            idle, planning, paused, solved, ended; LIMIT in steps offscreen,
 ///                               in seconds on screen

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <map>
 
+#include "app/window/device_controller.h"
+#include "app/window/device_script.h"
 #include "app/window/environment_script.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
@@ -67,6 +69,9 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   if (command.name == "save") return save(command);
   if (command.name == "select-strategy") return selectStrategy(command);
   if (const auto outcome = EnvironmentScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = DeviceScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (command.name == "export") {
@@ -138,6 +143,7 @@ Outcome ScriptRunner::steps(const ScriptCommand& command) {
   if (window_.bridge().clock() != SessionClock::Lockstep) {
     return wrong(command, "on screen time goes on by itself", "Use wait, or run with --offscreen.");
   }
+  window_.devices().advance(static_cast<std::uint64_t>(*count));
   window_.bridge().advance(static_cast<std::uint64_t>(*count));
   return Done{};
 }

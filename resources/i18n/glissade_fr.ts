@@ -451,6 +451,22 @@
         <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
         <translation>Montrer les configurations de passage ; tirer pour en déplacer une, Ctrl+tirer pour la tourner</translation>
     </message>
+    <message>
+        <source>Steer the &amp;camera</source>
+        <translation>Diriger la &amp;caméra</translation>
+    </message>
+    <message>
+        <source>Keys, 6D mouse and gamepad move the camera, or the object again</source>
+        <translation>Clavier, souris 6D et manette déplacent la caméra, ou de nouveau l&apos;objet</translation>
+    </message>
+    <message>
+        <source>&amp;Devices...</source>
+        <translation>&amp;Périphériques...</translation>
+    </message>
+    <message>
+        <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
+        <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -526,10 +542,6 @@
 <context>
     <name>Devices</name>
     <message>
-        <source>Keyboard and 6D mouse</source>
-        <translation>Clavier et souris 6D</translation>
-    </message>
-    <message>
         <source>Keyboard</source>
         <translation>Clavier</translation>
     </message>
@@ -544,6 +556,18 @@
     <message>
         <source>Simulated novice</source>
         <translation>Novice simulé</translation>
+    </message>
+    <message>
+        <source>6D mouse</source>
+        <translation>Souris 6D</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Manette</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
     </message>
 </context>
 <context>
@@ -649,6 +673,29 @@
     <message>
         <source>OMPL: EST</source>
         <translation>OMPL : EST</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>As in CAD</source>
+        <translation>Comme en CAO</translation>
+    </message>
+    <message>
+        <source>Beginner</source>
+        <translation>Débutant</translation>
+    </message>
+    <message>
+        <source>Precise</source>
+        <translation>Précis</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Vol</translation>
     </message>
 </context>
 <context>
@@ -792,6 +839,215 @@
     </message>
 </context>
 <context>
+    <name>glissade::AxisBar</name>
+    <message>
+        <source>Thin: as the device reports it. Thick: after shaping. Hatched: the dead zone.</source>
+        <translation>Fin : tel que le périphérique l&apos;indique. Épais : après mise en forme. Hachuré : la zone morte.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AxisRow</name>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Turns the direction round</source>
+        <translation>Inverse le sens</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Inversé</translation>
+    </message>
+    <message>
+        <source>shift x</source>
+        <translation>translation x</translation>
+    </message>
+    <message>
+        <source>shift y</source>
+        <translation>translation y</translation>
+    </message>
+    <message>
+        <source>shift z</source>
+        <translation>translation z</translation>
+    </message>
+    <message>
+        <source>turn x</source>
+        <translation>rotation x</translation>
+    </message>
+    <message>
+        <source>turn y</source>
+        <translation>rotation y</translation>
+    </message>
+    <message>
+        <source>turn z</source>
+        <translation>rotation z</translation>
+    </message>
+    <message>
+        <source>The device&apos;s axis that drives this one</source>
+        <translation>L&apos;axe du périphérique qui commande celui-ci</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Device, motion</source>
+        <translation>Périphérique, mouvement</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Driven by</source>
+        <translation>Commandé par</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::CalibrationDialog</name>
+    <message>
+        <source>&amp;One axis at a time (the dominant one)</source>
+        <translation>&amp;Un axe à la fois (le dominant)</translation>
+    </message>
+    <message>
+        <source>Lock &amp;shifts</source>
+        <translation>Bloquer les &amp;translations</translation>
+    </message>
+    <message>
+        <source>Lock &amp;turns</source>
+        <translation>Bloquer les &amp;rotations</translation>
+    </message>
+    <message>
+        <source>Speed of shifts</source>
+        <translation>Vitesse des translations</translation>
+    </message>
+    <message>
+        <source>Speed of turns</source>
+        <translation>Vitesse des rotations</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Périphériques</translation>
+    </message>
+    <message>
+        <source>The settings cannot be written: %1</source>
+        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>Réi&amp;nitialiser</translation>
+    </message>
+    <message>
+        <source>Shaping and buttons of this device as at the first time</source>
+        <translation>Mise en forme et boutons de ce périphérique comme la première fois</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Périphérique</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>Pré&amp;réglage</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>À droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>En haut</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Vers vous</translation>
+    </message>
+    <message>
+        <source>Tip forward</source>
+        <translation>Basculer en avant</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Tourner à droite</translation>
+    </message>
+    <message>
+        <source>Roll left</source>
+        <translation>Rouler à gauche</translation>
+    </message>
+    <message>
+        <source>of the view</source>
+        <translation>de la vue</translation>
+    </message>
+    <message>
+        <source>of the world</source>
+        <translation>du monde</translation>
+    </message>
+    <message>
+        <source>of the object</source>
+        <translation>de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>&amp;Axes</translation>
+    </message>
+    <message>
+        <source>S&amp;hifts, speed</source>
+        <translation>Translations, &amp;vitesse</translation>
+    </message>
+    <message>
+        <source>T&amp;urns, speed</source>
+        <translation>R&amp;otations, vitesse</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>&amp;Button</source>
+        <translation>&amp;Bouton</translation>
+    </message>
+    <message>
+        <source>d&amp;oes</source>
+        <translation>d&amp;éclenche</translation>
+    </message>
+    <message>
+        <source>Press a button of the device to find its number.</source>
+        <translation>Appuyez sur un bouton du périphérique pour trouver son numéro.</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>personnel</translation>
+    </message>
+    <message>
+        <source>connected: %1</source>
+        <translation>connecté : %1</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connecté</translation>
+    </message>
+</context>
+<context>
     <name>glissade::CountsPanel</name>
     <message>
         <source>Iterations</source>
@@ -892,6 +1148,33 @@
     <message>
         <source>in collision</source>
         <translation>en collision</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::DeviceController</name>
+    <message>
+        <source>6D mouse: %1</source>
+        <translation>Souris 6D : %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>No 6D mouse, or spacenavd does not run; looked for again and again</source>
+        <translation>Pas de souris 6D, ou spacenavd ne tourne pas ; recherche répétée</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>Manette : %1</translation>
+    </message>
+    <message>
+        <source>Moves: camera</source>
+        <translation>Déplace : caméra</translation>
+    </message>
+    <message>
+        <source>Moves: object</source>
+        <translation>Déplace : objet</translation>
     </message>
 </context>
 <context>
@@ -1118,6 +1401,10 @@
         <source>The scenario has edits that are not saved.</source>
         <translation>Le scénario a des modifications non enregistrées.</translation>
     </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Opérateur</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>
@@ -1203,6 +1490,13 @@
     <message>
         <source>failed</source>
         <translation>échoué</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ResponseCurve</name>
+    <message>
+        <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
+        <translation>La réponse (vers le haut) au débattement du périphérique (en travers) ; le point indique la position actuelle</translation>
     </message>
 </context>
 <context>

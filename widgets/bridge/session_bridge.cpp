@@ -5,7 +5,11 @@
 namespace glissade {
 
 SessionBridge::SessionBridge(SessionClock clock, QObject* parent)
-    : QObject(parent), clock_(clock), deviceId_(clock == SessionClock::RealTime ? "hand" : "keyboard") {
+    : QObject(parent),
+      clock_(clock),
+      deviceId_("hand"),
+      hand_(clock == SessionClock::RealTime ? std::make_shared<HandInputs>()
+                                            : std::make_shared<HandInputs>(std::nullopt)) {
   qRegisterMetaType<SnapshotPtr>();
 }
 
@@ -27,12 +31,11 @@ void SessionBridge::setDevice(const std::string& deviceId) {
 }
 
 void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
-  // One device at a time: libspnav holds one connection per process.
   if (session_) session_->setWakeUp({});
   lockstep_ = nullptr;
   session_.reset();
   const DeviceRegistry registry = makeDeviceRegistry();
-  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, keys_};
+  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
   if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
   SessionConfig config{scenario_->problem, parameters, planner, seed, registry.find(deviceId_)->make(context)};
   if (clock_ == SessionClock::Lockstep) {

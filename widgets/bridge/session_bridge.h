@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/operator/keyboard_device.h"
+#include "engine/operator/hand_inputs.h"
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 
@@ -35,8 +35,8 @@ class SessionBridge final : public QObject {
 
   void post(Command command);
   void setOperatorFrame(const OperatorFrame& frame);
-  /// The keys of the window, for the keyboard device.
-  DeflectionMailbox& keys() { return *keys_; }
+  /// What the person at the window holds.
+  const HandInputsPtr& hand() const { return hand_; }
 
   /// Null while no scenario is open.
   SnapshotPtr snapshot() const;
@@ -55,7 +55,7 @@ class SessionBridge final : public QObject {
   ScenarioPtr scenario_;
   std::string deviceId_;
   OperatorFrame frame_;
-  std::shared_ptr<DeflectionMailbox> keys_ = std::make_shared<DeflectionMailbox>();
+  HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
 };

@@ -51,11 +51,18 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Attributes", "Ways through the place count this many times shorter."),
     QT_TRANSLATE_NOOP("Attributes", "Static bodies shape the places; mobile ones clutter them."),
     QT_TRANSLATE_NOOP("Attributes", "What the body is shaped like."),
-    QT_TRANSLATE_NOOP("Devices", "Keyboard and 6D mouse"),
+    QT_TRANSLATE_NOOP("Devices", "By hand"),
     QT_TRANSLATE_NOOP("Devices", "Keyboard"),
+    QT_TRANSLATE_NOOP("Devices", "6D mouse"),
+    QT_TRANSLATE_NOOP("Devices", "Gamepad"),
     QT_TRANSLATE_NOOP("Devices", "Simulated expert"),
     QT_TRANSLATE_NOOP("Devices", "Simulated operator"),
     QT_TRANSLATE_NOOP("Devices", "Simulated novice"),
+    QT_TRANSLATE_NOOP("Presets", "Standard"),
+    QT_TRANSLATE_NOOP("Presets", "As in CAD"),
+    QT_TRANSLATE_NOOP("Presets", "Beginner"),
+    QT_TRANSLATE_NOOP("Presets", "Precise"),
+    QT_TRANSLATE_NOOP("Presets", "Flight"),
 };
 
 }  // namespace glissade

@@ -30,7 +30,7 @@ QComboBox* makeBox(QWidget* parent) {
 
 }  // namespace
 
-InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent)
+InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
       planner_(makeBox(this)),
       device_(makeBox(this)),
@@ -43,7 +43,6 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock 
   }
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) {
-    if (clock == SessionClock::Lockstep && entry.id == "hand") continue;
     device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
     device_->setItemData(device_->count() - 1, text(entry.description), Qt::ToolTipRole);
   }

@@ -18,7 +18,7 @@ class InteractionPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent = nullptr);
+  InteractionPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
