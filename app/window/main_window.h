@@ -15,6 +15,7 @@ class CountsPanel;
 class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
+class ReplayController;
 class ScenePanel;
 
 /// The workbench: the 3D view in the middle, panels around it, one session behind it.
@@ -35,6 +36,11 @@ class MainWindow final : public QMainWindow {
   ActionCatalogue& actions() { return *actions_; }
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
+  ReplayController& replay() { return *replay_; }
+  /// Opens a recording, and its scenario where another is open; nothing on success.
+  std::optional<Diagnostic> openRecording(const QString& file, bool quiet = false);
+  /// Journals runs in the folder, and offers to save what killed programs have left there.
+  void keepJournals(const QString& folder);
   /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
@@ -62,6 +68,9 @@ class MainWindow final : public QMainWindow {
   void restart(std::uint64_t seed);
   void chooseScenario();
   void chooseExport();
+  void chooseRecording();
+  void chooseSaveRecording();
+  void offerJournal(const QString& file);
   void save();
   void chooseSave();
   /// False: the user wants to stay, because something is not saved.
@@ -79,6 +88,7 @@ class MainWindow final : public QMainWindow {
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
+  ReplayController* replay_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

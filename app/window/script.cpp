@@ -25,7 +25,11 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"define", 3},
                                                          {"expect-attribute", 2},
                                                          {"expect-way", 1},
-                                                         {"select-strategy", 1}};
+                                                         {"select-strategy", 1},
+                                                         {"save-recording", 1},
+                                                         {"replay", 1},
+                                                         {"seek", 1},
+                                                         {"expect-replay", 1}};
   return counts;
 }
 

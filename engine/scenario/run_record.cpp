@@ -79,9 +79,13 @@ Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log) {
     if (!hash) return hash.error();
     record.assets.push_back({asset.id, *hash});
   }
+  setLog(std::move(log), record);
+  return record;
+}
+
+void setLog(RunLog log, RunRecord& record) {
   for (const ParameterSpec& spec : parameterTable()) record.parameters[spec.id] = log.start.parameters[spec.id];
   record.log = std::move(log);
-  return record;
 }
 
 Outcome writeRunRecord(const RunRecord& record, const std::string& file) {

@@ -29,6 +29,9 @@ struct RunRecord {
 /// The record of a run of this scenario. Errors: an asset can no longer be read.
 Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log);
 
+/// Another run of the same scenario.
+void setLog(RunLog log, RunRecord& record);
+
 /// SHA-256 of what a scenario says about the problem: bodies, object, start, goal, workspace,
 /// environment and rules. What a record holds itself (edits, planner, parameters, seed) is left out.
 std::string problemSha256(const Scenario& scenario);

@@ -12,6 +12,7 @@ constexpr std::size_t kMostRows = 1U << 17;
 
 void ReplayTrack::add(std::uint64_t step, const Planner& planner) {
   const std::lock_guard lock(mutex_);
+  lastStep_ = step;
   if (step % stride_ != 0) return;
   if (rows_.size() == kMostRows) {
     stride_ *= 2;
@@ -28,6 +29,11 @@ ReplayTrack::Row ReplayTrack::at(std::uint64_t step) const {
   const auto after = std::upper_bound(rows_.begin(), rows_.end(), step,
                                       [](std::uint64_t wanted, const Row& row) { return wanted < row.step; });
   return after == rows_.begin() ? Row() : *std::prev(after);
+}
+
+std::uint64_t ReplayTrack::lastStep() const {
+  const std::lock_guard lock(mutex_);
+  return lastStep_;
 }
 
 std::uint64_t ReplayTrack::stride() const {

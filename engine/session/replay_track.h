@@ -25,6 +25,8 @@ class ReplayTrack {
   void add(std::uint64_t step, const Planner& planner);
   /// The last row at or before a step; an empty roadmap where there is none.
   Row at(std::uint64_t step) const;
+  /// The last step replayed, kept or not.
+  std::uint64_t lastStep() const;
   /// Steps between two rows.
   std::uint64_t stride() const;
 
@@ -32,6 +34,7 @@ class ReplayTrack {
   mutable std::mutex mutex_;
   std::vector<Row> rows_;
   std::uint64_t stride_ = 1;
+  std::uint64_t lastStep_ = 0;
 };
 
 }  // namespace glissade

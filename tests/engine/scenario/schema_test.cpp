@@ -8,6 +8,7 @@
 
 #include "engine/scenario/run_record.h"
 #include "tests/engine/scenario/broken_semantics.h"
+#include "tests/engine/scenario/some_run_record.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -70,18 +71,14 @@ TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
 }
 
 TEST(RunSchema, AcceptsWhatIsWritten) {
-  Schema schema("run-1");
+  Schema schema("run-2");
   const test::TemporaryFolder folder;
-  RunRecord record;
-  record.planner = "birrt";
-  record.scenario = "scenario.json";
-  record.parameters = {{ParameterId::Alpha, 0.2}};
-  record.parameterChanges = {{3, ParameterId::Alpha, 0.5}};
-  record.operatorStream = {{0, Pose::identity()}};
-  ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
+  ASSERT_TRUE(writeRunRecord(test::someRunRecord(), folder / "run.json").ok());
   EXPECT_EQ(schema.complaint(test::readWhole(folder / "run.json")), "");
   EXPECT_NE(schema.complaint("{}"), "");
 }
+
+TEST(RunSchema, StillDescribesVersion1) { EXPECT_EQ(Schema("run-1").complaint(test::kRunRecordOfVersion1), ""); }
 
 }  // namespace
 }  // namespace glissade
