@@ -149,6 +149,10 @@ void MainWindow::makePanels() {
     interaction_->setReplayed(active);
     if (!active && bridge_->snapshot()) showSnapshot(bridge_->snapshot());
   });
+  connect(replay_, &ReplayController::notJournalled, this, [this](const Diagnostic& why) {
+    statusBar()->showMessage(tr("No journal of this run on disk: %1").arg(QString::fromStdString(toString(why))),
+                             10000);
+  });
   connect(replay_, &ReplayController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("The recording cannot be replayed"), why);
   });

@@ -33,7 +33,9 @@ ReplayController::ReplayController(SessionBridge& bridge, const ActionCatalogue&
     emit failed(why);
   });
   connect(&bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
+    const bool known = recorder_.trouble().has_value();
     recorder_.follow(*snapshot);
+    if (!known && recorder_.trouble()) emit notJournalled(*recorder_.trouble());
     enableActions();
   });
   connectActions();

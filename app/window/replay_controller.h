@@ -45,6 +45,8 @@ class ReplayController final : public QObject {
   /// A replay was opened, or the session is shown again.
   void activeChanged(bool active);
   void failed(const glissade::Diagnostic& why);
+  /// The run goes on, but a killed program would lose its recording.
+  void notJournalled(const glissade::Diagnostic& why);
 
  private:
   void connectActions();

@@ -138,7 +138,7 @@ class Replay final : public ReplaySession {
   }
 
   double seconds() const {
-    return static_cast<double>(core_.steps()) / core_.parameters()[ParameterId::StepsPerSecond];
+    return static_cast<double>(core_.steps()) * (1.0 / core_.parameters()[ParameterId::StepsPerSecond]);
   }
 
   SessionCore core_;

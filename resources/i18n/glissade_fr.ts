@@ -1273,6 +1273,10 @@
         <source>Later</source>
         <translation>Plus tard</translation>
     </message>
+    <message>
+        <source>No journal of this run on disk: %1</source>
+        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>

@@ -30,7 +30,7 @@ class Fiddler {
                           ->make({{*goal}, problem_.metric(), config.seed, nullptr});
     }
     config.problem.scene.edits = edits();
-    if (random_.uniform() < 0.5) config.problem.scene.knowledge = knowledge(config.problem);
+    if (random_.uniform() < 0.25) config.problem.scene.knowledge = knowledge(config.problem);
     return config;
   }
 
