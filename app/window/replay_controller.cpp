@@ -1,5 +1,6 @@
 #include "app/window/replay_controller.h"
 
+#include <QFileInfo>
 #include <QLocale>
 
 #include <algorithm>
@@ -18,6 +19,13 @@ constexpr std::uint64_t kPatience = 10;
 constexpr std::uint64_t kLeastSteps = 1000;
 
 QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
+
+/// Records of version 1 know their scenario by its file alone.
+bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
+  if (!scenario) return false;
+  if (record.version > 1) return record.problemSha256 == problemSha256(scenario->scenario);
+  return QFileInfo(QString::fromStdString(record.scenario)) == QFileInfo(QString::fromStdString(scenario->file));
+}
 
 }  // namespace
 
@@ -84,11 +92,10 @@ std::optional<Diagnostic> ReplayController::open(
     const QString& file, const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
   const auto record = readRunRecord(file.toStdString());
   if (!record) return record.error();
-  const bool other =
-      !scenario_ || (record->version == 1 ? false : record->problemSha256 != problemSha256(scenario_->scenario));
-  if (other) {
+  const ScenarioPtr before = scenario_;
+  if (!isOf(*record, scenario_)) {
     if (auto why = openOther(QString::fromStdString(record->scenario))) return why;
-    if (!scenario_) return std::nullopt;  // the user wants to stay where he is
+    if (scenario_ == before) return std::nullopt;  // the user wants to stay where he is
   }
   auto log = replayLog(*record, *scenario_, file.toStdString());
   if (!log) return log.error();
