@@ -130,6 +130,11 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          fill(p, QPolygonF({{9, 2}, {3.5, 8}, {9, 14}}));
          p.fillRect(QRectF(1.5, 2.5, 2, 11), p.pen().color());
        }},
+      {"replay.close",
+       [](QPainter& p) {
+         p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 12.5));
+         p.drawLine(QPointF(12.5, 3.5), QPointF(3.5, 12.5));
+       }},
       {"view.fit",
        [](QPainter& p) {
          for (const auto& [x, y, dx, dy] : {std::tuple{2, 2, 1, 1}, {14, 2, -1, 1}, {14, 14, -1, -1}, {2, 14, 1, -1}}) {

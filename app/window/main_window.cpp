@@ -340,7 +340,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   path_->setPath(snapshot->path, *scenario_);
   snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
-  status_->setText(replay_->isActive() ? tr("Replay: what you see was recorded") : statusText(*snapshot));
+  status_->setText(replay_->isActive() ? replay_->statusText() : statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());
   enableActions(snapshot.get());

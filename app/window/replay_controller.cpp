@@ -42,7 +42,7 @@ ReplayController::ReplayController(SessionBridge& bridge, const ActionCatalogue&
   });
   connect(&bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
     const bool known = recorder_.trouble().has_value();
-    recorder_.follow(*snapshot);
+    if (recorder_.follow(*snapshot)) opened_.reset();
     if (!known && recorder_.trouble()) emit notJournalled(*recorder_.trouble());
     enableActions();
   });
@@ -158,8 +158,7 @@ void ReplayController::start(RunLog log, ReplayEnd end) {
   ++number_;
   step_ = 0;
   seconds_ = 0.0;
-  verdict_.clear();
-  bar_->setVerdict(tr("replaying..."), false);
+  say("", tr("replaying..."), tr("The run is being replayed"));
   bar_->show();
   if (first) emit activeChanged(true);
   enableActions();
@@ -191,7 +190,8 @@ void ReplayController::take(const ReplayProgress& progress) {
   if (progress.ended) {
     judge();
   } else if (steps() > 0) {
-    bar_->setVerdict(tr("replaying... %1 %").arg(100 * progress_.track->lastStep() / steps()), false);
+    const std::uint64_t percent = 100 * progress_.track->lastStep() / steps();
+    say("", tr("replaying... %1 %").arg(percent), tr("The run is being replayed"));
   }
   show();
 }
@@ -202,21 +202,24 @@ void ReplayController::judge() {
   const std::uint64_t nodes = progress_.latest->counts.nodes;
   const RunCheckpoint recorded = log_->end.value_or(RunCheckpoint{});
   if (end_ == ReplayEnd::GoOn) {
-    verdict_ = "another";
     const bool solved = progress_.latest->state == SessionState::Solved;
-    bar_->setVerdict((solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")
-                             : tr("Other parameters: no path, %1 nodes (recorded: %2)"))
-                         .arg(count(nodes), count(recorded.nodes)),
-                     false);
+    say("another", tr("other parameters"),
+        (solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")
+                : tr("Other parameters: no path, %1 nodes (recorded: %2)"))
+            .arg(count(nodes), count(recorded.nodes)));
   } else if (const auto difference = firstDifference(*log_, again)) {
-    verdict_ = "different";
-    bar_->setVerdict(tr("Differs from the recording: the same until step %1, not at step %2")
-                         .arg(count(difference->same), count(difference->recorded.step)),
-                     true);
+    say("different", tr("≠ recorded"),
+        tr("Differs from the recording: the same until step %1, not at step %2")
+            .arg(count(difference->same), count(difference->recorded.step)));
   } else {
-    verdict_ = "same";
-    bar_->setVerdict(tr("Same roadmap as recorded: %1 nodes").arg(count(recorded.nodes)), false);
+    say("same", tr("✓ as recorded"), tr("Same roadmap as recorded: %1 nodes").arg(count(recorded.nodes)));
   }
+}
+
+void ReplayController::say(const std::string& verdict, const QString& inShort, const QString& inWords) {
+  verdict_ = verdict;
+  statusText_ = tr("Replay. %1").arg(inWords);
+  bar_->setVerdict(inShort, inWords, verdict == "different");
 }
 
 void ReplayController::seek(std::uint64_t step) {

@@ -38,6 +38,8 @@ class ReplayController final : public QObject {
   std::uint64_t step() const { return step_; }
   /// "same", "different" or "another" once the replay has ended; empty before.
   const std::string& verdict() const { return verdict_; }
+  /// The same in words.
+  const QString& statusText() const { return statusText_; }
 
  signals:
   /// What the window is to show while a replay is open.
@@ -58,6 +60,7 @@ class ReplayController final : public QObject {
   void replayWithCurrentParameters();
   void take(const ReplayProgress& progress);
   void judge();
+  void say(const std::string& verdict, const QString& inShort, const QString& inWords);
   void play(bool playing);
   void tick();
   void show();
@@ -77,6 +80,7 @@ class ReplayController final : public QObject {
   std::uint64_t number_ = 0;  ///< of the replay
   std::uint64_t step_ = 0;
   std::string verdict_;
+  QString statusText_;
   QTimer timer_;
   QElapsedTimer sinceTick_;
   double seconds_ = 0.0;  ///< of the run, where playback is

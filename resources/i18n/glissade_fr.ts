@@ -1226,10 +1226,6 @@
         <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
     </message>
     <message>
-        <source>Replay: what you see was recorded</source>
-        <translation>Relecture : ce que vous voyez a été enregistré</translation>
-    </message>
-    <message>
         <source>The recording cannot be opened</source>
         <translation>L&apos;enregistrement ne peut pas être ouvert</translation>
     </message>
@@ -1305,8 +1301,8 @@
         <translation>%1 configurations, %2 m, %3°</translation>
     </message>
     <message>
-        <source>Length by who made the segment</source>
-        <translation>Longueur selon l&apos;auteur du segment</translation>
+        <source>Length by author</source>
+        <translation>Longueur par auteur</translation>
     </message>
 </context>
 <context>
@@ -1420,6 +1416,26 @@
     <message>
         <source>Same roadmap as recorded: %1 nodes</source>
         <translation>Même graphe qu&apos;enregistré : %1 nœuds</translation>
+    </message>
+    <message>
+        <source>The run is being replayed</source>
+        <translation>Le calcul est en train d&apos;être rejoué</translation>
+    </message>
+    <message>
+        <source>other parameters</source>
+        <translation>autres paramètres</translation>
+    </message>
+    <message>
+        <source>≠ recorded</source>
+        <translation>≠ enregistré</translation>
+    </message>
+    <message>
+        <source>✓ as recorded</source>
+        <translation>✓ tel qu&apos;enregistré</translation>
+    </message>
+    <message>
+        <source>Replay. %1</source>
+        <translation>Relecture. %1</translation>
     </message>
 </context>
 <context>

@@ -11,12 +11,16 @@ void RunRecorder::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
 }
 
-void RunRecorder::follow(const SessionSnapshot& snapshot) {
-  if (snapshot.log.empty() || !scenario_) return;
+bool RunRecorder::follow(const SessionSnapshot& snapshot) {
+  if (snapshot.log.empty() || !scenario_) return false;
   const bool another = parts_.empty() || parts_.front() != snapshot.log.front();
   parts_ = snapshot.log;
-  if (folder_.empty()) return;
-  if (another) beginJournal();
+  if (another && !folder_.empty()) beginJournal();
+  journal();
+  return another;
+}
+
+void RunRecorder::journal() {
   if (!journal_) return;
   for (; journalled_ < parts_.size(); ++journalled_) {
     const Outcome written = journal_->append(*parts_[journalled_]);

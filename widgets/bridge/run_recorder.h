@@ -17,7 +17,8 @@ class RunRecorder {
   /// From now on runs are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
-  void follow(const SessionSnapshot& snapshot);
+  /// True where another run has begun.
+  bool follow(const SessionSnapshot& snapshot);
 
   /// Nothing until a run has begun.
   bool hasRecording() const { return !parts_.empty(); }
@@ -28,6 +29,7 @@ class RunRecorder {
 
  private:
   void beginJournal();
+  void journal();
   void discardJournal();
 
   std::string folder_;

@@ -25,7 +25,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
       certificate_(new QLabel(this)),
       figures_(new QLabel(this)),
-      sharesTitle_(new QLabel(tr("Length by who made the segment"), this)),
+      sharesTitle_(new QWidget(this)),
       shares_(new AuthorBar(this)),
       slider_(new QSlider(Qt::Horizontal, this)) {
   for (QLabel* label : {certificate_, figures_}) label->setWordWrap(true);
@@ -34,7 +34,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   slider_->setAccessibleName(tr("Place on the path"));
   slider_->setToolTip(tr("Place on the path"));
   auto* row = new QHBoxLayout;
-  for (const char* id : {"path.play", "view.path-authors", "file.export"}) {
+  for (const char* id : {"path.play", "file.export"}) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(actions[QLatin1String(id)]);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -42,6 +42,11 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row->addWidget(button);
   }
+  auto* title = makeActionRow(actions, {"view.path-authors"}, sharesTitle_);
+  title->setContentsMargins(0, 0, 0, 0);
+  title->insertWidget(0, new QLabel(tr("Length by author"), sharesTitle_));
+  title->insertStretch(1);
+  sharesTitle_->setLayout(title);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(certificate_);
   layout->addWidget(figures_);

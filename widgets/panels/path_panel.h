@@ -39,7 +39,7 @@ class PathPanel final : public QWidget {
   std::vector<double> arrival_;  ///< metric length from the start to each configuration
   QLabel* certificate_;
   QLabel* figures_;
-  QLabel* sharesTitle_;
+  QWidget* sharesTitle_;
   AuthorBar* shares_;
   QSlider* slider_;
   QTimer timer_;

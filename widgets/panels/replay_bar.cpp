@@ -62,8 +62,9 @@ void ReplayBar::setPlace(std::uint64_t step, std::uint64_t steps, double seconds
   place_->setText(QStringLiteral("%1 / %2   %3 s").arg(count(step), count(steps), QLocale().toString(seconds, 'f', 1)));
 }
 
-void ReplayBar::setVerdict(const QString& verdict, bool alarming) {
+void ReplayBar::setVerdict(const QString& verdict, const QString& tip, bool alarming) {
   verdict_->setText(verdict);
+  verdict_->setToolTip(tip);
   verdict_->setStyleSheet(alarming ? QStringLiteral("QLabel { color: #d55e00; font-weight: bold; }") : QString());
 }
 

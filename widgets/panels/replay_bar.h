@@ -19,8 +19,8 @@ class ReplayBar final : public QToolBar {
 
   /// Where the replay is shown, of how many steps, and in the run's own time.
   void setPlace(std::uint64_t step, std::uint64_t steps, double seconds);
-  /// What there is to say about the whole replay; `alarming`: it is not as recorded.
-  void setVerdict(const QString& verdict, bool alarming);
+  /// What there is to say about the whole replay, in two words; `alarming`: it is not as recorded.
+  void setVerdict(const QString& verdict, const QString& tip, bool alarming);
   /// Times real time; 0: as fast as it can be seen.
   double speed() const;
 

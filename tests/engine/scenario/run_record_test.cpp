@@ -186,8 +186,10 @@ TEST_F(ReplayLog, IsRefusedWithValuesThatCannotBe) {
   record_.log.start.planner = "warp";
   EXPECT_EQ(refusal(), "run.json: /planner");
   record_.log.start.planner = "gts";
-  record_.log.semanticChanges = {{1, test::someEdits()}};  // of a body that is not there
-  EXPECT_NE(refusal(), "");
+  auto edits = std::make_shared<SemanticEdits>();
+  edits->bodies["nowhere"]["mobility"] = std::string("mobile");
+  record_.log.semanticChanges = {{1, edits}};
+  EXPECT_EQ(refusal(), "run.json: /bodies/nowhere");
 }
 
 }  // namespace
