@@ -19,23 +19,20 @@ QColor colourOf(std::size_t author) {
 
 }  // namespace
 
-AuthorBar::AuthorBar(QWidget* parent) : QWidget(parent) {
+AuthorBar::AuthorBar(QWidget* parent) : QWidget(parent), names_{tr("computer"), tr("operator"), tr("contact")} {
   setToolTip(
       tr("Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent "
          "plane of his nearest obstacle."));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize AuthorBar::sizeHint() const { return {160, kBarHeight + kGap + fontMetrics().height()}; }
+QSize AuthorBar::sizeHint() const { return {160, kBarHeight + kGap + 2 * fontMetrics().height()}; }
 
 void AuthorBar::setShares(const PerAuthor<double>& shares, const PerAuthor<QString>& numbers) {
   shares_ = shares;
-  const PerAuthor<QString> names{tr("computer"), tr("operator"), tr("contact")};
+  numbers_ = numbers;
   QStringList spoken;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    legend_[i] = names[i] + QLatin1Char(' ') + numbers[i];
-    spoken << legend_[i];
-  }
+  for (std::size_t i = 0; i < names_.size(); ++i) spoken << names_[i] + QLatin1Char(' ') + numbers_[i];
   setAccessibleName(spoken.join(QStringLiteral(", ")));
   update();
 }
@@ -50,13 +47,15 @@ void AuthorBar::paintEvent(QPaintEvent* /*event*/) {
     done += shares_[i];
     painter.fillRect(from, 0, static_cast<int>(width() * done / sum) - from, kBarHeight, colourOf(i));
   }
+  // One column each: name over number, whatever their lengths.
   const int top = kBarHeight + kGap;
+  const int line = fontMetrics().height();
   const int side = fontMetrics().ascent() - 2;
-  int x = 0;
-  for (std::size_t i = 0; i < legend_.size(); ++i) {
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    const int x = static_cast<int>(i) * width() / static_cast<int>(names_.size());
     painter.fillRect(x, top + 2, side, side, colourOf(i));
-    painter.drawText(x + side + kGap, top + fontMetrics().ascent(), legend_[i]);
-    x += side + kGap + fontMetrics().horizontalAdvance(legend_[i]) + 3 * kGap;
+    painter.drawText(x + side + kGap, top + fontMetrics().ascent(), names_[i]);
+    painter.drawText(x + side + kGap, top + line + fontMetrics().ascent(), numbers_[i]);
   }
 }
 

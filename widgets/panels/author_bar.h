@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// Who did what, as a thin stacked bar over its legend with numbers. The colours are those of the scene.
+/// Who did what, as a thin stacked bar over its legend, with the numbers. The colours are those of the scene.
 class AuthorBar final : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,8 @@ class AuthorBar final : public QWidget {
 
  private:
   PerAuthor<double> shares_{};
-  PerAuthor<QString> legend_;
+  PerAuthor<QString> names_;
+  PerAuthor<QString> numbers_;
 };
 
 }  // namespace glissade

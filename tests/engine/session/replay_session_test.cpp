@@ -20,7 +20,7 @@ class Fiddler {
   SessionConfig config() {
     SessionConfig config = sessionConfig(problem_);
     const auto planners = idsOf(makePlannerRegistry());
-    config.plannerId = random_.uniform() < 0.4 ? "contact-birrt" : planners[index(planners.size())];
+    config.plannerId = random_.uniform() < 0.75 ? "contact-birrt" : planners[index(planners.size())];
     config.seed = 1 + index(1000);
     const std::vector<std::string> operators{"expert", "default", "novice"};
     if (random_.uniform() < 0.8) {
@@ -30,7 +30,8 @@ class Fiddler {
                           ->make({{*goal}, problem_.metric(), config.seed, nullptr});
     }
     config.problem.scene.edits = edits();
-    if (random_.uniform() < 0.25) config.problem.scene.knowledge = knowledge(config.problem);
+    const bool multiLayer = makePlannerRegistry().find(config.plannerId)->multiLayer;
+    if (multiLayer && random_.uniform() < 0.5) config.problem.scene.knowledge = knowledge(config.problem);
     return config;
   }
 
