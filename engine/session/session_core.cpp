@@ -43,7 +43,8 @@ class SessionCore::Host final : public PlannerHost {
       return false;
     }
     if (!hooks_.afterStep()) return false;
-    core_.logger_.noteHand(hooks_.hand());
+    const bool over = core_.planner_->path() != nullptr || core_.planner_->failure();
+    if (!over) core_.logger_.noteHand(hooks_.hand());
     return true;
   }
   const StopToken& stopToken() const override { return stop_; }
