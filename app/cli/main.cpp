@@ -10,6 +10,7 @@
 #include "app/cli/convert_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/plan_command.h"
+#include "app/cli/replay_command.h"
 #include "app/cli/study_command.h"
 
 namespace {
@@ -97,17 +98,27 @@ CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
   return merge;
 }
 
+CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
+  CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
+  replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was cut off")->required();
+  replay->add_option("--scenario", options.scenario, "Scenario of the run (default: the one that the record names)");
+  addFormat(*replay, options.format);
+  return replay;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Glissade: certified motions for virtual assembly"};
   app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
   app.require_subcommand(1);
   PlanOptions plan;
   CheckOptions check;
+  ReplayOptions replay;
   InfoOptions info;
   ConvertOptions convert;
   StudyOptions study;
   MergeOptions merge;
   const CLI::App* planCommand = addPlan(app, plan);
+  const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* studyCommand = addStudy(app, study);
@@ -119,6 +130,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exitCode(ErrorKind::Usage);
   }
   if (planCommand->parsed()) return runPlan(plan);
+  if (replayCommand->parsed()) return runReplay(replay);
   if (checkCommand->parsed()) return runCheck(check);
   if (infoCommand->parsed()) return runInfo(info);
   if (studyCommand->parsed()) return runStudyCommand(study);

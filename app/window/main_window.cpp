@@ -20,6 +20,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
+#include "app/window/replay_controller.h"
 #include "app/window/status_text.h"
 #include "app/window/theme.h"
 #include "engine/scenario/path_io.h"
@@ -51,6 +52,8 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
   devices_ = new DeviceController(*bridge_, *actions_, *scene_, this);
   connect(devices_, &DeviceController::cameraMoved, this, [this] { publishOperatorFrame(); });
+  replay_ = new ReplayController(*bridge_, *actions_, this);
+  addToolBar(Qt::BottomToolBarArea, replay_->bar());
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
@@ -60,7 +63,9 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   makeMenus();
   connectActions();
   connectViewActions();
-  connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
+  connect(bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
+    if (!replay_->isActive()) showSnapshot(snapshot);
+  });
 
   welcome_->setAlignment(Qt::AlignCenter);
   welcome_->setText(
@@ -137,6 +142,18 @@ void MainWindow::makePanels() {
   connect(environment_, &EnvironmentController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("The places cannot be found"), why);
   });
+  connect(replay_, &ReplayController::shown, this, &MainWindow::showSnapshot);
+  connect(replay_, &ReplayController::activeChanged, this, [this](bool active) {
+    interaction_->setReplayed(active);
+    if (!active && bridge_->snapshot()) showSnapshot(bridge_->snapshot());
+  });
+  connect(replay_, &ReplayController::notJournalled, this, [this](const Diagnostic& why) {
+    statusBar()->showMessage(tr("No journal of this run on disk: %1").arg(QString::fromStdString(toString(why))),
+                             10000);
+  });
+  connect(replay_, &ReplayController::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("The recording cannot be replayed"), why);
+  });
   connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
@@ -166,6 +183,8 @@ void MainWindow::makeMenus() {
   fill(edit, "attribute.");
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   fill(run, "run.");
+  run->addSeparator();
+  fill(run, "replay.");
   run->addSeparator();
   fill(run, "object.");
   fill(run, "path.");
@@ -206,6 +225,8 @@ void MainWindow::connectActions() {
   };
   on("file.open", [this] { chooseScenario(); });
   on("file.export", [this] { chooseExport(); });
+  on("file.open-recording", [this] { chooseRecording(); });
+  on("file.save-recording", [this] { chooseSaveRecording(); });
   on("file.save", [this] { save(); });
   on("file.save-as", [this] { chooseSave(); });
   on("file.quit", [this] { close(); });
@@ -240,6 +261,10 @@ void MainWindow::connectViewActions() {
   connect((*actions_)["view.fit"], &QAction::triggered, this, [this] {
     scene_->view().fit();
     publishOperatorFrame();
+    scene_->refresh();
+  });
+  connect((*actions_)["view.path-authors"], &QAction::toggled, this, [this](bool byAuthor) {
+    scene_->view().setPathByAuthor(byAuthor);
     scene_->refresh();
   });
   connect((*actions_)["view.dark"], &QAction::toggled, this,
@@ -291,6 +316,7 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   sceneTree_->setScenario(*scenario_);
   interaction_->setScenario(*scenario_);
   interaction_->setDevice(bridge_->deviceId());
+  replay_->openScenario(scenario_);
   bridge_->open(scenario_);
   environment_->open(scenario_);
   showTitle();
@@ -314,7 +340,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   path_->setPath(snapshot->path, *scenario_);
   snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
-  status_->setText(statusText(*snapshot));
+  status_->setText(replay_->isActive() ? replay_->statusText() : statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());
   enableActions(snapshot.get());
@@ -322,19 +348,20 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
 
 void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   const bool open = snapshot != nullptr;
-  const bool running = open && isRunning(*snapshot);
+  const bool live = open && !replay_->isActive();
+  const bool running = live && isRunning(*snapshot);
   const auto enable = [this](const char* id, bool enabled) { (*actions_)[QLatin1String(id)]->setEnabled(enabled); };
-  enable("run.start", open && !running);
+  enable("run.start", live && !running);
   enable("run.pause", running);
   enable("run.stop", running);
-  enable("run.restart", open);
-  enable("run.restart-new-seed", open);
-  enable("object.to-start", open);
+  enable("run.restart", live);
+  enable("run.restart-new-seed", live);
+  enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
   enable("file.save", open);
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);
-  (*actions_)["run.pause"]->setChecked(open && snapshot->state == SessionState::Paused);
+  (*actions_)["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
 }
 
 void MainWindow::publishOperatorFrame() {
@@ -356,11 +383,12 @@ std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
   Scenario scenario = scenario_->scenario;
   setSemanticEdits(environment_->document().edits(), scenario);
   scenario.environment = environment_->options();
-  scenario.planner = snapshot_->plannerId;
-  scenario.seed = snapshot_->seed;
+  const SnapshotPtr live = bridge_->snapshot();  // not what a replay shows
+  scenario.planner = live->plannerId;
+  scenario.seed = live->seed;
   for (const ParameterSpec& spec : parameterTable()) {
-    if (snapshot_->parameters[spec.id] != scenario_->parameters[spec.id]) {
-      scenario.parameters[spec.id] = snapshot_->parameters[spec.id];
+    if (live->parameters[spec.id] != scenario_->parameters[spec.id]) {
+      scenario.parameters[spec.id] = live->parameters[spec.id];
     }
   }
   const Outcome saved = saveScenario(scenario, file.toStdString());

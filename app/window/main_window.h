@@ -16,6 +16,7 @@ class DeviceController;
 class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
+class ReplayController;
 class ScenePanel;
 
 /// The workbench: the 3D view in the middle, panels around it, one session behind it.
@@ -37,6 +38,11 @@ class MainWindow final : public QMainWindow {
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
   DeviceController& devices() { return *devices_; }
+  ReplayController& replay() { return *replay_; }
+  /// Opens a recording, and its scenario where another is open; nothing on success.
+  std::optional<Diagnostic> openRecording(const QString& file, bool quiet = false);
+  /// Journals runs in the folder, and offers to save what killed programs have left there.
+  void keepJournals(const QString& folder);
   /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
@@ -64,6 +70,9 @@ class MainWindow final : public QMainWindow {
   void restart(std::uint64_t seed);
   void chooseScenario();
   void chooseExport();
+  void chooseRecording();
+  void chooseSaveRecording();
+  void offerJournal(const QString& file);
   void save();
   void chooseSave();
   /// False: the user wants to stay, because something is not saved.
@@ -82,6 +91,7 @@ class MainWindow final : public QMainWindow {
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
   DeviceController* devices_ = nullptr;
+  ReplayController* replay_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

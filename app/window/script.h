@@ -39,6 +39,10 @@ struct ScriptCommand {
 ///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
 ///   expect-attribute NAME VALUE what is selected has this value
 ///   expect-way NAMES            the places that the coarse path leads through: P1,P6,P2
+///   save-recording FILE         what was done in the last run
+///   replay FILE                 a recorded run again
+///   seek STEP                   shows that step of the replay
+///   expect-replay VERDICT       same, different, another (other parameters), closed
 ///   screenshot FILE             the whole window as PNG
 ///   export FILE                 the path, format by ending
 ///   quit

@@ -66,6 +66,9 @@ class Planner {
   virtual const PlannerCounts& counts() const = 0;
   /// The certified solution, once solved.
   virtual const Path* path() const = 0;
+  /// Brings nodes() and edges() up to date where a planner does so now and then only. Called when the
+  /// run ends, so that what a run grows does not depend on when somebody looks at it.
+  virtual void completeRoadmap() {}
   /// Whose configuration was tried last.
   virtual Author authority() const = 0;
   /// Contact mode is on: contact samples are being shot.

@@ -467,6 +467,86 @@
         <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
         <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
     </message>
+    <message>
+        <source>Save &amp;recording...</source>
+        <translation>Enregistrer la &amp;session...</translation>
+    </message>
+    <message>
+        <source>Save what was done in the last run, to replay it bit by bit</source>
+        <translation>Enregistrer ce qui a été fait au dernier calcul, pour le rejouer au bit près</translation>
+    </message>
+    <message>
+        <source>Open re&amp;cording...</source>
+        <translation>Ouvrir un en&amp;registrement...</translation>
+    </message>
+    <message>
+        <source>Replay a recorded run</source>
+        <translation>Rejouer un calcul enregistré</translation>
+    </message>
+    <message>
+        <source>Replay the &amp;last run</source>
+        <translation>Re&amp;jouer le dernier calcul</translation>
+    </message>
+    <message>
+        <source>Run the last run, or the recording opened last, again bit by bit</source>
+        <translation>Refaire au bit près le dernier calcul, ou le dernier enregistrement ouvert</translation>
+    </message>
+    <message>
+        <source>Replay with &amp;current parameters</source>
+        <translation>Rejouer avec les &amp;paramètres courants</translation>
+    </message>
+    <message>
+        <source>What the same operator would have led to with the sliders as they are set</source>
+        <translation>Ce que le même opérateur aurait donné avec les curseurs tels qu&apos;ils sont</translation>
+    </message>
+    <message>
+        <source>Play the r&amp;eplay</source>
+        <translation>&amp;Lire la relecture</translation>
+    </message>
+    <message>
+        <source>Let the replayed run pass, or hold it</source>
+        <translation>Faire défiler le calcul rejoué, ou le retenir</translation>
+    </message>
+    <message>
+        <source>Step &amp;forward</source>
+        <translation>Pas en a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Show the next step of the replay</source>
+        <translation>Montrer le pas suivant de la relecture</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Pas en a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Show the step before</source>
+        <translation>Montrer le pas précédent</translation>
+    </message>
+    <message>
+        <source>To the be&amp;ginning</source>
+        <translation>Au dé&amp;but</translation>
+    </message>
+    <message>
+        <source>Show the replay from its beginning</source>
+        <translation>Montrer la relecture depuis son début</translation>
+    </message>
+    <message>
+        <source>Close the repla&amp;y</source>
+        <translation>&amp;Fermer la relecture</translation>
+    </message>
+    <message>
+        <source>Go back to the session; its run and parameters are as they were left</source>
+        <translation>Revenir à la session ; son calcul et ses paramètres sont tels qu&apos;on les a laissés</translation>
+    </message>
+    <message>
+        <source>Path by &amp;author</source>
+        <translation>Chemin par &amp;auteur</translation>
+    </message>
+    <message>
+        <source>Colour the path by who made each segment: computer, operator, contact</source>
+        <translation>Colorer le chemin selon l&apos;auteur de chaque segment : ordinateur, opérateur, contact</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -836,6 +916,25 @@
     <message>
         <source>Take the edit back: the computed value again</source>
         <translation>Annuler la modification : la valeur calculée à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AuthorBar</name>
+    <message>
+        <source>computer</source>
+        <translation>ordinateur</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>opérateur</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent plane of his nearest obstacle.</source>
+        <translation>Ordinateur : configurations aléatoires. Opérateur : là où il tenait l&apos;objet. Contact : tirées sur le plan tangent de son obstacle le plus proche.</translation>
     </message>
 </context>
 <context>
@@ -1223,6 +1322,10 @@
         <source>Strategy</source>
         <translation>Stratégie</translation>
     </message>
+    <message>
+        <source>Replayed: as it was at this step</source>
+        <translation>Relecture : tel qu&apos;à ce pas</translation>
+    </message>
 </context>
 <context>
     <name>glissade::KeyboardSteering</name>
@@ -1405,6 +1508,58 @@
         <source>&amp;Operator</source>
         <translation>&amp;Opérateur</translation>
     </message>
+    <message>
+        <source>No journal of this run on disk: %1</source>
+        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be replayed</source>
+        <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened</source>
+        <translation>L&apos;enregistrement ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json *.journal);;All files (*)</source>
+        <translation>Enregistrements (*.json *.journal);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json)</source>
+        <translation>Enregistrements (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording cannot be saved</source>
+        <translation>L&apos;enregistrement ne peut pas être sauvegardé</translation>
+    </message>
+    <message>
+        <source>A recording was left</source>
+        <translation>Un enregistrement est resté</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly during a run. Its recording is still there.</source>
+        <translation>Glissade s&apos;est arrêté brusquement pendant un calcul. Son enregistrement est toujours là.</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Enregistrer...</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>
@@ -1433,8 +1588,8 @@
         <translation>%1 configurations, %2 m, %3°</translation>
     </message>
     <message>
-        <source>by computer %1, operator %2, contact %3</source>
-        <translation>ordinateur %1, opérateur %2, contact %3</translation>
+        <source>Length by author</source>
+        <translation>Longueur par auteur</translation>
     </message>
 </context>
 <context>
@@ -1490,6 +1645,84 @@
     <message>
         <source>failed</source>
         <translation>échoué</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ReplayBar</name>
+    <message>
+        <source>Replay</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>RELECTURE</translation>
+    </message>
+    <message>
+        <source>What you see was recorded: nothing can be steered until the replay is closed</source>
+        <translation>Ce que vous voyez a été enregistré : rien ne peut être piloté avant de fermer la relecture</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>Times the pace of the recorded run</source>
+        <translation>Fois l&apos;allure du calcul enregistré</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Vitesse de la relecture</translation>
+    </message>
+    <message>
+        <source>Step of the run</source>
+        <translation>Pas du calcul</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ReplayController</name>
+    <message>
+        <source>replaying...</source>
+        <translation>relecture en cours...</translation>
+    </message>
+    <message>
+        <source>The run is being replayed</source>
+        <translation>Le calcul est en train d&apos;être rejoué</translation>
+    </message>
+    <message>
+        <source>replaying... %1 %</source>
+        <translation>relecture en cours... %1 %</translation>
+    </message>
+    <message>
+        <source>other parameters</source>
+        <translation>autres paramètres</translation>
+    </message>
+    <message>
+        <source>Other parameters: solved, %1 nodes (recorded: %2)</source>
+        <translation>Autres paramètres : résolu, %1 nœuds (enregistré : %2)</translation>
+    </message>
+    <message>
+        <source>Other parameters: no path, %1 nodes (recorded: %2)</source>
+        <translation>Autres paramètres : pas de chemin, %1 nœuds (enregistré : %2)</translation>
+    </message>
+    <message>
+        <source>≠ recorded</source>
+        <translation>≠ enregistré</translation>
+    </message>
+    <message>
+        <source>Differs from the recording: the same until step %1, not at step %2</source>
+        <translation>Diffère de l&apos;enregistrement : identique jusqu&apos;au pas %1, plus au pas %2</translation>
+    </message>
+    <message>
+        <source>✓ as recorded</source>
+        <translation>✓ tel qu&apos;enregistré</translation>
+    </message>
+    <message>
+        <source>Same roadmap as recorded: %1 nodes</source>
+        <translation>Même graphe qu&apos;enregistré : %1 nœuds</translation>
+    </message>
+    <message>
+        <source>Replay. %1</source>
+        <translation>Relecture. %1</translation>
     </message>
 </context>
 <context>

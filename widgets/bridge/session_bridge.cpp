@@ -19,6 +19,7 @@ SessionBridge::~SessionBridge() {
 
 void SessionBridge::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
+  scene_ = scenario->problem.scene;
   restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
 }
 
@@ -37,7 +38,9 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
   const DeviceRegistry registry = makeDeviceRegistry();
   DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
   if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
-  SessionConfig config{scenario_->problem, parameters, planner, seed, registry.find(deviceId_)->make(context)};
+  Problem problem = scenario_->problem;
+  problem.scene = scene_;
+  SessionConfig config{std::move(problem), parameters, planner, seed, registry.find(deviceId_)->make(context)};
   if (clock_ == SessionClock::Lockstep) {
     auto lockstep = makeLockstepSession(std::move(config));
     lockstep_ = lockstep.get();
@@ -54,6 +57,8 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
 }
 
 void SessionBridge::post(Command command) {
+  if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) scene_.edits = semantics->edits;
+  if (const auto* known = std::get_if<command::SetKnowledge>(&command)) scene_.knowledge = known->knowledge;
   if (session_) session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);

@@ -29,7 +29,8 @@ class SessionBridge final : public QObject {
 
   /// A new session on this scenario; parameters and seed are the scenario's. The old session ends.
   void open(const ScenarioPtr& scenario);
-  /// Gives the object into other hands (an id of the device registry). Ends a run.
+  /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
+  /// planner, semantic edits and environment model stay as they were set.
   void setDevice(const std::string& deviceId);
   const std::string& deviceId() const { return deviceId_; }
 
@@ -53,6 +54,7 @@ class SessionBridge final : public QObject {
 
   SessionClock clock_;
   ScenarioPtr scenario_;
+  SceneDescription scene_;  ///< the scenario's, with the edits and the knowledge posted since
   std::string deviceId_;
   OperatorFrame frame_;
   HandInputsPtr hand_;

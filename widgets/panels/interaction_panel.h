@@ -23,6 +23,8 @@ class InteractionPanel final : public QWidget {
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
   void setDevice(const std::string& deviceId);
+  /// What is shown is a replay: nothing can be steered, and it says so.
+  void setReplayed(bool replayed);
 
  signals:
   void commanded(const glissade::Command& command);
@@ -35,6 +37,7 @@ class InteractionPanel final : public QWidget {
   QComboBox* device_;
   QSpinBox* seed_;
   QLabel* authority_;
+  QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;
 };
 

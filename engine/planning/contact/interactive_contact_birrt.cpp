@@ -1,5 +1,6 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/tolerances.h"
@@ -180,8 +181,11 @@ void InteractiveContactBirrt::deliverPath(PlannerHost& host) {
     const auto way = roadmap_.way(startRoot_, goal);
     if (!way) continue;
     Path path;
+    RoadmapGraph::Node before = way->nodes.front();
     for (const RoadmapGraph::Node node : way->nodes) {
-      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author});
+      const Author segment = roadmap_.nodes()[std::max(before, node)].author;
+      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
+      before = node;
     }
     path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
                                    host.parameters()[ParameterId::RequiredClearance], host.stopToken());

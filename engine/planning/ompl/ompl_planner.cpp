@@ -145,11 +145,18 @@ bool OmplPlanner::solve(PlannerHost& host) {
       ++counts_.steps;
       if (!host.afterStep()) break;
     }
-    if (engine_) collect();
   } catch (const std::exception& error) {
     fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
   }
   return path_.has_value();
+}
+
+void OmplPlanner::completeRoadmap() {
+  try {
+    if (engine_) collect();
+  } catch (const std::exception& error) {
+    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
+  }
 }
 
 void OmplPlanner::grow(PlannerHost& host) {
