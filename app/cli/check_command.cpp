@@ -51,7 +51,7 @@ int runCheck(const CheckOptions& options) {
   const double required =
       options.requiredClearance > 0.0 ? options.requiredClearance : loaded->parameters[ParameterId::RequiredClearance];
   const auto query = problem.world->makeQuery();
-  const MotionCertificate certificate = certifyPath(*query, problem.world->object(), path, required);
+  const MotionCertificate certificate = certifyPath(*query, path, required);
   const Ends ends = endsOf(path, problem);
   const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal;
 
