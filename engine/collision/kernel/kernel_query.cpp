@@ -11,6 +11,7 @@ namespace glissade {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxPair kRoots{};
 
 void addTriangles(const TriangleMesh& mesh, int body, std::vector<OwnedTriangle>& triangles) {
@@ -112,35 +113,10 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
 
-void KernelQuery::consider(std::uint32_t obstacle, std::uint32_t object, Best& best) {
-  const TriangleDistance distance =
-      triangleDistance(traversal_.obstacleTriangle(obstacle), traversal_.placed.triangle(object));
-  const bool lower = std::pair(obstacle, object) < std::pair(best.obstacle, best.object);
-  if (distance.squared < best.distance.squared || (distance.squared == best.distance.squared && lower)) {
-    best = {distance, obstacle, object};
-  }
-}
-
-void KernelQuery::nearestInLeaves(const BoxPair& leaves, Best& best) {
-  constexpr std::size_t kPairs = lanes::kLeafTriangles * lanes::kLeafTriangles;
-  alignas(32) std::array<float, kPairs> squared;
-  traversal_.triangleDistances(leaves, squared.data());
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
-  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
-  while (true) {
-    const auto least = std::min_element(squared.begin(), squared.end());
-    if (*least == std::numeric_limits<float>::infinity() || *least > roundedUp(best.distance.squared)) return;
-    const auto at = static_cast<std::uint32_t>(least - squared.begin());
-    consider(firstObstacle + at % lanes::kLeafTriangles, firstObject + at / lanes::kLeafTriangles, best);
-    *least = std::numeric_limits<float>::infinity();
-  }
-}
-
 /// The opened pairs that may still matter, the nearest on top.
-void KernelQuery::push(const PairTraversal::Opened& opened, double squaredBound) {
+void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   alignas(32) std::array<float, lanes::kWidth> squared;
   traversal_.distances(opened, squared.data());
-  const float bound = roundedUp(squaredBound);
   const std::size_t begin = candidates_.size();
   for (unsigned lane = 0; lane < opened.lanes; ++lane) {
     if (squared[lane] > bound) continue;
@@ -152,17 +128,42 @@ void KernelQuery::push(const PairTraversal::Opened& opened, double squaredBound)
   }
 }
 
-/// Improves `best` to the nearest of all pairs, or to some pair at `stopAt` (squared) or nearer.
-void KernelQuery::search(Best& best, double stopAt) {
+/// Gathers in `triangles_` every pair of triangles that may be the nearest or as near as `bound`
+/// (squared). With estimates the bound shrinks on the way; returns what it came to.
+float KernelQuery::collect(float bound, bool byEstimates) {
+  triangles_.clear();
   candidates_.assign(1, {kRoots, 0.0F});
-  while (!candidates_.empty() && !(best.distance.squared <= stopAt)) {
+  while (!candidates_.empty()) {
     const Candidate candidate = candidates_.back();
     candidates_.pop_back();
-    if (candidate.squared > roundedUp(best.distance.squared)) continue;
-    if (traversal_.bothLeaves(candidate.pair)) {
-      nearestInLeaves(candidate.pair, best);
-    } else {
-      push(traversal_.open(candidate.pair), best.distance.squared);
+    if (candidate.squared > bound) continue;
+    if (!traversal_.bothLeaves(candidate.pair)) {
+      push(traversal_.open(candidate.pair), bound);
+      continue;
+    }
+    const auto leaves = traversal_.triangleDistances(candidate.pair);
+    if (byEstimates) bound = std::min(bound, *std::min_element(leaves.estimate.begin(), leaves.estimate.end()));
+    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
+      const float squared = leaves.squared[i];
+      if (squared <= bound && squared < kFloatInfinity) triangles_.push_back({leaves[i], squared});
+    }
+  }
+  return bound;
+}
+
+/// Improves `best` by what was gathered, in double precision.
+void KernelQuery::decide(Best& best) {
+  std::sort(triangles_.begin(), triangles_.end(),
+            [](const TriangleCandidate& a, const TriangleCandidate& b) { return a.squared < b.squared; });
+  std::array<TrianglePair, 4> pairs;
+  for (std::size_t i = 0; i < triangles_.size() && triangles_[i].squared <= roundedUp(best.squared);) {
+    std::size_t count = 0;
+    for (; count < pairs.size() && i < triangles_.size(); ++i) pairs[count++] = triangles_[i].pair;
+    const auto squared = traversal_.exactDistances(pairs.data(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const TrianglePair& pair = pairs[k];
+      const bool lower = std::pair(pair.obstacle, pair.object) < std::pair(best.pair.obstacle, best.pair.object);
+      if (squared[k] < best.squared || (squared[k] == best.squared && lower)) best = {squared[k], pair};
     }
   }
 }
@@ -172,27 +173,55 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   NearestObstacle result;
   result.distance = enough;
   if (!moveTo(X_WB, enough)) return result;
-  Best best{{enough * enough, {}, {}}, kNone, kNone};
-  if (last_) consider(last_->first, last_->second, best);
-  search(best, -1.0);
-  if (best.obstacle == kNone) return result;
-  last_ = {best.obstacle, best.object};
+  Best best{enough * enough, {kNone, kNone}};
+  if (last_) {
+    triangles_.assign(1, {*last_, 0.0F});
+    decide(best);
+  }
+  const float left = collect(roundedUp(best.squared), true);
+  decide(best);
+  if (roundedUp(best.squared) > left) {
+    // Estimates are wrong for slivers: what was left out by them has to be looked at.
+    collect(roundedUp(best.squared), false);
+    decide(best);
+  }
+  if (best.pair.obstacle == kNone) return result;
+  last_ = best.pair;
+  const TriangleDistance distance =
+      triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
   // Surfaces that do not touch are apart, by however little.
-  result.distance = std::max(std::sqrt(best.distance.squared), std::numeric_limits<double>::min());
-  result.body = traversal_.obstacles.triangles[best.obstacle].body;
-  result.p_WPo = best.distance.onA;
-  result.p_WPn = best.distance.onB;
+  result.distance = std::max(std::sqrt(distance.squared), std::numeric_limits<double>::min());
+  result.body = traversal_.obstacles.triangles[best.pair.obstacle].body;
+  result.p_WPo = distance.onA;
+  result.p_WPn = distance.onB;
   return result;
 }
 
 bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
-  // Equal distances count: nothing at the bound may be ruled out.
   const double squared = bound * bound;
-  Best best{{std::nextafter(squared, kInfinity), {}, {}}, 0, 0};
-  if (last_) consider(last_->first, last_->second, best);
-  search(best, squared);
-  return best.distance.squared <= squared;
+  const float reach = roundedUp(squared);
+  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
+  candidates_.assign(1, {kRoots, 0.0F});
+  while (!candidates_.empty()) {
+    const Candidate candidate = candidates_.back();
+    candidates_.pop_back();
+    if (!traversal_.bothLeaves(candidate.pair)) {
+      push(traversal_.open(candidate.pair), reach);
+      continue;
+    }
+    const auto leaves = traversal_.triangleDistances(candidate.pair);
+    triangles_.clear();
+    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
+      if (leaves.squared[i] <= reach) triangles_.push_back({leaves[i], leaves.squared[i]});
+    }
+    Best best{kInfinity, {}};
+    decide(best);
+    if (best.squared > squared) continue;
+    last_ = best.pair;
+    return true;
+  }
+  return false;
 }
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,

@@ -31,31 +31,34 @@ class KernelQuery final : public SurfaceQuery {
                                          const StopToken& stop) override;
 
  private:
-  /// The nearest pair of triangles so far; of equal ones the lowest.
-  struct Best {
-    TriangleDistance distance;
-    std::uint32_t obstacle;
-    std::uint32_t object;
-  };
   struct Candidate {
     BoxPair pair;
-    float squared;
+    float squared;  ///< lower bound
+  };
+  struct TriangleCandidate {
+    TrianglePair pair;
+    float squared;  ///< lower bound
+  };
+  /// The nearest pair of triangles so far; of equal ones the lowest.
+  struct Best {
+    double squared;
+    TrianglePair pair;
   };
 
   /// False where there is nothing, or spheres around all are farther apart than `bound`.
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
-  void consider(std::uint32_t obstacle, std::uint32_t object, Best& best);
-  void nearestInLeaves(const BoxPair& leaves, Best& best);
-  void search(Best& best, double stopAt);
-  void push(const PairTraversal::Opened& opened, double squared);
+  void push(const PairTraversal::Opened& opened, float bound);
+  float collect(float bound, bool byEstimates);
+  void decide(Best& best);
 
   std::shared_ptr<const KernelGeometry> geometry_;
   const lanes::LaneFunctions& functions_;
   PairTraversal traversal_;
   std::vector<BoxPair> stack_;
   std::vector<Candidate> candidates_;
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> last_;  ///< nearest triangles of the last search
+  std::vector<TriangleCandidate> triangles_;
+  std::optional<TrianglePair> last_;  ///< nearest triangles of the last search
 };
 
 }  // namespace glissade

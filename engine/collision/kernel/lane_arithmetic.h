@@ -2,7 +2,8 @@
 
 #include "engine/collision/kernel/lanes.h"
 
-/// What LaneFunctions promise, over a vector of eight floats `F`. Each instruction set instantiates
+/// What LaneFunctions promise, over a vector of eight floats `F` (`F::tiny()` is below any squared area
+/// or product of squared lengths met, and keeps divisions defined). Each instruction set instantiates
 /// this with a type of its own, so that no two files share a symbol.
 namespace glissade::lanes {
 
@@ -11,8 +12,10 @@ namespace glissade::lanes {
 /// one, but the function is so flat that it costs no more than the rounding of its coefficients. The
 /// largest error met in 10^8 nasty pairs was 7e-7 (tests/engine/collision/lanes_test.cpp).
 inline constexpr float kSquaredDistanceError = 4e-6F;
-/// Smaller than the square of any length met; keeps divisions defined.
-inline constexpr float kTiny = 1e-30F;
+/// More than any squared length, and still finite when multiplied.
+inline constexpr float kALot = 1e30F;
+/// Squared sine below which two edges count as nearly parallel.
+inline constexpr float kNearlyParallel = 1e-8F;
 /// Takes the rounding of a few products away.
 inline constexpr float kRoundedDown = 0.999999F;
 
@@ -73,6 +76,8 @@ struct Arithmetic {
     }
   }
 
+  static F largest(const V& v) { return max(max(v.x, v.y), v.z); }
+
   /// Eight boxes against one: what all separating axes need.
   struct BoxPairs {
     V halfA, halfB;
@@ -107,9 +112,22 @@ struct Arithmetic {
       const V reach = halfA.x * absolute[0] + halfA.y * absolute[1] + halfA.z * absolute[2];
       return {abs(gapB.x) - halfB.x - reach.x, abs(gapB.y) - halfB.y - reach.y, abs(gapB.z) - halfB.z - reach.z};
     }
+    /// Lower bounds on squared distances along the products of axis k of the eight and the one's axes:
+    /// separations over the length of these axes, the squared sine of their angles.
+    F squaredByEdges(int k, F slack) const {
+      const F zero = F::all(0.0F);
+      const F almostOne = F::all(1.000001F);
+      const V gap = separationByEdges(k);
+      const auto squared = [&](F separation, F cosine) {
+        const F left = max(separation - slack, zero);
+        return left * left / (almostOne - cosine * cosine);
+      };
+      return max(max(squared(gap.x, axes[k].x), squared(gap.y, axes[k].y)), squared(gap.z, axes[k].z));
+    }
     /// Bits of the pairs that some product of axis k of the eight and an axis of the one separates.
     /// These axes are shorter than one: so is the slack along them.
-    unsigned separatedByEdges(int k, F limit) const {
+    unsigned separatedByEdges(int k, F limit) const { return bits(less(limit, largest(separationByEdges(k)))); }
+    V separationByEdges(int k) const {
       const int k1 = (k + 1) % 3;
       const int k2 = (k + 2) % 3;
       const F gap1 = k == 0 ? gapA.y : k == 1 ? gapA.z : gapA.x;
@@ -124,14 +142,11 @@ struct Arithmetic {
       const V& a1 = absolute[k1];
       const V& a2 = absolute[k2];
       const V& a0 = absolute[k];
-      const F x = separation(c1.x, c2.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z);
-      const F y = separation(c1.y, c2.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x);
-      const F z = separation(c1.z, c2.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y);
-      return bits(less(limit, max(max(x, y), z)));
+      return {separation(c1.x, c2.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
+              separation(c1.y, c2.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
+              separation(c1.z, c2.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
     }
   };
-
-  static F largest(const V& v) { return max(max(v.x, v.y), v.z); }
 
   static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack,
                               float reach) {
@@ -153,22 +168,31 @@ struct Arithmetic {
                            float* squared) {
     const BoxPairs pairs(boxes, other, lane);
     const F s = F::all(slack);
-    const F bound = max(squaredGap(pairs.separationA(), s), squaredGap(pairs.separationB(), s));
+    F bound = max(squaredGap(pairs.separationA(), s), squaredGap(pairs.separationB(), s));
+    for (int k = 0; k < 3; ++k) bound = max(bound, pairs.squaredByEdges(k, s));
     (bound * F::all(kRoundedDown)).store(squared);
   }
 
-  /// Eight pairs of triangles: the four of `a` with triangle `first` of `b`, and with the next.
+  /// Pairs of triangles, one in each lane.
   struct TrianglePairs {
     V a[3], b[3];    ///< corners
     V ea[3], eb[3];  ///< edges from corner i to corner i + 1
 
-    TrianglePairs(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first) {
+    /// The four of `la` with triangle `first` of `lb`, and with the next.
+    static TrianglePairs ofLeaves(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first) {
+      TrianglePairs pairs;
       for (std::size_t corner = 0; corner < 3; ++corner) {
         const std::size_t at = corner * kLeafTriangles;
-        a[corner] = {F::twice(la.coordinate[0] + at), F::twice(la.coordinate[1] + at), F::twice(la.coordinate[2] + at)};
-        b[corner] = {F::halves(lb.coordinate[0] + at + first), F::halves(lb.coordinate[1] + at + first),
-                     F::halves(lb.coordinate[2] + at + first)};
+        pairs.a[corner] = {F::twice(la.coordinate[0] + at), F::twice(la.coordinate[1] + at),
+                           F::twice(la.coordinate[2] + at)};
+        pairs.b[corner] = {F::halves(lb.coordinate[0] + at + first), F::halves(lb.coordinate[1] + at + first),
+                           F::halves(lb.coordinate[2] + at + first)};
       }
+      pairs.takeEdges();
+      return pairs;
+    }
+
+    void takeEdges() {
       for (int i = 0; i < 3; ++i) {
         ea[i] = a[(i + 1) % 3] - a[i];
         eb[i] = b[(i + 1) % 3] - b[i];
@@ -195,7 +219,7 @@ struct Arithmetic {
   };
 
   static unsigned mayMeet(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack) {
-    const TrianglePairs pairs(la, lb, first);
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
     unsigned separated = pairs.separatedBy(cross(pairs.ea[0], pairs.ea[1]), slack);
     if (separated == 0xFFU) return 0;
     separated |= pairs.separatedBy(cross(pairs.eb[0], pairs.eb[1]), slack);
@@ -215,31 +239,48 @@ struct Arithmetic {
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
 
-  /// Ericson 2005, 5.1.9, without branches; segments p + s u and r + t v.
-  static F segmentsSquared(const V& p, const V& u, F a, const V& r, const V& v, F c) {
-    const F tiny = F::all(kTiny);
-    const V w = p - r;
-    const F b = dot(u, v);
-    const F d = dot(u, w);
-    const F e = dot(v, w);
-    const F s0 = clamped((b * e - c * d) / max(a * c - b * b, tiny));
-    const F t = clamped((b * s0 + e) / max(c, tiny));
-    const F s = clamped((b * t - d) / max(a, tiny));
-    const V gap = w + s * u - t * v;
-    return dot(gap, gap);
-  }
+  /// Two segments p + s u and r + t v, by Ericson 2005, 5.1.9, without branches.
+  struct Segments {
+    V u, v, w;
+    F a, b, c, d, e;
+
+    Segments(const V& p, const V& u_, F a_, const V& r, const V& v_, F c_)
+        : u(u_), v(v_), w(p - r), a(a_), b(dot(u, v)), c(c_), d(dot(u, w)), e(dot(v, w)) {}
+
+    F determinant() const { return a * c - b * b; }
+    F squaredFrom(F s0) const {
+      const F tiny = F::tiny();
+      const F t = clamped((b * s0 + e) / max(c, tiny));
+      const F s = clamped((b * t - d) / max(a, tiny));
+      const V gap = w + s * u - t * v;
+      return dot(gap, gap);
+    }
+    F squared() const { return squaredFrom(clamped((b * e - c * d) / max(determinant(), F::tiny()))); }
+    /// Where some are nearly parallel the ends of the first are tried besides.
+    F squaredRefined() const {
+      const F found = squared();
+      if (bits(less(F::all(kNearlyParallel) * a * c, determinant())) == F::kAllBits) return found;
+      return min(found, min(squaredFrom(F::all(0.0F)), squaredFrom(F::all(1.0F))));
+    }
+  };
 
   /// Squared distance of p from the face where its foot lies on it, else a lot.
-  static F faceSquared(const V& p, const V (&corners)[3], const V (&edges)[3], const V& n, F inverseArea) {
+  static F faceSquared(const V& p, const V (&corners)[3], const V (&edges)[3], const V& n, F inverseArea, F faceless) {
     const F zero = F::all(0.0F);
     const auto inner = [&](int i) { return dot(n, cross(edges[i], p - corners[i])); };
     const F least = min(min(inner(0), inner(1)), inner(2));
     const F height = dot(n, p - corners[0]);
-    return select(less(least, zero), F::all(1e30F), height * height * inverseArea);
+    return select(less(least, zero), F::all(kALot), height * height * inverseArea + faceless);
   }
 
-  static void distances(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, float* squared) {
-    const TrianglePairs pairs(la, lb, first);
+  /// Squared distances, and the squared lengths that their errors grow with.
+  struct SquaredDistances {
+    F squared;
+    F scale;
+  };
+
+  template <bool kRefined>
+  static SquaredDistances squaredDistances(const TrianglePairs& pairs) {
     F lengthA[3], lengthB[3];
     for (int i = 0; i < 3; ++i) {
       lengthA[i] = dot(pairs.ea[i], pairs.ea[i]);
@@ -247,32 +288,67 @@ struct Arithmetic {
     }
     const V na = cross(pairs.ea[0], pairs.ea[1]);
     const V nb = cross(pairs.eb[0], pairs.eb[1]);
-    const F one = F::all(1.0F);
-    const F inverseA = one / max(dot(na, na), F::all(kTiny));
-    const F inverseB = one / max(dot(nb, nb), F::all(kTiny));
-    F best = F::all(1e30F);
+    const F areaA = dot(na, na);
+    const F areaB = dot(nb, nb);
+    const F tiny = F::tiny();
+    const F inverseA = F::all(1.0F) / max(areaA, tiny);
+    const F inverseB = F::all(1.0F) / max(areaB, tiny);
+    const F facelessA = select(less(tiny, areaA), F::all(0.0F), F::all(kALot));
+    const F facelessB = select(less(tiny, areaB), F::all(0.0F), F::all(kALot));
+    F best = F::all(kALot);
     for (int i = 0; i < 3; ++i) {
-      best = min(best, faceSquared(pairs.a[i], pairs.b, pairs.eb, nb, inverseB));
-      best = min(best, faceSquared(pairs.b[i], pairs.a, pairs.ea, na, inverseA));
+      best = min(best, faceSquared(pairs.a[i], pairs.b, pairs.eb, nb, inverseB, facelessB));
+      best = min(best, faceSquared(pairs.b[i], pairs.a, pairs.ea, na, inverseA, facelessA));
       for (int k = 0; k < 3; ++k) {
-        best = min(best, segmentsSquared(pairs.a[i], pairs.ea[i], lengthA[i], pairs.b[k], pairs.eb[k], lengthB[k]));
+        const Segments segments(pairs.a[i], pairs.ea[i], lengthA[i], pairs.b[k], pairs.eb[k], lengthB[k]);
+        best = min(best, kRefined ? segments.squaredRefined() : segments.squared());
       }
     }
     const V gap = pairs.b[0] - pairs.a[0];
-    const F scale = dot(gap, gap) + lengthA[0] + lengthA[2] + lengthB[0] + lengthB[2];
+    return {best, dot(gap, gap) + lengthA[0] + lengthA[2] + lengthB[0] + lengthB[2]};
+  }
+
+  static void distances(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, float* squared,
+                        float* estimate) {
+    const auto [found, scale] = squaredDistances<false>(TrianglePairs::ofLeaves(la, lb, first));
     const F zero = F::all(0.0F);
-    const F distance = max(sqrt(max(best - F::all(kSquaredDistanceError) * scale, zero)) - slack, zero);
-    (distance * distance * F::all(kRoundedDown)).store(squared);
+    const F error = F::all(kSquaredDistanceError) * scale;
+    const F least = max(sqrt(max(found - error, zero)) - slack, zero);
+    (least * least * F::all(kRoundedDown)).store(squared);
+    const F most = sqrt(found + error) + slack;
+    (most * most).store(estimate);
   }
 
-  static void triangleDistances(const TriangleLanes& a, const TriangleLanes& b, float slack, float* squared) {
-    distances(a, b, 0, F::all(slack), squared);
-    distances(a, b, 2, F::all(slack), squared + kWidth);
-  }
-
-  static constexpr LaneFunctions table(std::string_view name) {
-    return {name, placeBoxes, placeTriangles, boxesWithin, boxDistances, trianglesMayMeet, triangleDistances};
+  static void triangleDistances(const TriangleLanes& a, const TriangleLanes& b, float slack, float* squared,
+                                float* estimate) {
+    distances(a, b, 0, F::all(slack), squared, estimate);
+    distances(a, b, 2, F::all(slack), squared + kWidth, estimate + kWidth);
   }
 };
+
+/// The one question asked in double precision: `D` holds four.
+template <class D>
+void exactDistances(const TrianglePairLanes& lanes, double* squared) {
+  typename Arithmetic<D>::TrianglePairs pairs;
+  for (int corner = 0; corner < 3; ++corner) {
+    pairs.a[corner] = {D::load(lanes.a[corner][0]), D::load(lanes.a[corner][1]), D::load(lanes.a[corner][2])};
+    pairs.b[corner] = {D::load(lanes.b[corner][0]), D::load(lanes.b[corner][1]), D::load(lanes.b[corner][2])};
+  }
+  pairs.takeEdges();
+  Arithmetic<D>::template squaredDistances<true>(pairs).squared.store(squared);
+}
+
+template <class F, class D>
+constexpr LaneFunctions table(std::string_view name) {
+  using A = Arithmetic<F>;
+  return {name,
+          A::placeBoxes,
+          A::placeTriangles,
+          A::boxesWithin,
+          A::boxDistances,
+          A::trianglesMayMeet,
+          A::triangleDistances,
+          exactDistances<D>};
+}
 
 }  // namespace glissade::lanes

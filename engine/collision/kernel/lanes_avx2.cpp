@@ -7,11 +7,14 @@ namespace glissade::lanes {
 namespace {
 
 struct Avx2Float8 {
+  static constexpr unsigned kAllBits = 0xFF;
+  using F = Avx2Float8;
+
   __m256 v;
 
-  using F = Avx2Float8;
   static F load(const float* p) { return {_mm256_loadu_ps(p)}; }
   static F all(float x) { return {_mm256_set1_ps(x)}; }
+  static F tiny() { return all(1e-37F); }
   static F twice(const float* p) { return {_mm256_broadcast_ps(reinterpret_cast<const __m128*>(p))}; }
   static F halves(const float* p) { return {_mm256_set_m128(_mm_set1_ps(p[1]), _mm_set1_ps(p[0]))}; }
   void store(float* p) const { _mm256_storeu_ps(p, v); }
@@ -29,10 +32,34 @@ struct Avx2Float8 {
   friend unsigned bits(F mask) { return static_cast<unsigned>(_mm256_movemask_ps(mask.v)); }
 };
 
+struct Avx2Double4 {
+  static constexpr unsigned kAllBits = 0xF;
+  using F = Avx2Double4;
+
+  __m256d v;
+
+  static F load(const double* p) { return {_mm256_loadu_pd(p)}; }
+  static F all(double x) { return {_mm256_set1_pd(x)}; }
+  static F tiny() { return all(1e-300); }
+  void store(double* p) const { _mm256_storeu_pd(p, v); }
+
+  friend F operator+(F a, F b) { return {_mm256_add_pd(a.v, b.v)}; }
+  friend F operator-(F a, F b) { return {_mm256_sub_pd(a.v, b.v)}; }
+  friend F operator*(F a, F b) { return {_mm256_mul_pd(a.v, b.v)}; }
+  friend F operator/(F a, F b) { return {_mm256_div_pd(a.v, b.v)}; }
+  friend F min(F a, F b) { return {_mm256_min_pd(a.v, b.v)}; }
+  friend F max(F a, F b) { return {_mm256_max_pd(a.v, b.v)}; }
+  friend F sqrt(F a) { return {_mm256_sqrt_pd(a.v)}; }
+  friend F abs(F a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
+  friend F less(F a, F b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)}; }
+  friend F select(F mask, F yes, F no) { return {_mm256_blendv_pd(no.v, yes.v, mask.v)}; }
+  friend unsigned bits(F mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask.v)); }
+};
+
 }  // namespace
 
 const LaneFunctions& avx2() {
-  static constexpr LaneFunctions functions = Arithmetic<Avx2Float8>::table("avx2");
+  static constexpr LaneFunctions functions = table<Avx2Float8, Avx2Double4>("avx2");
   return functions;
 }
 

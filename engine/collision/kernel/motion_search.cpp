@@ -33,62 +33,57 @@ double MotionSearch::way(BoxTree::Box box, double half) const {
 
 MotionCheck MotionSearch::run(const StopToken& stop) {
   MotionCheck result;
-  pairs_.assign(1, BoxPair{});
-  std::vector<Interval> todo{{0.0, 1.0, 0, 1}};
   const double located = std::max(required_, kLocated * traversal_.object.reach);
-  bool violated = false;
+  std::vector<Interval> todo{{0.0, 1.0, {BoxPair{}}}, {0.0, 0.0, {BoxPair{}}}};
   while (!todo.empty()) {
     if (stop.stopRequested() || ++result.configurations > kMostConfigurations) return result;
-    const Interval interval = todo.back();
+    Interval interval = std::move(todo.back());
     todo.pop_back();
-    pairs_.resize(interval.lastPair);
-    const double middle = 0.5 * (interval.begin + interval.end);
-    const double longest = way(0, 0.5 * (interval.end - interval.begin));
+    const double middle = interval.middle();
+    const double longest = way(0, interval.half());
     traversal_.placed.moveTo(interpolate(from_, to_, middle));
-    const bool clear = examine(interval);
-    if (clear && pairs_.size() == interval.lastPair) {
+    const Finding finding = examine(interval);
+    if (finding == Finding::Clear) {
       result.certified = interval.end;
       continue;
     }
-    const bool tooShort = longest <= kSlimmestMargin * required_;
-    if (!clear || tooShort) {
-      violated = true;
+    const bool violated = finding == Finding::Violation || longest <= kSlimmestMargin * required_;
+    if (violated) {
+      result.status = CertificateStatus::Violated;
       result.at = middle;
       todo.clear();  // what is later does not matter any more
-      if (tooShort || 2.0 * longest <= located) break;
-      todo.push_back({interval.begin, middle, interval.firstPair, interval.lastPair});
-      continue;
     }
-    if (violated && 2.0 * longest <= located) break;
-    todo.push_back({middle, interval.end, interval.lastPair, pairs_.size()});
-    todo.push_back({interval.begin, middle, interval.lastPair, pairs_.size()});
+    const bool known = result.status == CertificateStatus::Violated;
+    if (known && (longest <= located || interval.half() <= 0.0)) return result;
+    if (!violated) todo.push_back({middle, interval.end, interval.pairs});
+    todo.push_back({interval.begin, middle, std::move(interval.pairs)});
   }
-  result.status = violated ? CertificateStatus::Violated : CertificateStatus::Certified;
+  if (result.status == CertificateStatus::Undecided) result.status = CertificateStatus::Certified;
   return result;
 }
 
-bool MotionSearch::examine(const Interval& interval) {
-  if (traversal_.placed.sphereGap() > required_ + way(0, 0.5 * (interval.end - interval.begin))) return true;
-  const double half = 0.5 * (interval.end - interval.begin);
-  stack_.assign(pairs_.begin() + static_cast<std::ptrdiff_t>(interval.firstPair),
-                pairs_.begin() + static_cast<std::ptrdiff_t>(interval.lastPair));
-  while (!stack_.empty()) {
-    const BoxPair pair = stack_.back();
-    stack_.pop_back();
+MotionSearch::Finding MotionSearch::examine(Interval& interval) {
+  const double half = interval.half();
+  std::vector<BoxPair>& pairs = interval.pairs;
+  if (traversal_.placed.sphereGap() > required_ + way(0, half)) pairs.clear();
+  while (!pairs.empty()) {
+    const BoxPair pair = pairs.back();
     const double mayGo = way(pair.object, half);
     const float size = std::max(traversal_.obstacles.radius[pair.obstacle], traversal_.object.radius[pair.object]);
-    if (size < kWorthOpening * static_cast<float>(mayGo)) {
-      pairs_.push_back(pair);
-    } else if (traversal_.bothLeaves(pair)) {
-      if (!examineLeaves(pair, mayGo)) return false;
-    } else {
-      const auto opened = traversal_.open(pair);
-      for (unsigned mask = traversal_.within(opened, above(required_ + mayGo)); mask != 0; mask &= mask - 1) {
-        stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
-      }
+    if (size < kWorthOpening * static_cast<float>(mayGo)) return Finding::Doubtful;
+    if (traversal_.bothLeaves(pair)) {
+      const Finding finding = examineLeaves(pair, mayGo);
+      if (finding != Finding::Clear) return finding;
+      pairs.pop_back();
+      continue;
+    }
+    pairs.pop_back();
+    const auto opened = traversal_.open(pair);
+    for (unsigned mask = traversal_.within(opened, above(required_ + mayGo)); mask != 0; mask &= mask - 1) {
+      pairs.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
     }
   }
-  return true;
+  return Finding::Clear;
 }
 
 bool MotionSearch::meets(const BoxPair& leaves) {
@@ -104,26 +99,20 @@ bool MotionSearch::meets(const BoxPair& leaves) {
   return false;
 }
 
-bool MotionSearch::examineLeaves(const BoxPair& leaves, double way) {
-  if (meets(leaves)) return false;
-  alignas(32) std::array<float, lanes::kLeafTriangles * lanes::kLeafTriangles> squared;
-  traversal_.triangleDistances(leaves, squared.data());
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
-  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
+MotionSearch::Finding MotionSearch::examineLeaves(const BoxPair& leaves, double way) {
+  if (meets(leaves)) return Finding::Violation;
+  const auto distances = traversal_.triangleDistances(leaves);
   const double reach = required_ + way;
   const float bound = above(reach * reach);
-  bool kept = false;
-  for (std::uint32_t i = 0; i < squared.size(); ++i) {
-    if (squared[i] > bound) continue;
-    const double distance = triangleDistance(traversal_.obstacleTriangle(firstObstacle + i % lanes::kLeafTriangles),
-                                             traversal_.placed.triangle(firstObject + i / lanes::kLeafTriangles))
-                                .squared;
-    if (distance < required_ * required_) return false;
-    if (distance > reach * reach || kept) continue;
-    pairs_.push_back(leaves);
-    kept = true;
+  Finding finding = Finding::Clear;
+  for (std::size_t i = 0; i < distances.squared.size(); ++i) {
+    if (distances.squared[i] > bound) continue;
+    const TrianglePair pair = distances[i];
+    const double squared = traversal_.exactDistances(&pair, 1)[0];
+    if (squared < required_ * required_) return Finding::Violation;
+    if (squared <= reach * reach) finding = Finding::Doubtful;
   }
-  return true;
+  return finding;
 }
 
 }  // namespace glissade

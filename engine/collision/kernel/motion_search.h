@@ -8,8 +8,10 @@ namespace glissade {
 
 /// Proves a whole straight motion by halving time: in the middle of an interval a pair of boxes is
 /// ruled out for all of it if it is farther apart than the requirement and the way that the object's
-/// box can go in half the interval. What is not ruled out is handed on to both halves, so that the
-/// short intervals look at few pairs. Left halves come first: what is found is the first violation.
+/// box can go in half the interval. The first pair that cannot be ruled out ends the look: it and what
+/// was not looked at yet are handed on to both halves, it first. So nothing is ruled out twice, and a
+/// narrow place costs what its own pairs cost. Left halves come first: what is found is the first
+/// violation.
 class MotionSearch {
  public:
   MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required);
@@ -20,16 +22,18 @@ class MotionSearch {
   struct Interval {
     double begin;
     double end;
-    std::size_t firstPair;  ///< those not ruled out are pairs_[firstPair, lastPair)
-    std::size_t lastPair;
+    std::vector<BoxPair> pairs;  ///< not ruled out yet, the most doubtful last
+
+    double half() const { return 0.5 * (end - begin); }
+    double middle() const { return 0.5 * (begin + end); }
   };
+  enum class Finding { Clear, Doubtful, Violation };
 
   /// The way that box may go in time `half`, metres.
   double way(BoxTree::Box box, double half) const;
-  /// Appends the pairs that are not ruled out; false where one is nearer than required.
-  bool examine(const Interval& interval);
-  /// As examine, for two leaves.
-  bool examineLeaves(const BoxPair& leaves, double way);
+  /// Rules pairs out until one cannot be: that one is left on top.
+  Finding examine(Interval& interval);
+  Finding examineLeaves(const BoxPair& leaves, double way);
   bool meets(const BoxPair& leaves);
 
   PairTraversal& traversal_;
@@ -37,8 +41,6 @@ class MotionSearch {
   const Pose& to_;
   Velocity velocity_;
   double required_;
-  std::vector<BoxPair> pairs_;
-  std::vector<BoxPair> stack_;
 };
 
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #include "engine/collision/kernel/pair_traversal.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace glissade {
@@ -44,19 +45,39 @@ unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
   return functions_.trianglesMayMeet(obstacle.lanes, moved, placed.slack()) & rows & columns;
 }
 
-void PairTraversal::triangleDistances(const BoxPair& leaves, float* squared) {
+PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {
   const BoxTree::Leaf& obstacle = obstacles.leafOf(leaves.obstacle);
-  lanes::TriangleLanes moved;
-  placed.leaf(leaves.object, moved);
-  functions_.triangleDistances(obstacle.lanes, moved, placed.slack(), squared);
-  const std::uint32_t rows = object.leafOf(leaves.object).count;
-  for (std::uint32_t k = 0; k < lanes::kLeafTriangles; ++k) {
-    for (std::uint32_t i = 0; i < lanes::kLeafTriangles; ++i) {
-      if (k >= rows || i >= obstacle.count) {
-        squared[k * lanes::kLeafTriangles + i] = std::numeric_limits<float>::infinity();
+  const BoxTree::Leaf& moved = object.leafOf(leaves.object);
+  lanes::TriangleLanes lanesOfMoved;
+  placed.leaf(leaves.object, lanesOfMoved);
+  LeafDistances result;
+  result.firstObstacle = obstacle.first;
+  result.firstObject = moved.first;
+  functions_.triangleDistances(obstacle.lanes, lanesOfMoved, placed.slack(), result.squared.data(),
+                               result.estimate.data());
+  for (std::size_t i = 0; i < LeafDistances::kPairs; ++i) {
+    if (i % lanes::kLeafTriangles < obstacle.count && i / lanes::kLeafTriangles < moved.count) continue;
+    result.squared[i] = result.estimate[i] = std::numeric_limits<float>::infinity();
+  }
+  return result;
+}
+
+std::array<double, 4> PairTraversal::exactDistances(const TrianglePair* pairs, std::size_t count) {
+  lanes::TrianglePairLanes lanes;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const TrianglePair& pair = pairs[std::min(lane, count - 1)];
+    const Triangle& a = obstacleTriangle(pair.obstacle);
+    const Triangle b = placed.triangle(pair.object);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (int i = 0; i < 3; ++i) {
+        lanes.a[corner][i][lane] = a[corner][i];
+        lanes.b[corner][i][lane] = b[corner][i];
       }
     }
   }
+  std::array<double, 4> squared;
+  functions_.exactDistances(lanes, squared.data());
+  return squared;
 }
 
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/collision/kernel/placed_object.h"
@@ -10,6 +11,12 @@ namespace glissade {
 struct BoxPair {
   BoxTree::Box obstacle = 0;
   BoxTree::Box object = 0;
+};
+
+/// Places in the trees' lists of triangles.
+struct TrianglePair {
+  std::uint32_t obstacle = 0;
+  std::uint32_t object = 0;
 };
 
 /// One thread's view of two trees at one pose, and the steps that every query is made of. A pair of
@@ -40,8 +47,23 @@ class PairTraversal {
 
   /// Bits 4 k + i of the pairs of triangles of two leaves that may meet.
   unsigned mayMeet(const BoxPair& leaves);
-  /// Lower bounds on their squared distances; unused places hold +infinity.
-  void triangleDistances(const BoxPair& leaves, float* squared);
+  /// Lower bounds on their squared distances, and estimates (LaneFunctions); unused places hold
+  /// +infinity.
+  struct LeafDistances {
+    static constexpr std::size_t kPairs = lanes::kLeafTriangles * lanes::kLeafTriangles;
+    alignas(32) std::array<float, kPairs> squared;
+    alignas(32) std::array<float, kPairs> estimate;
+    std::uint32_t firstObstacle;
+    std::uint32_t firstObject;
+
+    TrianglePair operator[](std::size_t i) const {
+      const auto at = static_cast<std::uint32_t>(i);
+      return {firstObstacle + at % lanes::kLeafTriangles, firstObject + at / lanes::kLeafTriangles};
+    }
+  };
+  LeafDistances triangleDistances(const BoxPair& leaves);
+  /// Squared distances of up to four pairs of triangles, as triangleDistance finds them.
+  std::array<double, 4> exactDistances(const TrianglePair* pairs, std::size_t count);
 
   const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles.triangles[index].corners; }
 
