@@ -48,6 +48,9 @@ Diagnostic unknownOperator(const std::string& name) {
 Result<RunSetup> setUpRun(const PlanOptions& options, const LoadedScenario& scenario) {
   RunSetup setup{{scenario.problem, scenario.parameters, scenario.scenario.planner, scenario.scenario.seed, nullptr},
                  {}};
+  if (options.collision != scenario.problem.world->backend()) {
+    setup.config.problem.world = scenario.problem.world->withBackend(options.collision);
+  }
   const std::string& name = options.operatorName;
   const bool replays = name.rfind(kReplay, 0) == 0;
   if (replays) {

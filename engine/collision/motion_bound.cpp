@@ -21,11 +21,11 @@ std::size_t cellOf(const Box3& box, const Vector3& p) {
 
 }  // namespace
 
-Velocity::Velocity(const Pose& from, const Pose& to) : translation((to.position - from.position).norm()) {
+Velocity::Velocity(const Pose& from, const Pose& to) : translation_W(to.position - from.position) {
   const Quaternion turn = from.orientation.conjugate() * to.orientation;
   const double sine = turn.vec().norm();
   if (sine <= 0.0) return;
-  axis_B = turn.vec() / sine;
+  axis_B = turn.vec() / (turn.w() < 0.0 ? -sine : sine);
   rotation = 2.0 * std::atan2(sine, std::abs(turn.w()));
 }
 
@@ -61,8 +61,8 @@ double MotionBound::squaredArm(const Vector3& axis) const {
 
 double MotionBound::operator()(const Pose& from, const Pose& to) const {
   const Velocity velocity(from, to);
-  if (velocity.rotation <= 0.0) return velocity.translation;
-  return velocity.translation + velocity.rotation * std::sqrt(squaredArm(velocity.axis_B));
+  if (velocity.rotation <= 0.0) return velocity.translation_W.norm();
+  return velocity.translation_W.norm() + velocity.rotation * std::sqrt(squaredArm(velocity.axis_B));
 }
 
 }  // namespace glissade

@@ -32,12 +32,12 @@ class MotionBound {
   std::vector<Cluster> clusters_;
 };
 
-/// The straight motion's velocity: constant in the world for the reference point, and in the object's
-/// own frame for the turn.
+/// The straight motion's velocity, per unit of t: constant in the world for the reference point, and in
+/// the object's own frame for the turn.
 struct Velocity {
-  double translation = 0.0;           ///< metres per unit of t
-  double rotation = 0.0;              ///< radians per unit of t
-  Vector3 axis_B = Vector3::UnitX();  ///< unit
+  Vector3 translation_W = Vector3::Zero();  ///< metres
+  double rotation = 0.0;                    ///< radians, in [0, pi]
+  Vector3 axis_B = Vector3::UnitX();        ///< unit
 
   Velocity(const Pose& from, const Pose& to);
 };

@@ -232,9 +232,9 @@ struct Arithmetic {
     return ~separated & 0xFFU;
   }
 
-  static unsigned trianglesMayMeet(const TriangleLanes& a, const TriangleLanes& b, float slack) {
+  static unsigned trianglesMayMeet(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack) {
     const F s = F::all(slack);
-    return mayMeet(a, b, 0, s) | (mayMeet(a, b, 2, s) << kWidth);
+    return mayMeet(a, b, 0, s) | (count > 2 ? mayMeet(a, b, 2, s) << kWidth : 0U);
   }
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
@@ -319,10 +319,10 @@ struct Arithmetic {
     (most * most).store(estimate);
   }
 
-  static void triangleDistances(const TriangleLanes& a, const TriangleLanes& b, float slack, float* squared,
-                                float* estimate) {
+  static void triangleDistances(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack,
+                                float* squared, float* estimate) {
     distances(a, b, 0, F::all(slack), squared, estimate);
-    distances(a, b, 2, F::all(slack), squared + kWidth, estimate + kWidth);
+    if (count > 2) distances(a, b, 2, F::all(slack), squared + kWidth, estimate + kWidth);
   }
 };
 

@@ -52,10 +52,12 @@ struct LaneFunctions {
   /// squared[i]: at most the squared distance between box i and box `lane` of `other`.
   void (*boxDistances)(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack, float* squared);
   /// Bit 4 k + i is clear only if triangle i of `a` and k of `b` certainly do not meet.
-  unsigned (*trianglesMayMeet)(const TriangleLanes& a, const TriangleLanes& b, float slack);
+  /// Here and below only the first `count` triangles of `b` are looked at; bits and places of others
+  /// say nothing.
+  unsigned (*trianglesMayMeet)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack);
   /// squared[4 k + i]: at most the squared distance between triangle i of `a` and k of `b`;
   /// estimate[4 k + i]: at least that, unless a triangle is a sliver.
-  void (*triangleDistances)(const TriangleLanes& a, const TriangleLanes& b, float slack, float* squared,
+  void (*triangleDistances)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack, float* squared,
                             float* estimate);
   /// Squared distances, as triangleDistance finds them.
   void (*exactDistances)(const TrianglePairLanes& pairs, double* squared);

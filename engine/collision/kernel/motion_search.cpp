@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace glissade {
 namespace {
@@ -13,14 +14,25 @@ constexpr double kSlimmestMargin = 1e-3;
 constexpr double kLocated = 1e-3;
 constexpr std::uint64_t kMostConfigurations = 200'000;
 /// Boxes this much smaller than the way they go are not opened: halving time says more.
-constexpr float kWorthOpening = 0.5F;
+constexpr float kWorthOpening = 1.0F;
+/// Triangles this much larger than the way they go are worth a plane between them.
+constexpr double kWorthAPlane = 4.0;
+
+/// The sense of a turn by half a circle is a matter of rounding.
+constexpr double kNearlyHalfATurn = 3.1;
 
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
 
 }  // namespace
 
 MotionSearch::MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required)
-    : traversal_(traversal), from_(from), to_(to), velocity_(from, to), required_(required) {}
+    : traversal_(traversal),
+      from_(from),
+      to_(to),
+      velocity_(from, to),
+      speed_(velocity_.translation_W.norm()),
+      middle_(from),
+      required_(required) {}
 
 double MotionSearch::way(BoxTree::Box box, double half) const {
   const lanes::BoxLanes& node = traversal_.object.nodes[BoxTree::nodeAround(box)];
@@ -28,7 +40,7 @@ double MotionSearch::way(BoxTree::Box box, double half) const {
   const Vector3 centre =
       traversal_.object.centre + Vector3(node.centre[0][lane], node.centre[1][lane], node.centre[2][lane]);
   const double arm = velocity_.axis_B.cross(centre).norm() + traversal_.object.radius[box];
-  return half * (velocity_.translation + velocity_.rotation * arm) * (1.0 + 1e-12);
+  return half * (speed_ + velocity_.rotation * arm) * (1.0 + 1e-12);
 }
 
 MotionCheck MotionSearch::run(const StopToken& stop) {
@@ -41,7 +53,8 @@ MotionCheck MotionSearch::run(const StopToken& stop) {
     todo.pop_back();
     const double middle = interval.middle();
     const double longest = way(0, interval.half());
-    traversal_.placed.moveTo(interpolate(from_, to_, middle));
+    middle_ = interpolate(from_, to_, middle);
+    traversal_.placed.moveTo(middle_);
     const Finding finding = examine(interval);
     if (finding == Finding::Clear) {
       result.certified = interval.end;
@@ -72,7 +85,7 @@ MotionSearch::Finding MotionSearch::examine(Interval& interval) {
     const float size = std::max(traversal_.obstacles.radius[pair.obstacle], traversal_.object.radius[pair.object]);
     if (size < kWorthOpening * static_cast<float>(mayGo)) return Finding::Doubtful;
     if (traversal_.bothLeaves(pair)) {
-      const Finding finding = examineLeaves(pair, mayGo);
+      const Finding finding = examineLeaves(pair, half, mayGo);
       if (finding != Finding::Clear) return finding;
       pairs.pop_back();
       continue;
@@ -99,20 +112,42 @@ bool MotionSearch::meets(const BoxPair& leaves) {
   return false;
 }
 
-MotionSearch::Finding MotionSearch::examineLeaves(const BoxPair& leaves, double way) {
+bool MotionSearch::keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const {
+  if (distance.squared <= 0.0 || velocity_.rotation > kNearlyHalfATurn) return false;
+  const Vector3 normal = (distance.onB - distance.onA).normalized();
+  const Vector3 spin_W = velocity_.rotation * (middle_.orientation * velocity_.axis_B);
+  const double turned = velocity_.rotation * half;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& corner : traversal_.placed.triangle(pair.object)) {
+    const Vector3 arm = corner - middle_.position;
+    const double towards = std::abs(normal.dot(velocity_.translation_W + spin_W.cross(arm)));
+    // What a circle leaves its tangent by.
+    const double bend = 0.5 * turned * turned * arm.norm();
+    lowest = std::min(lowest, normal.dot(corner - distance.onA) - (half * towards + bend) * (1.0 + 1e-9));
+  }
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Vector3& corner : traversal_.obstacleTriangle(pair.obstacle)) {
+    highest = std::max(highest, normal.dot(corner - distance.onA));
+  }
+  return lowest - highest > required_;
+}
+
+MotionSearch::Finding MotionSearch::examineLeaves(const BoxPair& leaves, double half, double way) {
   if (meets(leaves)) return Finding::Violation;
   const auto distances = traversal_.triangleDistances(leaves);
   const double reach = required_ + way;
   const float bound = above(reach * reach);
-  Finding finding = Finding::Clear;
+  const double size = std::max(traversal_.obstacles.radius[leaves.obstacle], traversal_.object.radius[leaves.object]);
+  const bool planes = size > kWorthAPlane * way;
   for (std::size_t i = 0; i < distances.squared.size(); ++i) {
     if (distances.squared[i] > bound) continue;
     const TrianglePair pair = distances[i];
-    const double squared = traversal_.exactDistances(&pair, 1)[0];
-    if (squared < required_ * required_) return Finding::Violation;
-    if (squared <= reach * reach) finding = Finding::Doubtful;
+    const TriangleDistance distance =
+        triangleDistance(traversal_.obstacleTriangle(pair.obstacle), traversal_.placed.triangle(pair.object));
+    if (distance.squared < required_ * required_) return Finding::Violation;
+    if (distance.squared <= reach * reach && (!planes || !keptApart(pair, distance, half))) return Finding::Doubtful;
   }
-  return finding;
+  return Finding::Clear;
 }
 
 }  // namespace glissade

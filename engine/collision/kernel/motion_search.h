@@ -10,8 +10,9 @@ namespace glissade {
 /// ruled out for all of it if it is farther apart than the requirement and the way that the object's
 /// box can go in half the interval. The first pair that cannot be ruled out ends the look: it and what
 /// was not looked at yet are handed on to both halves, it first. So nothing is ruled out twice, and a
-/// narrow place costs what its own pairs cost. Left halves come first: what is found is the first
-/// violation.
+/// narrow place costs what its own pairs cost. Of triangles only the speed towards each other counts, so
+/// that sliding along a surface costs no more than going through the open. Left halves come first: what is found is the
+/// first violation.
 class MotionSearch {
  public:
   MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required);
@@ -33,13 +34,17 @@ class MotionSearch {
   double way(BoxTree::Box box, double half) const;
   /// Rules pairs out until one cannot be: that one is left on top.
   Finding examine(Interval& interval);
-  Finding examineLeaves(const BoxPair& leaves, double way);
+  Finding examineLeaves(const BoxPair& leaves, double half, double way);
+  /// The plane between the triangles at the interval's middle keeps them apart all the time.
+  bool keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const;
   bool meets(const BoxPair& leaves);
 
   PairTraversal& traversal_;
   const Pose& from_;
   const Pose& to_;
   Velocity velocity_;
+  double speed_;  ///< of the reference point
+  Pose middle_;   ///< of the interval looked at
   double required_;
 };
 

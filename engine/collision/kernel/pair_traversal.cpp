@@ -42,7 +42,8 @@ unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
   placed.leaf(leaves.object, moved);
   const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
   const unsigned columns = ((1U << obstacle.count) - 1U) * 0x1111U;
-  return functions_.trianglesMayMeet(obstacle.lanes, moved, placed.slack()) & rows & columns;
+  return functions_.trianglesMayMeet(obstacle.lanes, moved, object.leafOf(leaves.object).count, placed.slack()) & rows &
+         columns;
 }
 
 PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {
@@ -53,7 +54,7 @@ PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& lea
   LeafDistances result;
   result.firstObstacle = obstacle.first;
   result.firstObject = moved.first;
-  functions_.triangleDistances(obstacle.lanes, lanesOfMoved, placed.slack(), result.squared.data(),
+  functions_.triangleDistances(obstacle.lanes, lanesOfMoved, moved.count, placed.slack(), result.squared.data(),
                                result.estimate.data());
   for (std::size_t i = 0; i < LeafDistances::kPairs; ++i) {
     if (i % lanes::kLeafTriangles < obstacle.count && i / lanes::kLeafTriangles < moved.count) continue;
