@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <map>
 
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"

@@ -230,7 +230,9 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, CollisionQueryBy, testing::Values(CollisionBackend::Kernel, CollisionBackend::Fcl),
-                         [](const auto& info) { return info.param == CollisionBackend::Kernel ? "Kernel" : "Fcl"; });
+                         [](const auto& backend) {
+                           return backend.param == CollisionBackend::Kernel ? "Kernel" : "Fcl";
+                         });
 
 }  // namespace
 }  // namespace glissade
