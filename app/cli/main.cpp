@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <map>
 
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
@@ -43,6 +44,10 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
   plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
   plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
+  const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
+                                                         {"fcl", CollisionBackend::Fcl}};
+  plan->add_option("--collision", options.collision, "Who answers for collisions: kernel or fcl (default: kernel)")
+      ->transform(CLI::CheckedTransformer(backends));
   plan->add_option("--operator", options.operatorName,
                    "Who holds the device: none, novice, default, expert or replay:FILE");
   addParameters(*plan, options.parameters);

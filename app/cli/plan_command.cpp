@@ -32,6 +32,9 @@ int runPlan(const PlanOptions& options) {
   auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
+  if (options.collision != loaded->problem.world->backend()) {
+    loaded->problem.world = loaded->problem.world->withBackend(options.collision);
+  }
   const auto session = setUpRun(options, *loaded, interrupt.token());
   if (!session) return reportError(session.error(), options.format);
   if (options.format == Format::Text) std::cout << "seed " << (*session)->snapshot()->seed << "\n";

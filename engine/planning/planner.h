@@ -85,7 +85,7 @@ struct PlannerEntry {
   std::string label;        ///< in the window
   std::string description;  ///< one sentence with the source
   bool usesOperator = false;
-  bool complete = true;     ///< goes on until it finds a path or is stopped; false: it may give up
+  bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
   std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;
   bool multiLayer = false;  ///< plans coarsely first: needs the environment model
 };

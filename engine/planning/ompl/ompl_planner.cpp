@@ -195,8 +195,8 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
                                         });
   path.points.front().q = world.problem.start;
   path.points.back().q = *nearest;
-  path.certificate = certifyPath(*world.query, world.problem.world->object(), path.configurations(),
-                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*world.query, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
+                                 host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {
