@@ -71,6 +71,7 @@ struct SessionSnapshot {
   RoadmapChunks roadmap;
   std::vector<RoadmapEdge> droppedEdges;
   CoarsePlanPtr coarsePlan;           ///< of a multi-layer planner; null otherwise
+  std::string member;                 ///< of the automatic planner: whose turn it is, or who found the path
   std::shared_ptr<const Path> path;   ///< certified; null until solved
   std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
 };
