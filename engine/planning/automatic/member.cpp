@@ -11,26 +11,33 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 /// Largest distance between two configurations of the problem, in the metric.
-double extentOf(const Problem& problem) {
-  return std::hypot(problem.bounds.diagonal().norm(), kPi * problem.world->objectRadius());
+double extentOf(const Problem& problem, double turnWeight) {
+  return std::hypot(problem.bounds.diagonal().norm(), kPi * turnWeight * problem.world->objectRadius());
 }
 
-Member rrtConnect(std::string name, const Contender& contender, const Problem& problem, double range, double domain) {
-  const RrtConnect::Options options{range * extentOf(problem), domain};
+Member rrtConnect(std::string name, const Contender& contender, const Problem& problem, RrtConnect::Options options) {
   return {std::move(name), contender, [problem, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
-            return std::make_unique<RrtConnect>(problem, options, std::make_unique<UniformSampler>(problem, seed));
+            return std::make_unique<RrtConnect>(problem, seed, options,
+                                                std::make_unique<UniformSampler>(problem, seed));
           }};
+}
+
+double env(const char* n, double d) {
+  const char* v = getenv(n);
+  return v ? atof(v) : d;
 }
 
 Member shrinkRepair(const Problem& problem) {
   const double r = problem.world->objectRadius();
-  const double range = 0.03 * extentOf(problem);
+  const RrtConnect::Options search{env("RANGE", 0.03) * extentOf(problem, env("ARM", 1)), env("DOMAIN", 0),
+                                   env("ARM", 1), RrtConnect::Growth(int(env("GROW", 0)))};
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
   return {"shrink-repair", {1.0, 0, Restart::Luby, 0}, [=](std::uint64_t seed) -> std::unique_ptr<Planner> {
             RandomStream stream(seed, "erosion");
-            constexpr double kErosions[] = {0.03, 0.05, 0.08};
+            const double kErosions[] = {env("ER", 0.03), env("ER", 0.05), env("ER", 0.08)};
             const double erosion = kErosions[static_cast<std::size_t>(3.0 * stream.uniform())];
-            const ShrinkRepair::Options options{erosion * r, 1e-3 * r, range, 30'000, 20'000};
+            const ShrinkRepair::Options options{erosion * r, 1e-3 * r, search, std::uint64_t(env("W1", 30000)),
+                                                std::uint64_t(env("W2", 20000))};
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
           }};
 }
@@ -40,9 +47,10 @@ Member shrinkRepair(const Problem& problem) {
 std::vector<Member> makeMembers(const Problem& problem) {
   std::vector<Member> members;
   const char* only = getenv("AUTO_ONLY");
-  members.push_back(rrtConnect("rrt-connect", {1.0, 400'000, Restart::Luby, 0}, problem, 0.03, 0.0));
+  members.push_back(rrtConnect("x", {1.0, std::uint64_t(env("LIFE", 400000)), Restart::Luby, 0}, problem,
+                               {env("RANGE", 0.03) * extentOf(problem, env("ARM", 1)), env("DOMAIN", 0), env("ARM", 1),
+                                RrtConnect::Growth(int(env("GROW", 0)))}));
   members.push_back(shrinkRepair(problem));
-  members.push_back(rrtConnect("dynamic-domain", {1.0, 200'000, Restart::Doubling, 0}, problem, 0.01, 10.0));
   if (only) {
     std::vector<Member> m;
     for (auto& x : members)

@@ -14,15 +14,18 @@ constexpr double kRefinement = 0.5;
 constexpr double kFinest = 0.125;
 /// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
+constexpr double kGoalBias = 0.05;
 
 }  // namespace
 
-RrtConnect::RrtConnect(const Problem& problem, const Options& options, std::unique_ptr<ConfigurationSampler> sampler)
+RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
+                       std::unique_ptr<ConfigurationSampler> sampler)
     : problem_(problem),
       options_(options),
       sampler_(std::move(sampler)),
       query_(problem.world->makeQuery()),
-      metric_(problem.metric()),
+      goalStream_(seed, "goal bias"),
+      metric_(options.turnWeight * problem.world->objectRadius()),
       roadmap_(metric_) {
   startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});
   for (const Pose& q : goalRoots(problem_, *query_)) {
@@ -42,21 +45,51 @@ bool RrtConnect::solve(PlannerHost& host) {
   return path_.has_value();
 }
 
-/// One step: a tree grows towards a random configuration, the nearest other one towards what it grew by.
 void RrtConnect::iterate(PlannerHost& host) {
   ++counts_.iterations;
   ++counts_.steps;
   ++counts_.randomConfigurations;
-  const Pose q = sampler_->draw();
+  if (options_.growth == Growth::Both) {
+    growBoth(host);
+  } else {
+    growOne(host);
+  }
+}
+
+/// A tree grows towards a random configuration, the nearest other one towards what it grew by.
+void RrtConnect::growBoth(PlannerHost& host) {
   const std::vector<ComponentId> components = roadmap_.components();
   const ComponentId grown = components[turn_++ % components.size()];
-  const auto near = roadmap_.nearest(grown, q);
-  if (near.distance < tolerance::kSameConfiguration * metric_.radius() || near.distance > domains_[near.index]) return;
-  Extension extension = extend(near.index, q, host);
-  if (extension.outcome == Outcome::Reached) extension.node = addChild(near.index, q);
+  const auto node = grow(grown, sampler_->draw(), host);
+  if (!node || components.size() < 2 || host.stopToken().stopRequested()) return;
+  connect(nearestOther(grown, roadmap_.nodes()[*node].q), *node, host);
+}
+
+/// The tree grows towards a random configuration, or now and then all the way to the other end.
+void RrtConnect::growOne(PlannerHost& host) {
+  const std::vector<Node> starts{startRoot_};
+  const bool fromStart = options_.growth == Growth::FromStart;
+  const std::vector<Node>& roots = fromStart ? starts : goalRoots_;
+  const std::vector<Node>& ends = fromStart ? goalRoots_ : starts;
+  const ComponentId grown = roadmap_.componentOf(roots[turn_++ % roots.size()]);
+  const double draw = goalStream_.uniform() / kGoalBias;
+  if (draw >= 1.0) {
+    grow(grown, sampler_->draw(), host);
+    return;
+  }
+  const Node end = ends[static_cast<std::size_t>(draw * static_cast<double>(ends.size()))];
+  if (roadmap_.componentOf(end) != grown) connect(grown, end, host);
+}
+
+std::optional<RrtConnect::Node> RrtConnect::grow(ComponentId component, const Pose& q, PlannerHost& host) {
+  const auto near = roadmap_.nearest(component, q);
+  if (near.distance < tolerance::kSameConfiguration * metric_.radius() || near.distance > domains_[near.index]) {
+    return std::nullopt;
+  }
+  const Extension extension = extend(near.index, q, host);
   adapt(near.index, extension.outcome != Outcome::Trapped);
-  if (extension.outcome == Outcome::Trapped || components.size() < 2 || host.stopToken().stopRequested()) return;
-  connect(nearestOther(grown, roadmap_.nodes()[extension.node].q), extension.node, host);
+  if (extension.outcome == Outcome::Reached) return addChild(near.index, q);
+  return extension.outcome == Outcome::Advanced ? std::optional<Node>(extension.node) : std::nullopt;
 }
 
 RrtConnect::ComponentId RrtConnect::nearestOther(ComponentId grown, const Pose& q) const {

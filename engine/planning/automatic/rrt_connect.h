@@ -18,12 +18,21 @@ namespace glissade {
 /// are sampled more finely.
 class RrtConnect final : public Planner {
  public:
+  enum class Growth {
+    Both,       ///< by turns, each connecting to what the other grew by
+    FromStart,  ///< one tree, one draw in twenty is the goal (S. M. LaValle, J. J. Kuffner 2001)
+    FromGoal
+  };
   struct Options {
-    double range = 0.0;   ///< longest extension, metres in the metric; > 0
-    double domain = 0.0;  ///< first radius of the dynamic domain, in ranges; 0: none
+    double range = 0.0;       ///< longest extension, metres in the search's metric; > 0
+    double domain = 0.0;      ///< first radius of the dynamic domain, in ranges; 0: none
+    double turnWeight = 1.0;  ///< of rotations, relative to the metric of the object's radius: with a
+                              ///< small one an extension turns far while it moves little
+    Growth growth = Growth::Both;
   };
 
-  RrtConnect(const Problem& problem, const Options& options, std::unique_ptr<ConfigurationSampler> sampler);
+  RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
+             std::unique_ptr<ConfigurationSampler> sampler);
 
   bool solve(PlannerHost& host) override;
 
@@ -45,6 +54,10 @@ class RrtConnect final : public Planner {
   };
 
   void iterate(PlannerHost& host);
+  void growBoth(PlannerHost& host);
+  void growOne(PlannerHost& host);
+  /// The node that the component grew by towards q.
+  std::optional<Node> grow(ComponentId component, const Pose& q, PlannerHost& host);
   Node addChild(Node parent, const Pose& q);
   Extension extend(Node from, const Pose& q, PlannerHost& host);
   void connect(ComponentId component, Node target, PlannerHost& host);
@@ -57,6 +70,7 @@ class RrtConnect final : public Planner {
   Options options_;
   std::unique_ptr<ConfigurationSampler> sampler_;
   std::unique_ptr<CollisionQuery> query_;
+  RandomStream goalStream_;
   Se3Metric metric_;
   RoadmapGraph roadmap_;
   Node startRoot_ = 0;

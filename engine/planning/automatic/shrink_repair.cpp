@@ -2,17 +2,14 @@
 
 #include <limits>
 
-#include "engine/planning/automatic/rrt_connect.h"
-#include "engine/planning/automatic/tube_sampler.h"
+#include "engine/planning/automatic/path_repair.h"
 #include "engine/planning/goal_roots.h"
 
 namespace glissade {
 namespace {
 
 /// The depth of each level relative to the first.
-constexpr double kLevels[] = {1.0, 0.6, 0.35, 0.15};
-/// Width of the tube about the way of the level before, in depths that the object has grown by since.
-constexpr double kTube = 3.0;
+constexpr double kLevels[] = {1.0, 0.75, 0.5, 0.3, 0.12};
 
 bool isFree(const Problem& problem) {
   const auto query = problem.world->makeQuery();
@@ -46,10 +43,14 @@ void ShrinkRepair::step(PlannerHost& host) {
   roadmap.counts = counts_;
   const SubPlanner::State state = search_->step(host, roadmap);
   counts_ = roadmap.counts;
-  const std::uint64_t budget = level_ == 0 ? options_.firstWork : options_.repairWork;
   if (state == SubPlanner::State::Solved) {
+    if (getenv("DBG"))
+      fprintf(stderr, "level %zu depth %.4f solved in %lu\n", level_, depths_[level_], workOf(counts_) - levelWork_);
     endLevel();
-  } else if (workOf(counts_) - levelWork_ > budget) {
+  } else if (state == SubPlanner::State::Failed || (level_ == 0 && workOf(counts_) - levelWork_ > options_.firstWork)) {
+    if (getenv("DBG"))
+      fprintf(stderr, "level %zu depth %.4f FAILED nodes %zu\n", level_, depths_[level_],
+              (isLast() ? own_ : eroded_).nodes.size());
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
                           "Start again with another seed."};
   }
@@ -64,15 +65,14 @@ void ShrinkRepair::startLevel() {
     part.world = worlds_->at(depths_[level_]);
   }
   const std::uint64_t seed = RandomStream(seed_, "level " + std::to_string(level_)).bits();
-  std::unique_ptr<ConfigurationSampler> sampler;
+  std::unique_ptr<Planner> search;
   if (level_ == 0) {
-    sampler = std::make_unique<UniformSampler>(part, seed);
+    search = std::make_unique<RrtConnect>(part, seed, options_.search, std::make_unique<UniformSampler>(part, seed));
   } else {
-    const double grownBy = depths_[level_ - 1] - depths_[level_];
-    const double deviation = std::max(kTube * grownBy, options_.growth);
-    sampler = std::make_unique<TubeSampler>(part, way_, deviation, seed);
+    const PathRepair::Options repair{worlds_->at(wayDepth_), wayDepth_ - depths_[level_], options_.search,
+                                     options_.repairWork};
+    search = std::make_unique<PathRepair>(part, seed, way_, repair);
   }
-  auto search = std::make_unique<RrtConnect>(part, RrtConnect::Options{options_.range, 0.0}, std::move(sampler));
   search_ = std::make_unique<SubPlanner>(std::move(search), std::numeric_limits<std::uint64_t>::max(), nullptr);
   eroded_ = {};
   levelWork_ = workOf(counts_);
@@ -85,6 +85,7 @@ void ShrinkRepair::endLevel() {
     return;
   }
   way_ = path.configurations();
+  wayDepth_ = depths_[level_];
   search_.reset();
   ++level_;
 }

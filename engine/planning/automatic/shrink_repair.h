@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/planning/automatic/eroded_worlds.h"
+#include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/fine/sub_planner.h"
 
 namespace glissade {
@@ -17,9 +18,9 @@ namespace glissade {
 class ShrinkRepair final : public Planner {
  public:
   struct Options {
-    double erosion = 0.0;          ///< of the first level, metres
-    double growth = 0.0;           ///< beyond the object's size, metres
-    double range = 0.0;            ///< of the search, metres in the metric
+    double erosion = 0.0;  ///< of the first level, metres
+    double growth = 0.0;   ///< beyond the object's size, metres
+    RrtConnect::Options search;
     std::uint64_t firstWork = 0;   ///< queries for the first level
     std::uint64_t repairWork = 0;  ///< queries for each of the others
   };
@@ -51,6 +52,7 @@ class ShrinkRepair final : public Planner {
   std::vector<double> depths_;  ///< per level; the last is 0
   std::size_t level_ = 0;
   std::vector<Pose> way_;  ///< of the level before
+  double wayDepth_ = 0.0;  ///< of that level
   std::unique_ptr<SubPlanner> search_;
   SharedRoadmap eroded_;  ///< of the present level, while that is not the last
   SharedRoadmap own_;     ///< of the last level
