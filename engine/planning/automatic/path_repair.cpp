@@ -10,6 +10,8 @@ namespace glissade {
 namespace {
 
 constexpr int kAttempts = 12;  // to free a configuration
+/// How far a configuration is moved at random for the last of them, in what the object has grown by.
+constexpr double kSpread = 1.5;
 /// Queries of a gap's first search; each of the next has twice as many.
 constexpr std::uint64_t kFirstGapWork = 1'000;
 /// Configurations by which a gap is widened on either side.
@@ -73,7 +75,7 @@ std::optional<Pose> PathRepair::freed(const Pose& q) {
   for (int attempt = 1; attempt <= kAttempts; ++attempt) {
     const auto free = retracted(*smallerQuery_, from, options_.grownBy, radius);
     if (free && problem_.bounds.contains(free->position) && !query_->collides(*free)) return free;
-    from = perturbed(q, 0.5 * options_.grownBy * attempt / kAttempts * 3.0, radius, problem_.bounds, stream_);
+    from = perturbed(q, kSpread * options_.grownBy * attempt / kAttempts, radius, problem_.bounds, stream_);
   }
   return std::nullopt;
 }

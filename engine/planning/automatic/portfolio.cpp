@@ -1,6 +1,8 @@
 #include "engine/planning/automatic/portfolio.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace glissade {
 namespace {
@@ -38,9 +40,23 @@ std::size_t Portfolio::next() const {
   return best != kNobody ? best : first;
 }
 
+/// Whoever comes late is dealt as much as the others from now on; what they have had is theirs.
+void Portfolio::enter(State& late) {
+  late.entered = true;
+  double least = std::numeric_limits<double>::infinity();
+  for (const State& state : states_) {
+    const bool present = !state.retired && (state.contender.entry == 0 || state.entered) && &state != &late;
+    if (present) least = std::min(least, state.virtualWork);
+  }
+  if (std::isfinite(least)) late.virtualWork = std::max(late.virtualWork, least);
+}
+
 void Portfolio::charge(std::size_t contender, std::uint64_t work) {
-  State& state = states_[contender];
   total_ += work;
+  for (State& state : states_) {
+    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= total_) enter(state);
+  }
+  State& state = states_[contender];
   state.work += work;
   state.lifeWork += work;
   state.virtualWork += static_cast<double>(work) / state.contender.share;

@@ -59,8 +59,11 @@ class Portfolio {
     std::uint64_t lifeWork = 0;  ///< in the present one
     std::uint64_t life = 1;
     double virtualWork = 0.0;  ///< work by share: the least has the turn
+    bool entered = false;      ///< of one with an entry
     bool retired = false;
   };
+
+  void enter(State& late);
 
   std::vector<State> states_;
   std::uint64_t total_ = 0;

@@ -44,13 +44,8 @@ void ShrinkRepair::step(PlannerHost& host) {
   const SubPlanner::State state = search_->step(host, roadmap);
   counts_ = roadmap.counts;
   if (state == SubPlanner::State::Solved) {
-    if (getenv("DBG"))
-      fprintf(stderr, "level %zu depth %.4f solved in %lu\n", level_, depths_[level_], workOf(counts_) - levelWork_);
     endLevel();
   } else if (state == SubPlanner::State::Failed || (level_ == 0 && workOf(counts_) - levelWork_ > options_.firstWork)) {
-    if (getenv("DBG"))
-      fprintf(stderr, "level %zu depth %.4f FAILED nodes %zu\n", level_, depths_[level_],
-              (isLast() ? own_ : eroded_).nodes.size());
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
                           "Start again with another seed."};
   }
