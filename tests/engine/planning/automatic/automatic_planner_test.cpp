@@ -35,7 +35,8 @@ TEST(AutomaticPlanner, SameSeedGivesTheSamePathAndCounts) {
 TEST(AutomaticPlanner, GivesUpWhereNothingIsOutside) {
   Problem problem = windowProblem();
   problem.goal = GoalOut{};
-  problem.bounds = Box3(Vector3(-1.6, -0.1, -0.1), Vector3(-1.4, 0.1, 0.1));
+  problem.start = Pose::translation({-0.35, 0.0, 0.0});
+  problem.bounds = Box3(Vector3(-0.4, -0.1, -0.1), Vector3(-0.3, 0.1, 0.1));
   TestHost host(problem);
   AutomaticPlanner planner(problem, 1);
   EXPECT_FALSE(planner.solve(host));
