@@ -85,6 +85,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
   report["solved"] = end.state == SessionState::Solved;
   report["status"] = status(end);
   report["strategy"] = end.plannerId;
+  if (!end.member.empty()) report["member"] = end.member;
   report["wall_s"] = end.planningSeconds;
   report["planning_s"] = end.planningSeconds;
   report["virtual_s"] = end.virtualSeconds;
@@ -122,8 +123,9 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
 
 void printText(const SessionSnapshot& end, const CollisionWorld& world) {
   const PlannerCounts& counts = end.counts;
-  std::cout << status(end) << " by " << end.plannerId << " after " << counts.steps << " steps (" << end.virtualSeconds
-            << " s virtual, " << end.planningSeconds << " s of planning)\n"
+  std::cout << status(end) << " by " << end.plannerId << (end.member.empty() ? "" : " (" + end.member + ")")
+            << " after " << counts.steps << " steps (" << end.virtualSeconds << " s virtual, " << end.planningSeconds
+            << " s of planning)\n"
             << "nodes " << counts.nodes << ", edges " << counts.edges << ", configurations: random "
             << counts.randomConfigurations << ", operator " << counts.operatorConfigurations << ", contact "
             << counts.contactConfigurations << "\n"

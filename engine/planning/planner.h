@@ -77,6 +77,8 @@ class Planner {
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
   /// What the coarse planning decided; null for planners without one.
   virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
+  /// Of a portfolio: the member that has the turn, or that found the path; empty otherwise.
+  virtual std::string member() const { return {}; }
 };
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).

@@ -74,6 +74,7 @@ struct SessionSnapshot {
   CoarsePlanPtr coarsePlan;          ///< of a multi-layer planner; null otherwise
   std::shared_ptr<const Path> path;  ///< certified; null until solved
   RunLogParts log;                   ///< what shaped the run: at most a second old, and whole once it has ended
+  std::string member;                ///< of the automatic planner: whose turn it is, or who found the path
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 

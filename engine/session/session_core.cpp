@@ -211,6 +211,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
     snapshot.authority = planner_->authority();
     snapshot.contactMode = planner_->inContactMode();
     snapshot.coarsePlan = planner_->coarsePlan();
+    snapshot.member = planner_->member();
   }
   snapshot.roadmap = roadmap_.chunks();
   snapshot.nodesByAuthor = roadmap_.nodesByAuthor();

@@ -754,6 +754,10 @@
         <source>OMPL: EST</source>
         <translation>OMPL : EST</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
 </context>
 <context>
     <name>Presets</name>

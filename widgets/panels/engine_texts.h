@@ -31,6 +31,7 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Planners", "OMPL: BKPIECE"),
     QT_TRANSLATE_NOOP("Planners", "OMPL: PRM"),
     QT_TRANSLATE_NOOP("Planners", "OMPL: EST"),
+    QT_TRANSLATE_NOOP("Planners", "Automatic"),
     QT_TRANSLATE_NOOP("PlaceIdentifiers", "Region growing"),
     QT_TRANSLATE_NOOP("PlaceIdentifiers", "Watershed"),
     QT_TRANSLATE_NOOP("Attributes", "Complexity"),
