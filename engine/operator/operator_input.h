@@ -51,6 +51,10 @@ struct OperatorView {
   OperatorFrame frame;
   /// Distance in the metric from q to the nearest node of the start tree; never empty.
   std::function<double(const Pose& q)> distanceToStartTree;
+  /// Nodes that contact sampling has brought: as long as their number grows he sees the tree slide.
+  std::uint64_t contactNodes = 0;
+  /// Distance from the object in his hand to the nearest obstacle.
+  std::function<double()> clearance;
 };
 
 /// A person, or whatever stands in for one: turns time into motion. Not thread-safe: owned and

@@ -15,6 +15,7 @@ constexpr double kShortestMovement = 0.3;    ///< s
 constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
 constexpr double kPatience = 3.0;            ///< s of waiting for the tree before he fetches it
 constexpr double kLinger = 3.0;              ///< s at a way-point before he goes on without the tree
+constexpr double kSlidingMemory = 1.0;       ///< s without contact nodes: the tree does not slide any more
 constexpr double kTremorTime = 0.3;          ///< s, correlation time
 constexpr double kShortestHesitation = 0.5;  ///< s
 constexpr double kLongestHesitation = 1.0;   ///< s
@@ -68,6 +69,8 @@ void SimulatedOperator::restart() {
   rest_ = 0.0;
   waited_ = 0.0;
   lingered_ = 0.0;
+  contactNodes_ = 0;
+  sinceContact_ = kSlidingMemory;
   tremor_.setZero();
   tremorAngle_.setZero();
 }
@@ -93,14 +96,24 @@ Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3&
   return shown;
 }
 
+/// The tree slides while contact sampling goes on bringing nodes.
+bool SimulatedOperator::seesTheTreeSlide(double dt, const OperatorView& view) {
+  sinceContact_ = view.contactNodes == contactNodes_ ? sinceContact_ + dt : 0.0;
+  contactNodes_ = view.contactNodes;
+  return sinceContact_ < kSlidingMemory;
+}
+
 void SimulatedOperator::chooseTarget(double dt, const OperatorView& view) {
+  const bool slides = seesTheTreeSlide(dt, view);
   if (target_ + 1 >= route_.size()) return;
   const Pose& target = route_[target_];
   const bool there = metric_.distance(aimed_, target) <= kReached * metric_.radius();
-  lingered_ = there ? lingered_ + dt : 0.0;
+  lingered_ = there && !slides ? lingered_ + dt : 0.0;
   const double away = view.distanceToStartTree(target);
   const bool impatient = lingered_ > kLinger && away <= kLagging * metric_.radius();
-  if (away > kReached * metric_.radius() && !impatient) return;
+  // A tree that slides comes as near as the surface below his hand.
+  const double near = kReached * metric_.radius() + (there && slides ? view.clearance() : 0.0);
+  if (away > near && !impatient) return;
   ++target_;
   lingered_ = 0.0;
   movement_ = SubMovement();

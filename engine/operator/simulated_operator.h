@@ -33,9 +33,10 @@ const OperatorLevel* findOperatorLevel(std::string_view id);
 /// person: minimum-jerk sub-movements (Flash and Hogan 1985) with a fresh aim error each, a reaction
 /// delay between them, tremor (an Ornstein-Uhlenbeck process), hesitations (a Poisson process). He is
 /// not blocked by collisions. He goes on to the next way-point when the start tree has come near the
-/// current one, keeps correcting around it until then, or until he loses patience with a tree that is not far; he
-/// waits where the tree lags behind him; after a while he goes back a way-point to fetch it.
-/// Deterministic for a seed and the same sequence of calls.
+/// current one, and keeps correcting around it until then. Where he does not see the tree slide on a
+/// surface he loses patience, and goes on though the tree only came into the neighbourhood. He waits where the tree
+/// lags behind him; after a while he goes back a way-point to fetch it. Deterministic for a seed and the same sequence
+/// of calls.
 class SimulatedOperator final : public OperatorDevice {
  public:
   /// `route` in the order in which to pass; he stays at the last one.
@@ -56,6 +57,7 @@ class SimulatedOperator final : public OperatorDevice {
     double elapsed = 0.0;
   };
 
+  bool seesTheTreeSlide(double dt, const OperatorView& view);
   void chooseTarget(double dt, const OperatorView& view);
   bool waitsForTheTree(double dt, const OperatorView& view);
   void beginSubMovement();
@@ -73,7 +75,9 @@ class SimulatedOperator final : public OperatorDevice {
   SubMovement movement_;
   double waited_ = 0.0;    ///< seconds of waiting for the tree at one place
   double lingered_ = 0.0;  ///< seconds at the way-point he is heading for
-  double rest_ = 0.0;      ///< seconds of delay or hesitation left
+  std::uint64_t contactNodes_ = 0;
+  double sinceContact_ = 1.0;  ///< seconds since contact sampling brought a node
+  double rest_ = 0.0;          ///< seconds of delay or hesitation left
   Vector3 tremor_ = Vector3::Zero();
   Vector3 tremorAngle_ = Vector3::Zero();
 };

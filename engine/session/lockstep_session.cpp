@@ -63,7 +63,7 @@ class Lockstep final : public LockstepSession {
 
   void tick() {
     if (core_.planner() != nullptr) tree_.update(core_.planner()->nodes());
-    hand_.advance(secondsPerStep(), frame_, [this](const Pose& q) { return tree_(q); });
+    hand_.advance(secondsPerStep(), frame_, tree_);
   }
 
   void publish() {

@@ -19,9 +19,11 @@ void OperatorHand::restart() {
   if (device_) device_->restart();
 }
 
-void OperatorHand::advance(double dt, const OperatorFrame& frame,
-                           const std::function<double(const Pose&)>& distanceToStartTree) {
-  if (device_) put(device_->advance(dt, {sample_.q_device, frame, distanceToStartTree}, bounds_));
+void OperatorHand::advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree) {
+  if (!device_) return;
+  const OperatorView view{sample_.q_device, frame, [&tree](const Pose& q) { return tree(q); }, tree.contactNodes(),
+                          [this] { return sample().nearest.distance; }};
+  put(device_->advance(dt, view, bounds_));
 }
 
 const OperatorSample& OperatorHand::sample() {

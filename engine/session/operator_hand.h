@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "engine/operator/operator_input.h"
 #include "engine/planning/operator_sample.h"
 #include "engine/planning/problem.h"
+#include "engine/session/start_tree_distance.h"
 
 namespace glissade {
 
@@ -31,7 +31,7 @@ class OperatorHand {
   void restart();
   /// Lets the object go for good (its device failed).
   void release() { device_.reset(); }
-  void advance(double dt, const OperatorFrame& frame, const std::function<double(const Pose&)>& distanceToStartTree);
+  void advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree);
   /// Nothing where nobody holds the object.
   std::optional<HandState> state() const {
     return held() ? std::make_optional(HandState{sample_.q_device, sample_.moves}) : std::nullopt;

@@ -21,6 +21,7 @@ double StartTreeDistance::operator()(const Pose& q) const {
 
 void StartTreeDistance::take(const RoadmapNode& node) {
   if (node.side == TreeSide::Start) tree_.add(static_cast<std::uint32_t>(nodesSeen_), node.q);
+  if (node.author == Author::Contact) ++contactNodes_;
   ++nodesSeen_;
 }
 

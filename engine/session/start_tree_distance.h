@@ -17,12 +17,15 @@ class StartTreeDistance {
 
   /// Metric distance from q to the nearest node of the start tree; infinite while there is none.
   double operator()(const Pose& q) const;
+  /// Nodes of either tree that contact sampling has brought.
+  std::uint64_t contactNodes() const { return contactNodes_; }
 
  private:
   void take(const RoadmapNode& node);
 
   Se3Metric metric_;
   NearestNeighbours tree_;
+  std::uint64_t contactNodes_ = 0;
   std::size_t nodesSeen_ = 0;
   std::size_t chunksSeen_ = 0;
 };

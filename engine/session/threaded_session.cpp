@@ -207,7 +207,7 @@ class Threaded final : public Session {
     }
     if (put) hand_.put(*put);
     tree_.update(chunks);
-    hand_.advance(dt, frame, [this](const Pose& q) { return tree_(q); });
+    hand_.advance(dt, frame, tree_);
   }
 
   void publishOperator() {

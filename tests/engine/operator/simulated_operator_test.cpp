@@ -30,7 +30,7 @@ TEST(SimulatedOperator, ReachesTheEndOfHisRouteWhenTheTreeFollows) {
     // The tree is wherever he is: it has reached a way-point once he has.
     const auto treeAtHand = [&q](const Pose& wanted) { return kMetric.distance(q, wanted); };
     for (int i = 0; i < 60 * 40; ++i) {
-      q = person.advance(kTick, {q, OperatorFrame(), treeAtHand}, kRoom);
+      q = person.advance(kTick, viewOf(q, treeAtHand), kRoom);
       if (person.target() == 2) nearest = std::min(nearest, kMetric.distance(q, route().back()));
     }
     EXPECT_EQ(person.target(), 2U) << level;
@@ -43,15 +43,38 @@ TEST(SimulatedOperator, WaitsForATreeThatLagsAndThenGoesBackForIt) {
   Pose q;
   double lag = 0.0;
   const auto tree = [&](const Pose&) { return lag; };
-  for (int i = 0; i < 200; ++i) q = person.advance(kTick, {q, OperatorFrame(), tree}, kRoom);
+  for (int i = 0; i < 200; ++i) q = person.advance(kTick, viewOf(q, tree), kRoom);
   const std::size_t reached = person.target();
   EXPECT_EQ(reached, 2U);
   lag = 2.0;
   const Pose before = q;
-  for (int i = 0; i < 2 * 40; ++i) q = person.advance(kTick, {q, OperatorFrame(), tree}, kRoom);
+  for (int i = 0; i < 2 * 40; ++i) q = person.advance(kTick, viewOf(q, tree), kRoom);
   EXPECT_LT((q.position - before.position).norm(), 0.1) << "he waits, but for his tremor";
-  for (int i = 0; i < 3 * 40; ++i) q = person.advance(kTick, {q, OperatorFrame(), tree}, kRoom);
+  for (int i = 0; i < 3 * 40; ++i) q = person.advance(kTick, viewOf(q, tree), kRoom);
   EXPECT_LT(person.target(), reached);
+}
+
+/// A tree that comes into the neighbourhood of the way-points and no nearer, at a given clearance.
+std::size_t targetAfterTenSeconds(bool slides, double clearance) {
+  SimulatedOperator person = make("expert");
+  Pose q;
+  OperatorView view = viewOf(q, 0.7);
+  view.clearance = [clearance] { return clearance; };
+  for (int i = 0; i < 400; ++i) {
+    view.q_device = q;
+    view.contactNodes += slides ? 1 : 0;
+    q = person.advance(kTick, view, kRoom);
+  }
+  return person.target();
+}
+
+TEST(SimulatedOperator, LosesPatienceWithATreeThatIsNearUnlessItSlides) {
+  EXPECT_GT(targetAfterTenSeconds(false, 0.1), 0U);
+  EXPECT_EQ(targetAfterTenSeconds(true, 0.1), 0U);
+}
+
+TEST(SimulatedOperator, ATreeThatSlidesComesAsNearAsTheSurfaceBelowHisHand) {
+  EXPECT_GT(targetAfterTenSeconds(true, 0.5), 0U);
 }
 
 TEST(SimulatedOperator, KeepsToHisSpeed) {
