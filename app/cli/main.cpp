@@ -97,6 +97,14 @@ CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
   return merge;
 }
 
+CLI::App* addReport(CLI::App& app, ReportOptions& options) {
+  CLI::App* report =
+      app.add_subcommand("report", "Write the report of a study: tables, plots, findings, one HTML page");
+  report->add_option("DIR", options.folder, "Folder of results")->required();
+  report->add_option("--out", options.out, "Folder of report.html (default: DIR)");
+  return report;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Glissade: certified motions for virtual assembly"};
   app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
@@ -107,11 +115,13 @@ int run(int argc, char** argv) {
   ConvertOptions convert;
   StudyOptions study;
   MergeOptions merge;
+  ReportOptions report;
   const CLI::App* planCommand = addPlan(app, plan);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
+  const CLI::App* reportCommand = addReport(app, report);
   addConvert(app, convert);
   try {
     app.parse(argc, argv);
@@ -123,6 +133,7 @@ int run(int argc, char** argv) {
   if (infoCommand->parsed()) return runInfo(info);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
+  if (reportCommand->parsed()) return runReport(report);
   return runConvert(convert);
 }
 
