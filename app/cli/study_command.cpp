@@ -101,7 +101,7 @@ int runMerge(const MergeOptions& options) {
   const auto merged = mergeStudies(options.folders, options.out, warnings);
   reportWarnings(warnings);
   if (!merged) return reportError(merged.error(), Format::Text);
-  const Outcome written = writeResults(*merged, warnings);
+  const Outcome written = writeReport(*merged, merged->path(), warnings);
   if (!written) return reportError(written.error(), Format::Text);
   printSummary(*merged, warnings);
   return 0;

@@ -18,6 +18,7 @@
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/status_text.h"
+#include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
   new LabelOverlay(scene_->view(), scene_->widget());
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
+  studies_ = new StudyController(*this);
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
@@ -171,6 +173,7 @@ void MainWindow::makeMenus() {
   run->addSeparator();
   fill(run, "object.");
   fill(run, "path.");
+  fill(menuBar()->addMenu(tr("&Study")), "study.");
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, "view.");
   fill(view->addMenu(tr("&Layers")), "layer.");

@@ -16,6 +16,7 @@ class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
 class ScenePanel;
+class StudyController;
 
 /// The workbench: the 3D view in the middle, panels around it, one session behind it.
 class MainWindow final : public QMainWindow {
@@ -35,10 +36,13 @@ class MainWindow final : public QMainWindow {
   ActionCatalogue& actions() { return *actions_; }
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
+  StudyController& studies() { return *studies_; }
   /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
   std::optional<Diagnostic> exportPath(const QString& file);
+  /// In a dialog.
+  void showError(const QString& title, const Diagnostic& why);
   /// The whole window as a picture.
   QImage picture();
 
@@ -67,7 +71,6 @@ class MainWindow final : public QMainWindow {
   /// False: the user wants to stay, because something is not saved.
   bool mayDiscard();
   void showTitle();
-  void showError(const QString& title, const Diagnostic& why);
   void showShortcuts();
   void showAbout();
 
@@ -79,6 +82,7 @@ class MainWindow final : public QMainWindow {
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
+  StudyController* studies_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

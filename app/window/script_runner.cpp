@@ -11,6 +11,7 @@
 #include <map>
 
 #include "app/window/environment_script.h"
+#include "app/window/study_script.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
 
@@ -67,6 +68,9 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   if (command.name == "save") return save(command);
   if (command.name == "select-strategy") return selectStrategy(command);
   if (const auto outcome = EnvironmentScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = StudyScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (command.name == "export") {

@@ -50,6 +50,15 @@ std::optional<CellValue> valueOf(const CellSummary& summary, const Quantity& qua
   return CellValue{value, sample.firstQuartile, sample.thirdQuartile, sample.count};
 }
 
+std::string paperText(const StudyCell& cell, const PaperColumn& column) {
+  const auto found = cell.paper.find(column.key);
+  if (found == cell.paper.end()) return "";
+  if (const auto* words = std::get_if<std::string>(&found->second)) return *words;
+  const double* number = std::get_if<double>(&found->second);
+  if (number == nullptr) return "";
+  return column.quantity.measure == "success_rate" ? percent(*number) : shortNumber(*number);
+}
+
 std::string describe(const Quantity& quantity) {
   std::string words = quantity.measure;
   std::replace(words.begin(), words.end(), '_', ' ');

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/study/finding.h"
+#include "engine/study/study.h"
 #include "engine/study/study_summary.h"
 
 namespace glissade {
@@ -18,6 +18,9 @@ struct CellValue {
 
 /// Nothing where no run has it: none was solved, or the measure is not of this strategy.
 std::optional<CellValue> valueOf(const CellSummary& summary, const Quantity& quantity);
+
+/// What the paper prints of a cell in one of its columns; empty where nothing.
+std::string paperText(const StudyCell& cell, const PaperColumn& column);
 
 /// "median of nodes over the solved runs", "success rate".
 std::string describe(const Quantity& quantity);

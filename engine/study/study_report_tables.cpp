@@ -8,15 +8,6 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string paperText(const StudyCell& cell, const PaperColumn& column) {
-  const auto found = cell.paper.find(column.key);
-  if (found == cell.paper.end()) return "";
-  if (const auto* words = std::get_if<std::string>(&found->second)) return *words;
-  const double* number = std::get_if<double>(&found->second);
-  if (number == nullptr) return "";
-  return column.quantity.measure == "success_rate" ? percent(*number) : shortNumber(*number);
-}
-
 std::string spreadText(const std::optional<CellValue>& value) {
   if (!value) return "–";
   return shortNumber(value->value) + " (" + shortNumber(value->low) + " – " + shortNumber(value->high) + ")";
