@@ -50,7 +50,9 @@ std::optional<Diagnostic> StudyController::open(const QString& path) {
   if (browser_ == nullptr) {
     browser_ = new StudyBrowser(&window_);
     browser_->resize(window_.size());
-    connect(browser_, &StudyBrowser::runWanted, this, &StudyController::want);
+    connect(browser_, &StudyBrowser::runWanted, this, [this](const StudyRun& run) {
+      if (const auto why = show(run)) window_.showError(tr("The run cannot be shown"), *why);
+    });
   }
   Warnings warnings;
   browser_->show(*folder, warnings);
@@ -90,16 +92,14 @@ std::optional<bool> StudyController::isAsInStudy(const RunOutcome& known) const 
   return static_cast<double>(snapshot->counts.nodes) == *nodes;
 }
 
-void StudyController::want(const StudyRun& run) {
+std::optional<Diagnostic> StudyController::show(const StudyRun& run) {
   shown_.reset();
-  if (const auto why = startRun(*browser_->folder(), run)) {
-    window_.showError(tr("The run cannot be shown"), *why);
-    return;
-  }
+  if (const auto why = startRun(*browser_->folder(), run)) return why;
   shown_ = run;
   browser_->setMessage(tr("Seed %1 is running in the main window.").arg(run.seed));
   window_.activateWindow();
   window_.raise();
+  return std::nullopt;
 }
 
 void StudyController::watch(const SnapshotPtr& snapshot) {

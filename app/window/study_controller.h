@@ -20,6 +20,8 @@ class StudyController final : public QObject {
 
   /// What is wrong with the folder, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
+  /// Shows a run of the browser's study again; the browser says whether it ended the same.
+  std::optional<Diagnostic> show(const StudyRun& run);
   /// Opens the run's scenario and starts that very run. What stands in the way, or nothing.
   std::optional<Diagnostic> startRun(const StudyFolder& folder, const StudyRun& run);
   /// Whether the run that was started has ended with the nodes that the study has; nothing while it runs,
@@ -32,7 +34,6 @@ class StudyController final : public QObject {
  private:
   void choose();
   void choosePdf();
-  void want(const StudyRun& run);
   void watch(const SnapshotPtr& snapshot);
 
   MainWindow& window_;

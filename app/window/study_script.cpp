@@ -48,7 +48,7 @@ Outcome StudyScript::start(const std::string& cell, const std::string& seed) {
   if (!cellNumber || !seedNumber || *cellNumber < 1.0) return wrong("give the numbers of a cell and a seed");
   const StudyRun run{static_cast<std::size_t>(*cellNumber) - 1, static_cast<std::uint64_t>(*seedNumber)};
   if (browser.results().count(run) == 0) return wrong("the study has no run of cell " + cell + " with seed " + seed);
-  return outcomeOf(window_.studies().startRun(*browser.folder(), run));
+  return outcomeOf(window_.studies().show(run));
 }
 
 }  // namespace glissade

@@ -230,8 +230,11 @@ class Plotter {
     if (isShare(column)) {
       plot.y = PlotScale::percentages(column.title + " (%)");
     } else {
-      // Numbers of runs are never negative, and zeros have no place on a logarithmic axis of bars.
+      // Numbers of runs are never negative, and zeros have no place on a logarithmic axis.
       ys.erase(std::remove(ys.begin(), ys.end(), 0.0), ys.end());
+      // Bars stand on a power of ten below all of them.
+      if (!along_ && !ys.empty())
+        ys.push_back(std::pow(10.0, std::floor(std::log10(*std::min_element(ys.begin(), ys.end())))));
       plot.y = along_ ? PlotScale::fitting(column.title, ys) : PlotScale::logarithmic(column.title, ys);
     }
   }

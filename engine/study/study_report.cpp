@@ -104,6 +104,8 @@ StudyReport reportOf(const StudyFolder& folder, Warnings& warnings) {
   add(whatWasRun(folder, summaries));
   add(ReportHeading{heading.paper.empty() ? "Results" : "The paper's table, and ours"});
   add(study_report::paperTable(study, summaries));
+  ReportTable notes = study_report::notesTable(study);
+  if (!notes.rows.empty()) add(std::move(notes));
   if (!heading.findings.empty()) {
     add(ReportHeading{"Findings"});
     add(study_report::findingsTable(study, summaries));

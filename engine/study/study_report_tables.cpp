@@ -25,13 +25,6 @@ std::string solvedText(const CellSummary& summary) {
 
 bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
 
-bool hasNotes(const Study& study) {
-  for (const StudyCell& cell : study.cells) {
-    if (cell.paper.count("note") > 0) return true;
-  }
-  return false;
-}
-
 std::string noteOf(const StudyCell& cell) {
   const auto found = cell.paper.find("note");
   const auto* text = found == cell.paper.end() ? nullptr : std::get_if<std::string>(&found->second);
@@ -41,7 +34,6 @@ std::string noteOf(const StudyCell& cell) {
 }  // namespace
 
 ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries) {
-  const bool notes = hasNotes(study);
   ReportTable table;
   table.caption =
       "Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.";
@@ -50,7 +42,6 @@ ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summa
     table.columns.push_back({column.title + ", paper", true});
     if (!isSuccess(column)) table.columns.push_back({column.title + ", ours", true});
   }
-  if (notes) table.columns.push_back({"Note on the paper"});
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
     Row row{cell.label, solvedText(summaries[i]), successText(summaries[i])};
@@ -58,8 +49,18 @@ ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summa
       row.push_back(paperText(cell, column));
       if (!isSuccess(column)) row.push_back(spreadText(valueOf(summaries[i], column.quantity)));
     }
-    if (notes) row.push_back(noteOf(cell));
     table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ReportTable notesTable(const Study& study) {
+  ReportTable table;
+  table.columns = {{"Row"}, {"Note on the paper"}};
+  for (const StudyCell& cell : study.cells) {
+    const std::string note = noteOf(cell);
+    const Row row{cell.row, note};
+    if (!note.empty() && (table.rows.empty() || table.rows.back() != row)) table.rows.push_back(row);
   }
   return table;
 }

@@ -451,6 +451,22 @@
         <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
         <translation>Montrer les configurations de passage ; tirer pour en déplacer une, Ctrl+tirer pour la tourner</translation>
     </message>
+    <message>
+        <source>&amp;Open study results...</source>
+        <translation>&amp;Ouvrir les résultats d’une étude...</translation>
+    </message>
+    <message>
+        <source>Browse a study&apos;s tables and plots, and see its runs again</source>
+        <translation>Parcourir les tableaux et les courbes d’une étude, et revoir ses essais</translation>
+    </message>
+    <message>
+        <source>&amp;Report as PDF...</source>
+        <translation>&amp;Rapport en PDF...</translation>
+    </message>
+    <message>
+        <source>Write the report of the study that is open as PDF</source>
+        <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -1118,6 +1134,10 @@
         <source>The scenario has edits that are not saved.</source>
         <translation>Le scénario a des modifications non enregistrées.</translation>
     </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>
@@ -1339,6 +1359,155 @@
     <message>
         <source>moved</source>
         <translation>déplacé</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StudyBrowser</name>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Ending</source>
+        <translation>Issue</translation>
+    </message>
+    <message>
+        <source>Virtual s</source>
+        <translation>s virtuelles</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Aléat.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Constat</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Chiffres</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Double-click a run to see it again, from its seed.</source>
+        <translation>Double-cliquez sur un essai pour le revoir, à partir de sa graine.</translation>
+    </message>
+    <message>
+        <source>&amp;Show this run</source>
+        <translation>&amp;Montrer cet essai</translation>
+    </message>
+    <message>
+        <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
+        <translation>Ouvrir le scénario avec la stratégie, l’opérateur, les paramètres et la graine de l’essai choisi, et le lancer</translation>
+    </message>
+    <message>
+        <source>%1 — study</source>
+        <translation>%1 — étude</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Résolus</translation>
+    </message>
+    <message>
+        <source>Success, 95 %</source>
+        <translation>Succès, 95 %</translation>
+    </message>
+    <message>
+        <source>%1, paper</source>
+        <translation>%1, article</translation>
+    </message>
+    <message>
+        <source>%1, ours</source>
+        <translation>%1, Glissade</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>tient</translation>
+    </message>
+    <message>
+        <source>does not hold</source>
+        <translation>ne tient pas</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>en suspens</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StudyController</name>
+    <message>
+        <source>Open the results of a study</source>
+        <translation>Ouvrir les résultats d’une étude</translation>
+    </message>
+    <message>
+        <source>The study cannot be opened</source>
+        <translation>L’étude ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf)</source>
+        <translation>Documents (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report cannot be written</source>
+        <translation>Le rapport ne peut pas être écrit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of runs could not be read and are left out.</source>
+        <translation>
+            <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
+            <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The run cannot be shown</source>
+        <translation>L’essai ne peut pas être montré</translation>
+    </message>
+    <message>
+        <source>Seed %1 is running in the main window.</source>
+        <translation>La graine %1 tourne dans la fenêtre principale.</translation>
+    </message>
+    <message>
+        <source>Seed %1 ended as in the study: %2 nodes.</source>
+        <translation>La graine %1 a fini comme dans l’étude : %2 nœuds.</translation>
+    </message>
+    <message>
+        <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
+        <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
     </message>
 </context>
 </TS>

@@ -45,6 +45,7 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
 void SessionBridge::startFixed(const FixedRun& run) {
   end();
   fixed_ = true;
+  fixedDeviceId_ = run.deviceId;
   begin({scenario_->problem, run.parameters, run.planner, run.seed, makeDevice(run.deviceId, run.seed)},
         SessionClock::Lockstep);
   post(command::Start{});

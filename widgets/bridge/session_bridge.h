@@ -40,7 +40,8 @@ class SessionBridge final : public QObject {
   void open(const ScenarioPtr& scenario);
   /// Gives the object into other hands (an id of the device registry). Ends a run.
   void setDevice(const std::string& deviceId);
-  const std::string& deviceId() const { return deviceId_; }
+  /// Who holds the object now; of a fixed run its own.
+  const std::string& deviceId() const { return fixed_ ? fixedDeviceId_ : deviceId_; }
 
   /// Starts that run of the open scenario, in lockstep whatever the clock; on screen a timer lets its
   /// time go on. It holds until a scenario is opened or a device chosen.
@@ -75,7 +76,8 @@ class SessionBridge final : public QObject {
   std::unique_ptr<Session> session_;
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
   bool fixed_ = false;                   ///< session_ is a FixedRun
-  QTimer pace_;                          ///< of a fixed run on screen
+  std::string fixedDeviceId_;
+  QTimer pace_;  ///< of a fixed run on screen
 };
 
 }  // namespace glissade

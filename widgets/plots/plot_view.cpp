@@ -26,7 +26,8 @@
 namespace glissade {
 namespace {
 
-constexpr double kReach = 14.0;  ///< pixels within which the pointer finds a point
+constexpr double kReach = 14.0;    ///< pixels within which the pointer finds a point
+constexpr double kMargin = 0.025;  ///< of an axis
 
 /// Labels where the plot's scale has them.
 class TickLabels final : public QwtScaleDraw {
@@ -44,11 +45,12 @@ class TickLabels final : public QwtScaleDraw {
   std::vector<PlotTick> ticks_;
 };
 
-QwtScaleDiv divisionOf(const PlotScale& scale) {
+/// `margin` keeps points at the ends of an axis whole.
+QwtScaleDiv divisionOf(const PlotScale& scale, double margin) {
   QList<double> minor;
   QList<double> major;
   for (const PlotTick& tick : scale.ticks()) (tick.label.empty() ? minor : major).append(tick.position);
-  return QwtScaleDiv(0.0, 1.0, minor, {}, major);
+  return QwtScaleDiv(-margin, 1.0 + margin, minor, {}, major);
 }
 
 QwtSymbol::Style symbolOf(const PlotSeries& series) {
@@ -93,9 +95,10 @@ void PlotView::draw() {
 }
 
 void PlotView::addAxes() {
-  const auto axis = [this](int id, const PlotScale& scale) {
+  const double margin = plot_.kind == PlotKind::Lines ? kMargin : 0.0;
+  const auto axis = [this, margin](int id, const PlotScale& scale) {
     view_->setAxisScaleDraw(id, new TickLabels(scale.ticks()));
-    view_->setAxisScaleDiv(id, divisionOf(scale));
+    view_->setAxisScaleDiv(id, divisionOf(scale, margin));
     QwtText title(QString::fromStdString(scale.title()));
     title.setFont(font());
     view_->setAxisTitle(id, title);

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgRenderer>
+#include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextObjectInterface>
@@ -72,6 +73,7 @@ class Composer {
     const bool titled = hasTitles(table);
     const int rows = static_cast<int>(table.rows.size()) + (titled ? 1 : 0);
     newBlock(0.0, 0.0);
+    cursor_.setBlockCharFormat(font(1.0));  // a table follows a block, which is to be low
     QTextTableFormat format;
     format.setHeaderRowCount(titled ? 1 : 0);
     format.setCellPadding(dots(0.7));
@@ -145,19 +147,28 @@ class Composer {
                        [](const ReportColumn& column) { return !column.title.empty(); });
   }
 
+  /// Goes on in the empty block that follows a table, elsewhere in a new one.
   void newBlock(double above, double below) {
     QTextBlockFormat format;
     format.setTopMargin(above);
     format.setBottomMargin(below);
-    cursor_.insertBlock(format, font(kBodyPoints));
+    if (cursor_.block().length() > 1) cursor_.insertBlock();
+    cursor_.setBlockFormat(format);
+    cursor_.setBlockCharFormat(font(kBodyPoints));
   }
 
+  /// A number keeps to one line, its spread in brackets to another.
   static void fill(const QTextTableCell& cell, const std::string& words, bool number, int weight) {
     QTextCursor cursor = cell.firstCursorPosition();
     QTextBlockFormat block;
     block.setAlignment(number ? Qt::AlignRight : Qt::AlignLeft);
+    QString content = text(words);
+    if (number && weight == QFont::Normal) {
+      block.setNonBreakableLines(true);
+      content.replace(QStringLiteral(" ("), QString(QChar::LineSeparator) + QLatin1Char('('));
+    }
     cursor.setBlockFormat(block);
-    cursor.insertText(text(words), font(kTablePoints, weight));
+    cursor.insertText(content, font(kTablePoints, weight));
   }
 
   void caption(const std::string& words) {

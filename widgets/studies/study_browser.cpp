@@ -27,6 +27,7 @@ QTreeWidget* makeList(const QString& name, const QStringList& columns, QWidget* 
   list->setAlternatingRowColors(true);
   list->setUniformRowHeights(true);
   list->setHeaderLabels(columns);
+  list->header()->setStretchLastSection(false);
   return list;
 }
 
@@ -70,6 +71,9 @@ StudyBrowser::StudyBrowser(QWidget* parent)
   heading_->setWordWrap(true);
   message_->setWordWrap(true);
   message_->setText(tr("Double-click a run to see it again, from its seed."));
+  findings_->setUniformRowHeights(false);
+  findings_->setWordWrap(true);
+  for (const int prose : {1, 3}) findings_->header()->setSectionResizeMode(prose, QHeaderView::Stretch);
   plots_->setDocumentMode(true);
   plots_->setUsesScrollButtons(true);
   auto* open = new QPushButton(tr("&Show this run"), this);
@@ -173,7 +177,6 @@ void StudyBrowser::fillFindings() {
     for (int i = 0; i < findings_->columnCount(); ++i) item->setToolTip(i, item->text(i));
   }
   fitColumns(findings_);
-  findings_->setColumnWidth(1, std::min(findings_->columnWidth(1), 320));
   plots_->addTab(findings_, tr("Findings"));
 }
 
