@@ -226,7 +226,7 @@ class Plotter {
         for (const double y : {point.y, point.low, point.high}) ys.push_back(y);
       }
     }
-    plot.x = along_ ? PlotScale::fitting(titleOf(*along_), xs) : PlotScale::categories("", scenarios_);
+    plot.x = along_ ? PlotScale::fitting(titleOf(*along_), xs) : PlotScale::categories("Scenario", scenarios_);
     if (isShare(column)) {
       plot.y = PlotScale::percentages(column.title + " (%)");
     } else {

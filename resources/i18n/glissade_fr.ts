@@ -668,6 +668,57 @@
     </message>
 </context>
 <context>
+    <name>Plots</name>
+    <message>
+        <source>paper</source>
+        <translation>article</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scénario</translation>
+    </message>
+    <message>
+        <source>Success rate (%)</source>
+        <translation>Taux de succès (%)</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Random configurations (mean)</source>
+        <translation>Configurations aléatoires (moyenne)</translation>
+    </message>
+    <message>
+        <source>Virtual time (s)</source>
+        <translation>Temps virtuel (s)</translation>
+    </message>
+    <message>
+        <source>Random configurations</source>
+        <translation>Configurations aléatoires</translation>
+    </message>
+    <message>
+        <source>Authority α</source>
+        <translation>Autorité α</translation>
+    </message>
+    <message>
+        <source>Contact samples N</source>
+        <translation>Échantillons de contact N</translation>
+    </message>
+    <message>
+        <source>Contact distance d (m)</source>
+        <translation>Distance de contact d (m)</translation>
+    </message>
+</context>
+<context>
     <name>Status</name>
     <message>
         <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
@@ -1388,22 +1439,6 @@
         <translation>Aléat.</translation>
     </message>
     <message>
-        <source>Verdict</source>
-        <translation>Verdict</translation>
-    </message>
-    <message>
-        <source>Finding</source>
-        <translation>Constat</translation>
-    </message>
-    <message>
-        <source>Pairs</source>
-        <translation>Paires</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Chiffres</translation>
-    </message>
-    <message>
         <source>Study</source>
         <translation>Étude</translation>
     </message>
@@ -1448,20 +1483,28 @@
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>holds</source>
-        <translation>tient</translation>
-    </message>
-    <message>
-        <source>does not hold</source>
-        <translation>ne tient pas</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>en suspens</translation>
-    </message>
-    <message>
         <source>Findings</source>
         <translation>Constats</translation>
+    </message>
+    <message>
+        <source>Holds</source>
+        <translation>Tient</translation>
+    </message>
+    <message>
+        <source>Does not hold</source>
+        <translation>Ne tient pas</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>En suspens</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 paires sur %2</translation>
+    </message>
+    <message>
+        <source>The study declares no findings.</source>
+        <translation>L’étude n’énonce pas de constats.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "widgets/plots/plot_view.h"
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QToolTip>
@@ -53,6 +54,9 @@ QwtScaleDiv divisionOf(const PlotScale& scale, double margin) {
   return QwtScaleDiv(-margin, 1.0 + margin, minor, {}, major);
 }
 
+/// The engine's words; names of strategies and titles of a study's columns stay as they are.
+QString translated(const std::string& words) { return QCoreApplication::translate("Plots", words.c_str()); }
+
 QwtSymbol::Style symbolOf(const PlotSeries& series) {
   if (series.ofPaper) return QwtSymbol::Diamond;
   constexpr QwtSymbol::Style kStyles[] = {QwtSymbol::Ellipse, QwtSymbol::Rect, QwtSymbol::UTriangle};
@@ -99,7 +103,7 @@ void PlotView::addAxes() {
   const auto axis = [this, margin](int id, const PlotScale& scale) {
     view_->setAxisScaleDraw(id, new TickLabels(scale.ticks()));
     view_->setAxisScaleDiv(id, divisionOf(scale, margin));
-    QwtText title(QString::fromStdString(scale.title()));
+    QwtText title(translated(scale.title()));
     title.setFont(font());
     view_->setAxisTitle(id, title);
     view_->setAxisFont(id, font());
@@ -134,12 +138,13 @@ void PlotView::addBars(const PlotSeries& series, bool inLegend) {
     QFont small = font();
     small.setPointSizeF(0.75 * small.pointSizeF());
     text.setFont(small);
+    text.setColor(palette().color(QPalette::Text));
     mark->setLabel(text);
     mark->setLabelAlignment(Qt::AlignTop);
     mark->setValue(place.x(), std::clamp(plot_.y.position(std::max(point.high, point.y)), 0.0, 1.0));
     mark->attach(view_);
   }
-  auto* histogram = new QwtPlotHistogram(QString::fromStdString(series.name));
+  auto* histogram = new QwtPlotHistogram(translated(series.name));
   histogram->setBrush(colourOf(series));
   histogram->setPen(QPen(Qt::NoPen));
   histogram->setSamples(bars);
@@ -151,7 +156,7 @@ void PlotView::addPoints(const PlotSeries& series, bool inLegend) {
   QPolygonF points;
   for (const PlotPoint& point : series.points) points << placeOf(series, point);
   const QColor colour = colourOf(series);
-  auto* curve = new QwtPlotCurve(QString::fromStdString(series.name));
+  auto* curve = new QwtPlotCurve(translated(series.name));
   curve->setRenderHint(QwtPlotItem::RenderAntialiased);
   curve->setPen(colour, series.ofPaper ? 1.4 : 1.8, series.ofPaper ? Qt::DashLine : Qt::SolidLine);
   if (plot_.kind == PlotKind::Bars) curve->setStyle(QwtPlotCurve::NoCurve);

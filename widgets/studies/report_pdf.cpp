@@ -28,9 +28,14 @@ constexpr int kPlotObject = QTextFormat::UserObject + 1;
 constexpr int kSvg = QTextFormat::UserProperty + 1;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
+constexpr double kPictureShare = 0.46;  ///< of the width of a page
+constexpr int kLongestLabel = 28;       ///< characters of a row's label that stay on one line
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 double dots(double millimetres) { return millimetres / 25.4 * kDotsPerInch; }
+/// Text formats count in pixels of a screen and are scaled to the paper.
+constexpr double kScreenDotsPerInch = 96.0;
+double pixels(double millimetres) { return millimetres / 25.4 * kScreenDotsPerInch; }
 
 /// An SVG as wide as the page, as one character of the text.
 class PlotObject final : public QObject, public QTextObjectInterface {
@@ -59,13 +64,21 @@ class Composer {
     cursor_.insertText(text(words));
   }
 
+  /// Figures are large: their heading begins a page, or it might stay behind alone.
+  void beforeFigures(const ReportHeading& heading) {
+    (*this)(heading);
+    QTextBlockFormat format = cursor_.blockFormat();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    cursor_.setBlockFormat(format);
+  }
+
   void operator()(const ReportHeading& heading) {
-    newBlock(dots(6.0), dots(2.0));
+    newBlock(pixels(6.0), pixels(2.0));
     cursor_.insertText(text(heading.text), font(12.0, QFont::Bold));
   }
 
   void operator()(const ReportText& words) {
-    newBlock(dots(1.0), dots(2.0));
+    newBlock(pixels(1.0), pixels(2.0));
     cursor_.insertText(text(words.text), font(kBodyPoints));
   }
 
@@ -76,9 +89,10 @@ class Composer {
     cursor_.setBlockCharFormat(font(1.0));  // a table follows a block, which is to be low
     QTextTableFormat format;
     format.setHeaderRowCount(titled ? 1 : 0);
-    format.setCellPadding(dots(0.7));
+    format.setCellPadding(pixels(0.7));
     format.setCellSpacing(0.0);
     format.setBorder(1.0);
+    format.setBottomMargin(pixels(table.caption.empty() ? 4.0 : 0.0));
     format.setBorderCollapse(true);
     format.setBorderBrush(QColor(0xc9, 0xd0, 0xd8));
     format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
@@ -102,7 +116,7 @@ class Composer {
   }
 
   void operator()(const Plot& plot) {
-    newBlock(dots(2.0), 0.0);
+    newBlock(pixels(2.0), 0.0);
     QTextCharFormat object;
     object.setObjectType(kPlotObject);
     object.setProperty(kSvg, QByteArray::fromStdString(svgPlot(plot)));
@@ -113,13 +127,14 @@ class Composer {
   void operator()(const ReportPicture& picture) {
     const QImage image(text(picture.file));
     if (image.isNull()) return;
-    newBlock(dots(2.0), 0.0);
+    newBlock(pixels(2.0), 0.0);
     QTextImageFormat format;
     const QString name = QStringLiteral("picture:") + text(picture.file);
     cursor_.document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
     format.setName(name);
-    format.setWidth(0.8 * width_);
-    format.setHeight(0.8 * width_ * image.height() / image.width());
+    const double width = kPictureShare * width_ * kScreenDotsPerInch / kDotsPerInch;
+    format.setWidth(width);
+    format.setHeight(width * image.height() / image.width());
     cursor_.insertImage(format);
     caption(picture.caption);
   }
@@ -163,8 +178,9 @@ class Composer {
     QTextBlockFormat block;
     block.setAlignment(number ? Qt::AlignRight : Qt::AlignLeft);
     QString content = text(words);
+    const bool isLabel = cell.column() == 0 && content.size() <= kLongestLabel;
+    if (weight == QFont::Normal && (number || isLabel)) block.setNonBreakableLines(true);
     if (number && weight == QFont::Normal) {
-      block.setNonBreakableLines(true);
       content.replace(QStringLiteral(" ("), QString(QChar::LineSeparator) + QLatin1Char('('));
     }
     cursor.setBlockFormat(block);
@@ -173,7 +189,7 @@ class Composer {
 
   void caption(const std::string& words) {
     if (words.empty()) return;
-    newBlock(dots(1.0), dots(3.0));
+    newBlock(pixels(1.0), pixels(3.0));
     QTextCharFormat soft = font(7.0);
     soft.setForeground(QColor(0x5b, 0x64, 0x6e));
     cursor_.insertText(text(words), soft);
@@ -182,6 +198,10 @@ class Composer {
   QTextCursor cursor_;
   double width_;
 };
+
+bool isFigure(const ReportBlock& block) {
+  return std::holds_alternative<Plot>(block) || std::holds_alternative<ReportPicture>(block);
+}
 
 void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer) {
   const QSizeF page = document.pageSize();
@@ -228,7 +248,14 @@ Outcome writeReportPdf(const StudyReport& report, const QString& file) {
   document.setPageSize({static_cast<double>(writer.width()), writer.height() - dots(kFooterMm)});
   Composer composer(document);
   composer.title(report.title);
-  for (const ReportBlock& block : report.blocks) std::visit(composer, block);
+  for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+    const auto* heading = std::get_if<ReportHeading>(&report.blocks[i]);
+    if (heading != nullptr && i + 1 < report.blocks.size() && isFigure(report.blocks[i + 1])) {
+      composer.beforeFigures(*heading);
+    } else {
+      std::visit(composer, report.blocks[i]);
+    }
+  }
   drawPages(document, text(report.title), writer);
   if (QFile(file).size() > 0) return Done{};
   return Diagnostic{ErrorKind::Internal, file.toStdString(), "", "the PDF cannot be written", "Check the folder."};

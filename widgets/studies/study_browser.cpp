@@ -1,10 +1,12 @@
 #include "widgets/studies/study_browser.h"
 
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTabWidget>
+#include <QTextBrowser>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -49,6 +51,11 @@ QString spread(const std::optional<CellValue>& value) {
       .arg(text(shortNumber(value->value)), text(shortNumber(value->low)), text(shortNumber(value->high)));
 }
 
+QString verdictText(Verdict verdict) {
+  if (verdict == Verdict::Holds) return StudyBrowser::tr("Holds");
+  return verdict == Verdict::Refuted ? StudyBrowser::tr("Does not hold") : StudyBrowser::tr("Open");
+}
+
 QString numberText(const RunResult& result, const char* column) {
   for (std::size_t i = 0; i < kResultColumnCount; ++i) {
     if (resultColumns()[i].name == column && result.numbers[i]) return text(shortNumber(*result.numbers[i]));
@@ -65,15 +72,12 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       cells_(makeList(QStringLiteral("cells"), {}, this)),
       runs_(makeList(QStringLiteral("runs"),
                      {tr("Seed"), tr("Ending"), tr("Virtual s"), tr("Nodes"), tr("Edges"), tr("Random")}, this)),
-      findings_(makeList(QStringLiteral("findings"), {tr("Verdict"), tr("Finding"), tr("Pairs"), tr("Numbers")}, this)),
+      findings_(new QTextBrowser(this)),
       plots_(new QTabWidget(this)) {
   setWindowTitle(tr("Study"));
   heading_->setWordWrap(true);
   message_->setWordWrap(true);
-  message_->setText(tr("Double-click a run to see it again, from its seed."));
-  findings_->setUniformRowHeights(false);
-  findings_->setWordWrap(true);
-  for (const int prose : {1, 3}) findings_->header()->setSectionResizeMode(prose, QHeaderView::Stretch);
+  findings_->setFrameShape(QFrame::NoFrame);
   plots_->setDocumentMode(true);
   plots_->setUsesScrollButtons(true);
   auto* open = new QPushButton(tr("&Show this run"), this);
@@ -122,6 +126,7 @@ void StudyBrowser::show(const StudyFolder& folder, Warnings& warnings) {
   fillPlots();
   fillFindings();
   selectCell(0);
+  setMessage(tr("Double-click a run to see it again, from its seed."));
   QWidget::show();
   raise();
 }
@@ -158,25 +163,22 @@ void StudyBrowser::fillPlots() {
   for (const Plot& plot : plotsOf(folder_->plan().study, summaries_)) {
     auto* view = new PlotView(plot, plots_);
     connect(view, &PlotView::cellPicked, this, [this](int cell) { selectCell(cell); });
-    const int tab = plots_->addTab(view, text(plot.y.title()));
+    const int tab = plots_->addTab(view, QCoreApplication::translate("Plots", plot.y.title().c_str()));
     plots_->setTabToolTip(tab, text(plot.title + ". " + plot.caption));
   }
 }
 
 void StudyBrowser::fillFindings() {
   const Study& study = folder_->plan().study;
-  findings_->clear();
+  QString html;
   for (const Finding& finding : study.heading.findings) {
     const CheckedFinding checked = check(finding, study, summaries_);
-    const QString verdict = checked.verdict == Verdict::Holds     ? tr("holds")
-                            : checked.verdict == Verdict::Refuted ? tr("does not hold")
-                                                                  : tr("open");
-    auto* item = new QTreeWidgetItem(
-        findings_, {verdict, text(finding.text), tr("%1 of %2").arg(checked.agreeing).arg(checked.compared),
-                    text(checked.numbers)});
-    for (int i = 0; i < findings_->columnCount(); ++i) item->setToolTip(i, item->text(i));
+    html += QStringLiteral("<p>%1<br><b>%2</b>, %3. %4</p>")
+                .arg(text(finding.text).toHtmlEscaped(), verdictText(checked.verdict),
+                     tr("%1 of %2 pairs").arg(checked.agreeing).arg(checked.compared),
+                     text(checked.numbers).toHtmlEscaped());
   }
-  fitColumns(findings_);
+  findings_->setHtml(html.isEmpty() ? tr("The study declares no findings.") : html);
   plots_->addTab(findings_, tr("Findings"));
 }
 

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QTabWidget;
+class QTextBrowser;
 class QTreeWidget;
 
 namespace glissade {
@@ -50,7 +51,7 @@ class StudyBrowser final : public QWidget {
   QLabel* message_;
   QTreeWidget* cells_;
   QTreeWidget* runs_;
-  QTreeWidget* findings_;
+  QTextBrowser* findings_;
   QTabWidget* plots_;
 };
 
