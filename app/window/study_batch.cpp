@@ -25,6 +25,13 @@ std::optional<double> numberOf(const RunOutcome& outcome, const char* column) {
   return std::nullopt;
 }
 
+/// With leading zeros, so that their order by name is that of the cells.
+std::string pictureName(const StudyFolder& folder, std::size_t cell) {
+  const std::string number = std::to_string(cell + 1);
+  const std::string last = std::to_string(folder.plan().study.cells.size());
+  return folder.file("pictures/cell" + std::string(last.size() - number.size(), '0') + number);
+}
+
 /// The solved run with the median of nodes; of an even number the smaller of the middle ones.
 std::optional<StudyRun> typicalRun(std::size_t cell, const StudyResults& results) {
   std::vector<std::pair<double, StudyRun>> solved;
@@ -54,7 +61,7 @@ std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun&
   }
   window.scene().view().fit();
   QApplication::processEvents();
-  const std::string name = folder.file("pictures/cell" + std::to_string(run.cell + 1));
+  const std::string name = pictureName(folder, run.cell);
   if (!window.scene().picture().save(QString::fromStdString(name + ".png"))) {
     return Diagnostic{ErrorKind::Internal, name + ".png", "", "the picture cannot be saved", "Check the folder."};
   }
@@ -83,7 +90,7 @@ std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& win
     const auto run = typicalRun(cell, results);
     if (!run) continue;
     if (const auto why = takePicture(*folder, *run, results.at(*run), window)) return why;
-    std::cout << folder->file("pictures/cell" + std::to_string(cell + 1) + ".png") << std::endl;
+    std::cout << pictureName(*folder, cell) << ".png" << std::endl;
   }
   return std::nullopt;
 }

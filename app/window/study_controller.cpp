@@ -96,6 +96,7 @@ std::optional<Diagnostic> StudyController::show(const StudyRun& run) {
   shown_.reset();
   if (const auto why = startRun(*browser_->folder(), run)) return why;
   shown_ = run;
+  browser_->selectCell(static_cast<int>(run.cell));
   browser_->setMessage(tr("Seed %1 is running in the main window.").arg(run.seed));
   window_.activateWindow();
   window_.raise();

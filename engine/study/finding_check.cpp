@@ -104,7 +104,7 @@ class Check {
     } else if (!missing_.empty()) {
       result_.numbers += (result_.numbers.empty() ? "" : "; ") + missing_;
     } else {
-      result_.numbers = "its rows are not part of this size of the study";
+      result_.numbers = "Its rows are not part of this size of the study";
     }
     return result_;
   }

@@ -193,7 +193,7 @@ class Plotter {
   PlotSeries paperSeries(const StudyCell& cell, const Plot& plot) const {
     PlotSeries series;
     series.ofPaper = true;
-    series.name = severalStrategies_ && along_ ? "paper, " + cell.strategy : "paper";
+    series.name = "paper";
     if (along_) return series;
     const std::string beside = seriesName(cell);
     for (const PlotSeries& ours : plot.series) {

@@ -2,7 +2,6 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QFile>
-#include <QFontDatabase>
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
@@ -141,8 +140,8 @@ class Composer {
 
   void operator()(const ReportCommands& commands) {
     QTextCharFormat fixed = font(6.5);
-    fixed.setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-    fixed.setFontPointSize(6.5);
+    fixed.setFontFamily(QStringLiteral("DejaVu Sans Mono"));
+    fixed.setFontFixedPitch(true);
     for (const std::string& line : commands.lines) {
       newBlock(0.0, 0.0);
       cursor_.insertText(text(line), fixed);
