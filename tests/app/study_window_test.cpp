@@ -1,8 +1,12 @@
 // Studies in the window: the browser, a run shown again, pictures, PDF, and the page that the command
 // line writes.
+#include <QTest>
+#include <QTreeWidget>
 #include <QXmlStreamReader>
 
 #include "tests/app/window_fixture.h"
+#include "widgets/plots/plot_view.h"
+#include "widgets/studies/study_browser.h"
 
 namespace glissade::test {
 namespace {
@@ -62,6 +66,46 @@ TEST_F(StudyWindow, ARunIsShownAgainAndEndsAsInTheStudy) {
                                        .arg(out(), picture));
   EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
   EXPECT_EQ(QImage(picture).size(), QSize(1280, 720));
+}
+
+TEST_F(StudyWindow, TheBrowserHasEveryCellAndAsksForTheRunThatIsDoubleClicked) {
+  const auto study = StudyFolder::open(out().toStdString());
+  ASSERT_TRUE(study.ok());
+  Warnings warnings;
+  StudyBrowser browser(nullptr);
+  browser.show(*study, warnings);
+  EXPECT_EQ(browser.findChild<QTreeWidget*>(QStringLiteral("cells"))->topLevelItemCount(), 4);
+  ASSERT_TRUE(browser.selectCell(2));
+  EXPECT_FALSE(browser.selectCell(4));
+  auto* runs = browser.findChild<QTreeWidget*>(QStringLiteral("runs"));
+  ASSERT_EQ(runs->topLevelItemCount(), 2);
+  std::vector<StudyRun> wanted;
+  QObject::connect(&browser, &StudyBrowser::runWanted, [&](const StudyRun& run) { wanted.push_back(run); });
+  const QPoint second = runs->visualItemRect(runs->topLevelItem(1)).center();
+  QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, second);
+  QTest::mouseDClick(runs->viewport(), Qt::LeftButton, {}, second);
+  ASSERT_EQ(wanted.size(), 1U);
+  EXPECT_EQ(wanted.front().cell, 2U);
+  EXPECT_EQ(wanted.front().seed, 2U);
+}
+
+TEST_F(StudyWindow, AClickOnAPointOfAPlotPicksItsCell) {
+  Plot plot;
+  plot.x = PlotScale::linear("x", {0.0, 10.0});
+  plot.y = PlotScale::linear("y", {0.0, 10.0});
+  plot.series = {{"ours", false, 0, 0.0, {{5.0, 5.0, 5.0, 5.0, "", "a point", 7}}}};
+  PlotView view(plot);
+  view.resize(400, 300);
+  view.show();
+  QCoreApplication::processEvents();
+  std::vector<int> picked;
+  QObject::connect(&view, &PlotView::cellPicked, [&](int cell) { picked.push_back(cell); });
+  auto* canvas = view.findChild<QFrame*>(QStringLiteral("canvas"));
+  ASSERT_NE(canvas, nullptr);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, {5, 5});
+  EXPECT_TRUE(picked.empty());
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
+  EXPECT_EQ(picked, std::vector<int>{7});
 }
 
 TEST_F(StudyWindow, WhatIsNotThereIsSaid) {

@@ -71,6 +71,7 @@ PlotView::PlotView(const Plot& plot, QWidget* parent) : QWidget(parent), plot_(p
   layout->addWidget(view_);
   auto* canvas = new QwtPlotCanvas(view_);
   canvas->setFrameStyle(QFrame::NoFrame);
+  canvas->setObjectName(QStringLiteral("canvas"));
   canvas->setMouseTracking(true);
   canvas->installEventFilter(this);
   view_->setCanvas(canvas);
