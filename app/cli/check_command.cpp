@@ -50,8 +50,9 @@ int runCheck(const CheckOptions& options) {
   const std::vector<Pose> path = configurations(*points);
   const double required =
       options.requiredClearance > 0.0 ? options.requiredClearance : loaded->parameters[ParameterId::RequiredClearance];
-  const auto query = problem.world->makeQuery();
-  const MotionCertificate certificate = certifyPath(*query, problem.world->object(), path, required);
+  // Planners use the kernel: the judge does not.
+  const auto query = problem.world->withBackend(CollisionBackend::Fcl)->makeQuery();
+  const MotionCertificate certificate = certifyPath(*query, path, required);
   const Ends ends = endsOf(path, problem);
   const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal;
 

@@ -40,8 +40,7 @@ int convertPath(const ConvertOptions& options) {
   const auto scenario = loadScenario(options.scenario);
   if (!scenario) return reportError(scenario.error(), options.format);
   const auto query = scenario->problem.world->makeQuery();
-  path.certificate = certifyPath(*query, scenario->problem.world->object(), path.configurations(),
-                                 scenario->parameters[ParameterId::RequiredClearance]);
+  path.certificate = certifyPath(*query, path.configurations(), scenario->parameters[ParameterId::RequiredClearance]);
   if (endsWith(options.output, ".json")) {
     return finish(writePathJson(path, *scenario, {}, options.output), options);
   }

@@ -5,11 +5,13 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <map>
 
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/plan_command.h"
+#include "app/cli/replay_command.h"
 #include "app/cli/study_command.h"
 
 namespace {
@@ -42,6 +44,10 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
   plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
   plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
+  const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
+                                                         {"fcl", CollisionBackend::Fcl}};
+  plan->add_option("--collision", options.collision, "Who answers for collisions: kernel or fcl (default: kernel)")
+      ->transform(CLI::CheckedTransformer(backends));
   plan->add_option("--operator", options.operatorName,
                    "Who holds the device: none, novice, default, expert or replay:FILE");
   addParameters(*plan, options.parameters);
@@ -105,18 +111,28 @@ CLI::App* addReport(CLI::App& app, ReportOptions& options) {
   return report;
 }
 
+CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
+  CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
+  replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was cut off")->required();
+  replay->add_option("--scenario", options.scenario, "Scenario of the run (default: the one that the record names)");
+  addFormat(*replay, options.format);
+  return replay;
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Glissade: certified motions for virtual assembly"};
   app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
   app.require_subcommand(1);
   PlanOptions plan;
   CheckOptions check;
+  ReplayOptions replay;
   InfoOptions info;
   ConvertOptions convert;
   StudyOptions study;
   MergeOptions merge;
   ReportOptions report;
   const CLI::App* planCommand = addPlan(app, plan);
+  const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* studyCommand = addStudy(app, study);
@@ -129,6 +145,7 @@ int run(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : exitCode(ErrorKind::Usage);
   }
   if (planCommand->parsed()) return runPlan(plan);
+  if (replayCommand->parsed()) return runReplay(replay);
   if (checkCommand->parsed()) return runCheck(check);
   if (infoCommand->parsed()) return runInfo(info);
   if (studyCommand->parsed()) return runStudyCommand(study);

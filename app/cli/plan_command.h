@@ -10,7 +10,8 @@ namespace glissade::cli {
 
 struct PlanOptions {
   std::string scenario;
-  std::optional<std::string> strategy;       ///< planner id; the scenario's where absent
+  std::optional<std::string> strategy;  ///< planner id; the scenario's where absent
+  CollisionBackend collision = CollisionBackend::Kernel;
   std::string operatorName = "none";         ///< none, novice, default, expert or replay:FILE
   std::map<ParameterId, double> parameters;  ///< what overrides the scenario's
   std::optional<std::uint64_t> seed;

@@ -2,10 +2,13 @@
 
 #include <glissade/version.h>
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "engine/base/file.h"
+#include "engine/scenario/author_names.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
@@ -56,16 +59,38 @@ Json toJson(const CoarsePlan& plan) {
           {"steps", steps}};
 }
 
+/// {"computer": ..., "operator": ..., "contact": ...}
+template <class T>
+Json byAuthor(const PerAuthor<T>& values) {
+  Json json;
+  for (const Author author : {Author::Computer, Author::Operator, Author::Contact}) {
+    json[authorName(author)] = values[static_cast<std::size_t>(author)];
+  }
+  return json;
+}
+
+/// Of the path's metric length.
+PerAuthor<double> pathShares(const Path& path, const CollisionWorld& world) {
+  PerAuthor<double> shares = path.lengthByAuthor(Se3Metric(world.objectRadius()));
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share = sum > 0.0 ? share / sum : 0.0;
+  return shares;
+}
+
+std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
+
 Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
   const PlannerCounts& counts = end.counts;
   Json report;
   report["solved"] = end.state == SessionState::Solved;
   report["status"] = status(end);
   report["strategy"] = end.plannerId;
+  if (!end.member.empty()) report["member"] = end.member;
   report["wall_s"] = end.planningSeconds;
   report["planning_s"] = end.planningSeconds;
   report["virtual_s"] = end.virtualSeconds;
   report["nodes"] = counts.nodes;
+  report["nodes_by_author"] = byAuthor(end.nodesByAuthor);
   report["edges"] = counts.edges;
   report["dropped_edges"] = counts.droppedEdges;
   report["iterations"] = counts.iterations;
@@ -79,9 +104,11 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
     report["path"] = {{"configurations", end.path->points.size()},
                       {"length_m", end.path->length()},
                       {"rotation_rad", end.path->rotation()}};
+    report["path_share_by_author"] = byAuthor(pathShares(*end.path, world));
     report["certificate"] = cli::toJson(end.path->certificate, world);
   } else {
     report["path"] = nullptr;
+    report["path_share_by_author"] = nullptr;
     report["certificate"] = nullptr;
   }
   if (end.coarsePlan) report["coarse_plan"] = toJson(*end.coarsePlan);
@@ -96,11 +123,14 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
 
 void printText(const SessionSnapshot& end, const CollisionWorld& world) {
   const PlannerCounts& counts = end.counts;
-  std::cout << status(end) << " by " << end.plannerId << " after " << counts.steps << " steps (" << end.virtualSeconds
-            << " s virtual, " << end.planningSeconds << " s of planning)\n"
+  std::cout << status(end) << " by " << end.plannerId << (end.member.empty() ? "" : " (" + end.member + ")")
+            << " after " << counts.steps << " steps (" << end.virtualSeconds << " s virtual, " << end.planningSeconds
+            << " s of planning)\n"
             << "nodes " << counts.nodes << ", edges " << counts.edges << ", configurations: random "
             << counts.randomConfigurations << ", operator " << counts.operatorConfigurations << ", contact "
-            << counts.contactConfigurations << "\n";
+            << counts.contactConfigurations << "\n"
+            << "nodes by the computer " << end.nodesByAuthor[0] << ", the operator " << end.nodesByAuthor[1]
+            << ", contact " << end.nodesByAuthor[2] << "\n";
   if (end.coarsePlan) {
     std::cout << "coarse path " << end.coarsePlan->attempt << ":\n";
     for (const TopologicalStep& step : end.coarsePlan->steps) {
@@ -112,6 +142,9 @@ void printText(const SessionSnapshot& end, const CollisionWorld& world) {
   std::cout << "path of " << end.path->points.size() << " configurations, " << end.path->length() << " m, "
             << end.path->rotation() << " rad\n"
             << inWords(end.path->certificate, world) << "\n";
+  const PerAuthor<double> shares = pathShares(*end.path, world);
+  std::cout << "of its length by the computer " << percent(shares[0]) << ", the operator " << percent(shares[1])
+            << ", contact " << percent(shares[2]) << "\n";
 }
 
 int exitCodeOf(const SessionSnapshot& end) {
@@ -134,23 +167,9 @@ Outcome writePath(const PlanOptions& options, const LoadedScenario& scenario, co
 }
 
 Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
-  RunRecord record;
-  record.scenario = options.scenario;
-  record.scenarioSha256 = sha256(writeScenario(scenario.scenario));
-  record.planner = end.plannerId;
-  record.seed = end.seed;
-  record.hadOperator = options.operatorName != "none";
-  record.nodes = end.counts.nodes;
-  if (end.log) {
-    for (const ParameterSpec& spec : parameterTable()) {
-      record.parameters[spec.id] = end.log->initialParameters[spec.id];
-    }
-    for (const auto& change : end.log->parameterChanges) {
-      record.parameterChanges.push_back({change.step, change.id, change.value});
-    }
-    for (const auto& seen : end.log->operatorStream) record.operatorStream.push_back({seen.step, seen.q_device});
-  }
-  return writeRunRecord(record, options.record);
+  const auto record = makeRunRecord(scenario, joined(end.log));
+  if (!record) return record.error();
+  return writeRunRecord(*record, options.record);
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "app/cli/run_setup.h"
 
 #include "engine/operator/device_registry.h"
-#include "engine/operator/recorded_device.h"
+#include "engine/scenario/run_record.h"
+#include "engine/session/replay_session.h"
 
 namespace glissade::cli {
 namespace {
@@ -23,14 +24,32 @@ Outcome setAll(const std::map<ParameterId, double>& values, ParameterValues& par
   return Done{};
 }
 
-Outcome useRecord(const RunRecord& record, RunSetup& setup) {
-  const Outcome parameters = setAll(record.parameters, setup.config.parameters);
-  if (!parameters) return parameters;
-  setup.config.seed = record.seed;
-  setup.config.plannerId = record.planner;
-  setup.parameterChanges = record.parameterChanges;
-  if (record.hadOperator) setup.config.device = std::make_unique<RecordedDevice>(record.operatorStream);
-  return Done{};
+Outcome checkPlanner(const std::string& id) {
+  if (makePlannerRegistry().find(id) != nullptr) return Done{};
+  return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + id + "'",
+                    "See 'glissade-cli plan --help' for those there are."};
+}
+
+/// The recorded run again, or with what the options change.
+Result<std::unique_ptr<LockstepSession>> setUpReplay(const PlanOptions& options, const LoadedScenario& scenario,
+                                                     const std::string& file, const StopToken& stop) {
+  const auto record = readRunRecord(file);
+  if (!record) return record.error();
+  auto log = replayLog(*record, scenario, file);
+  if (!log) return log.error();
+  ParameterValues trial = log->start.parameters;
+  const Outcome parameters = setAll(options.parameters, trial);
+  if (!parameters) return parameters.error();
+  for (const auto& [id, value] : options.parameters) overrideParameter(id, value, *log);
+  if (options.seed) log->start.seed = *options.seed;
+  if (options.strategy) log->start.planner = *options.strategy;
+  const Outcome planner = checkPlanner(log->start.planner);
+  if (!planner) return planner.error();
+  const auto problem = withRecordedKnowledge(scenario.problem, *log, stop);
+  if (!problem) return problem.error();
+  const bool another = !options.parameters.empty() || options.seed || options.strategy;
+  return std::unique_ptr<LockstepSession>(makeReplaySession(*problem, std::make_shared<const RunLog>(std::move(*log)),
+                                                            another ? ReplayEnd::GoOn : ReplayEnd::WithTheLog));
 }
 
 Diagnostic unknownOperator(const std::string& name) {
@@ -45,33 +64,27 @@ Diagnostic unknownOperator(const std::string& name) {
 
 }  // namespace
 
-Result<RunSetup> setUpRun(const PlanOptions& options, const LoadedScenario& scenario) {
-  RunSetup setup{{scenario.problem, scenario.parameters, scenario.scenario.planner, scenario.scenario.seed, nullptr},
-                 {}};
+Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, const LoadedScenario& scenario,
+                                                  const StopToken& stop) {
   const std::string& name = options.operatorName;
-  const bool replays = name.rfind(kReplay, 0) == 0;
-  if (replays) {
-    const auto record = readRunRecord(name.substr(std::string(kReplay).size()));
-    if (!record) return record.error();
-    const Outcome used = useRecord(*record, setup);
-    if (!used) return used.error();
-  }
-  const Outcome parameters = setAll(options.parameters, setup.config.parameters);
+  const std::string replay = kReplay;
+  if (name.rfind(replay, 0) == 0) return setUpReplay(options, scenario, name.substr(replay.size()), stop);
+
+  SessionConfig config{scenario.problem, scenario.parameters, scenario.scenario.planner, scenario.scenario.seed,
+                       nullptr};
+  const Outcome parameters = setAll(options.parameters, config.parameters);
   if (!parameters) return parameters.error();
-  if (options.seed) setup.config.seed = *options.seed;
-  if (options.strategy) setup.config.plannerId = *options.strategy;
-  const PlannerRegistry planners = makePlannerRegistry();
-  if (planners.find(setup.config.plannerId) == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + setup.config.plannerId + "'",
-                      "See 'glissade-cli plan --help' for those there are."};
-  }
-  if (replays || name == "none") return setup;
+  if (options.seed) config.seed = *options.seed;
+  if (options.strategy) config.plannerId = *options.strategy;
+  const Outcome planner = checkPlanner(config.plannerId);
+  if (!planner) return planner.error();
+  if (name == "none") return makeLockstepSession(std::move(config));
 
   const DeviceRegistry registry = makeDeviceRegistry();
   const DeviceEntry* entry = registry.find(name);
   if (entry == nullptr || !entry->simulated) return unknownOperator(name);
-  setup.config.device = entry->make({routeOf(scenario), scenario.problem.metric(), setup.config.seed, nullptr});
-  return setup;
+  config.device = entry->make({routeOf(scenario), scenario.problem.metric(), config.seed, nullptr});
+  return makeLockstepSession(std::move(config));
 }
 
 }  // namespace glissade::cli

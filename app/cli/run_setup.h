@@ -1,18 +1,13 @@
 #pragma once
 
-#include <vector>
-
 #include "app/cli/plan_command.h"
-#include "engine/scenario/run_record.h"
+#include "engine/session/session.h"
 
 namespace glissade::cli {
 
-/// What a run needs, from scenario, options and (for replay) a run record. The options win over the
-/// record, the record over the scenario.
-struct RunSetup {
-  SessionConfig config;
-  std::vector<RunRecord::ParameterChange> parameterChanges;  ///< of the record, ascending steps
-};
-Result<RunSetup> setUpRun(const PlanOptions& options, const LoadedScenario& scenario);
+/// The session that a run needs, from scenario, options and (for replay) a run record. The options
+/// win over the record, the record over the scenario.
+Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, const LoadedScenario& scenario,
+                                                  const StopToken& stop);
 
 }  // namespace glissade::cli

@@ -49,7 +49,7 @@ std::size_t width(const std::string& text) {
 ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), last_(Clock::now()) {}
 
 void ProgressLine::show(const StudyProgress& progress) {
-  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
+  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10000);
   const bool last = progress.done == progress.planned;
   if (shown_ && !last && Clock::now() - last_ < pause) return;
   shown_ = true;

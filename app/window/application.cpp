@@ -7,6 +7,7 @@
 #include <QCommandLineParser>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QStandardPaths>
 #include <QTranslator>
 
 #include <clocale>
@@ -112,6 +113,10 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   window.show();
   QApplication::processEvents();
+  if (!batch) {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    window.keepJournals(data + QStringLiteral("/recordings"));
+  }
   if (parser.isSet("script")) {
     const int status = runScript(parser.value("script").toStdString(), window);
     if (status != 0) return status;

@@ -110,6 +110,31 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
        }},
+      {"replay.play",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
+       }},
+      {"replay.step",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{3, 2}, {11, 8}, {3, 14}}));
+         p.fillRect(QRectF(11, 2.5, 2.5, 11), p.pen().color());
+       }},
+      {"replay.step-back",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{13, 2}, {5, 8}, {13, 14}}));
+         p.fillRect(QRectF(2.5, 2.5, 2.5, 11), p.pen().color());
+       }},
+      {"replay.to-start",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{14, 2}, {8.5, 8}, {14, 14}}));
+         fill(p, QPolygonF({{9, 2}, {3.5, 8}, {9, 14}}));
+         p.fillRect(QRectF(1.5, 2.5, 2, 11), p.pen().color());
+       }},
+      {"replay.close",
+       [](QPainter& p) {
+         p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 12.5));
+         p.drawLine(QPointF(12.5, 3.5), QPointF(3.5, 12.5));
+       }},
       {"view.fit",
        [](QPainter& p) {
          for (const auto& [x, y, dx, dy] : {std::tuple{2, 2, 1, 1}, {14, 2, -1, 1}, {14, 14, -1, -1}, {2, 14, 1, -1}}) {

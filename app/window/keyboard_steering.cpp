@@ -12,7 +12,7 @@ constexpr double kSlow = 0.25;
 /// What a key deflects: axis 0-2 translation x y z, 3-5 rotation x y z, of the view.
 struct KeyAxis {
   int key;
-  int axis;
+  std::size_t axis;
   double direction;
 };
 
@@ -38,7 +38,7 @@ bool steers(int key) {
 
 }  // namespace
 
-KeyboardSteering::KeyboardSteering(DeflectionMailbox& keys, QObject* parent) : QObject(parent), keys_(keys) {}
+KeyboardSteering::KeyboardSteering(InputMailbox& keys, QObject* parent) : QObject(parent), keys_(keys) {}
 
 QString KeyboardSteering::keyTable() {
   const auto row = [](const QString& keys, const QString& meaning) {
@@ -78,13 +78,11 @@ bool KeyboardSteering::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void KeyboardSteering::publish() {
-  Deflection deflection;
+  RawAxes axes{};
   for (const KeyAxis& entry : kKeys) {
-    if (!pressed_.contains(entry.key)) continue;
-    Vector3& axes = entry.axis < 3 ? deflection.translation : deflection.rotation;
-    axes[entry.axis % 3] += entry.direction * (slow_ ? kSlow : 1.0);
+    if (pressed_.contains(entry.key)) axes[entry.axis] += entry.direction * (slow_ ? kSlow : 1.0);
   }
-  keys_.set(deflection);
+  keys_.setAxes(axes);
 }
 
 }  // namespace glissade

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QSet>
 
-#include "engine/operator/keyboard_device.h"
+#include "engine/operator/input_mailbox.h"
 
 namespace glissade {
 
@@ -16,7 +16,7 @@ class KeyboardSteering final : public QObject {
   Q_OBJECT
 
  public:
-  KeyboardSteering(DeflectionMailbox& keys, QObject* parent);
+  KeyboardSteering(InputMailbox& keys, QObject* parent);
 
   /// The same table as HTML rows, for the help page.
   static QString keyTable();
@@ -27,7 +27,7 @@ class KeyboardSteering final : public QObject {
  private:
   void publish();
 
-  DeflectionMailbox& keys_;
+  InputMailbox& keys_;
   QSet<int> pressed_;
   bool slow_ = false;
 };

@@ -1,12 +1,14 @@
 #include "app/window/main_window.h"
 
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPainter>
 #include <QScrollArea>
 #include <QStatusBar>
 #include <QStyle>
@@ -14,9 +16,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/window/device_controller.h"
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
+#include "app/window/replay_controller.h"
 #include "app/window/status_text.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
@@ -30,14 +34,6 @@
 #include "widgets/scene3d/label_overlay.h"
 
 namespace glissade {
-namespace {
-
-/// Full deflection of a key moves the object by this many of its radii in a second.
-constexpr double kRadiiPerSecond = 0.65;
-constexpr double kRadiansPerSecond = 1.0;
-
-}  // namespace
-
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : actions_(new ActionCatalogue(this)),
       bridge_(new SessionBridge(clock, this)),
@@ -51,20 +47,27 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(320, 240);
   scene_->widget()->setObjectName(QStringLiteral("scene"));
-  scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->keys(), this));
+  scene_->widget()->installEventFilter(new KeyboardSteering(bridge_->hand()->keyboard.mailbox, this));
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
   new LabelOverlay(scene_->view(), scene_->widget());
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
   studies_ = new StudyController(*this);
+  devices_ = new DeviceController(*bridge_, *actions_, *scene_, this);
+  connect(devices_, &DeviceController::cameraMoved, this, [this] { publishOperatorFrame(); });
+  replay_ = new ReplayController(*bridge_, *actions_, this);
+  addToolBar(Qt::BottomToolBarArea, replay_->bar());
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
+  devices_->addIndicators(*statusBar());
   statusBar()->addPermanentWidget(elapsed_);
   makePanels();
   makeMenus();
   connectActions();
   connectViewActions();
-  connect(bridge_, &SessionBridge::snapshotChanged, this, &MainWindow::showSnapshot);
+  connect(bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
+    if (!replay_->isActive()) showSnapshot(snapshot);
+  });
 
   welcome_->setAlignment(Qt::AlignCenter);
   welcome_->setText(
@@ -102,7 +105,7 @@ QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget*
 }
 
 void MainWindow::makePanels() {
-  interaction_ = new InteractionPanel(*actions_, bridge_->clock(), this);
+  interaction_ = new InteractionPanel(*actions_, this);
   counts_ = new CountsPanel(this);
   sceneTree_ = new ScenePanel(this);
   path_ = new PathPanel(*actions_, this);
@@ -141,6 +144,18 @@ void MainWindow::makePanels() {
   connect(environment_, &EnvironmentController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("The places cannot be found"), why);
   });
+  connect(replay_, &ReplayController::shown, this, &MainWindow::showSnapshot);
+  connect(replay_, &ReplayController::activeChanged, this, [this](bool active) {
+    interaction_->setReplayed(active);
+    if (!active && bridge_->snapshot()) showSnapshot(bridge_->snapshot());
+  });
+  connect(replay_, &ReplayController::notJournalled, this, [this](const Diagnostic& why) {
+    statusBar()->showMessage(tr("No journal of this run on disk: %1").arg(QString::fromStdString(toString(why))),
+                             10000);
+  });
+  connect(replay_, &ReplayController::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("The recording cannot be replayed"), why);
+  });
   connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
@@ -171,9 +186,12 @@ void MainWindow::makeMenus() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   fill(run, "run.");
   run->addSeparator();
+  fill(run, "replay.");
+  run->addSeparator();
   fill(run, "object.");
   fill(run, "path.");
   fill(menuBar()->addMenu(tr("&Study")), "study.");
+  fill(menuBar()->addMenu(tr("&Operator")), "operator.");
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, "view.");
   fill(view->addMenu(tr("&Layers")), "layer.");
@@ -210,6 +228,8 @@ void MainWindow::connectActions() {
   };
   on("file.open", [this] { chooseScenario(); });
   on("file.export", [this] { chooseExport(); });
+  on("file.open-recording", [this] { chooseRecording(); });
+  on("file.save-recording", [this] { chooseSaveRecording(); });
   on("file.save", [this] { save(); });
   on("file.save-as", [this] { chooseSave(); });
   on("file.quit", [this] { close(); });
@@ -243,6 +263,11 @@ void MainWindow::connectViewActions() {
   look("view.bottom", StandardView::Bottom);
   connect((*actions_)["view.fit"], &QAction::triggered, this, [this] {
     scene_->view().fit();
+    publishOperatorFrame();
+    scene_->refresh();
+  });
+  connect((*actions_)["view.path-authors"], &QAction::toggled, this, [this](bool byAuthor) {
+    scene_->view().setPathByAuthor(byAuthor);
     scene_->refresh();
   });
   connect((*actions_)["view.dark"], &QAction::toggled, this,
@@ -294,6 +319,7 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   sceneTree_->setScenario(*scenario_);
   interaction_->setScenario(*scenario_);
   interaction_->setDevice(bridge_->deviceId());
+  replay_->openScenario(scenario_);
   bridge_->open(scenario_);
   environment_->open(scenario_);
   showTitle();
@@ -317,7 +343,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   path_->setPath(snapshot->path, *scenario_);
   snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
-  status_->setText(statusText(*snapshot));
+  status_->setText(replay_->isActive() ? replay_->statusText() : statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());
   enableActions(snapshot.get());
@@ -325,26 +351,28 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
 
 void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   const bool open = snapshot != nullptr;
-  const bool running = open && isRunning(*snapshot);
+  const bool live = open && !replay_->isActive();
+  const bool running = live && isRunning(*snapshot);
   const auto enable = [this](const char* id, bool enabled) { (*actions_)[QLatin1String(id)]->setEnabled(enabled); };
-  enable("run.start", open && !running);
+  enable("run.start", live && !running);
   enable("run.pause", running);
   enable("run.stop", running);
-  enable("run.restart", open);
-  enable("run.restart-new-seed", open);
-  enable("object.to-start", open);
+  enable("run.restart", live);
+  enable("run.restart-new-seed", live);
+  enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
   enable("file.save", open);
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);
-  (*actions_)["run.pause"]->setChecked(open && snapshot->state == SessionState::Paused);
+  (*actions_)["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
 }
 
 void MainWindow::publishOperatorFrame() {
   if (!scenario_) return;
+  const CameraController& camera = scene_->view().camera();
   OperatorFrame frame;
-  frame.R_WV = scene_->view().camera().R_WV();
-  frame.speed = {kRadiiPerSecond * scenario_->problem.world->objectRadius(), kRadiansPerSecond};
+  frame.R_WV = camera.R_WV();
+  frame.speed = operatorSpeed(camera.viewHeight(), scenario_->problem.world->objectRadius());
   bridge_->setOperatorFrame(frame);
 }
 
@@ -358,11 +386,12 @@ std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
   Scenario scenario = scenario_->scenario;
   setSemanticEdits(environment_->document().edits(), scenario);
   scenario.environment = environment_->options();
-  scenario.planner = snapshot_->plannerId;
-  scenario.seed = snapshot_->seed;
+  const SnapshotPtr live = bridge_->snapshot();  // not what a replay shows
+  scenario.planner = live->plannerId;
+  scenario.seed = live->seed;
   for (const ParameterSpec& spec : parameterTable()) {
-    if (snapshot_->parameters[spec.id] != scenario_->parameters[spec.id]) {
-      scenario.parameters[spec.id] = snapshot_->parameters[spec.id];
+    if (live->parameters[spec.id] != scenario_->parameters[spec.id]) {
+      scenario.parameters[spec.id] = live->parameters[spec.id];
     }
   }
   const Outcome saved = saveScenario(scenario, file.toStdString());
@@ -389,7 +418,14 @@ std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
   return std::nullopt;
 }
 
-QImage MainWindow::picture() { return grab().toImage(); }
+QImage MainWindow::picture() {
+  QPixmap whole = grab();
+  QPainter painter(&whole);
+  for (QDialog* dialog : findChildren<QDialog*>()) {
+    if (dialog->isVisible()) painter.drawPixmap(dialog->geometry().topLeft() - geometry().topLeft(), dialog->grab());
+  }
+  return whole.toImage();
+}
 
 void MainWindow::setTheme(Theme theme) {
   applyTheme(theme);

@@ -12,9 +12,11 @@
 namespace glissade {
 
 class CountsPanel;
+class DeviceController;
 class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
+class ReplayController;
 class ScenePanel;
 class StudyController;
 
@@ -37,6 +39,12 @@ class MainWindow final : public QMainWindow {
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
   StudyController& studies() { return *studies_; }
+  DeviceController& devices() { return *devices_; }
+  ReplayController& replay() { return *replay_; }
+  /// Opens a recording, and its scenario where another is open; nothing on success.
+  std::optional<Diagnostic> openRecording(const QString& file, bool quiet = false);
+  /// Journals runs in the folder, and offers to save what killed programs have left there.
+  void keepJournals(const QString& folder);
   /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
@@ -44,6 +52,7 @@ class MainWindow final : public QMainWindow {
   /// In a dialog.
   void showError(const QString& title, const Diagnostic& why);
   /// The whole window as a picture.
+  /// The whole window as a picture, with the dialogs that lie over it.
   QImage picture();
 
  protected:
@@ -66,6 +75,9 @@ class MainWindow final : public QMainWindow {
   void restart(std::uint64_t seed);
   void chooseScenario();
   void chooseExport();
+  void chooseRecording();
+  void chooseSaveRecording();
+  void offerJournal(const QString& file);
   void save();
   void chooseSave();
   /// False: the user wants to stay, because something is not saved.
@@ -83,6 +95,8 @@ class MainWindow final : public QMainWindow {
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
   StudyController* studies_ = nullptr;
+  DeviceController* devices_ = nullptr;
+  ReplayController* replay_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

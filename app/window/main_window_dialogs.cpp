@@ -3,14 +3,17 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
 #include "app/window/environment_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
+#include "app/window/replay_controller.h"
 
 namespace glissade {
 
@@ -51,6 +54,53 @@ void MainWindow::chooseExport() {
                                    tr("Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)"));
   if (file.isEmpty()) return;
   if (const auto why = exportPath(file)) showError(tr("The path cannot be saved"), *why);
+}
+
+std::optional<Diagnostic> MainWindow::openRecording(const QString& file, bool quiet) {
+  const auto why =
+      replay_->open(file, [this, quiet](const QString& scenario) { return openScenario(scenario, quiet); });
+  if (why && !quiet) showError(tr("The recording cannot be opened"), *why);
+  return why;
+}
+
+void MainWindow::chooseRecording() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open a recording"), QString(),
+                                                    tr("Recordings (*.json *.journal);;All files (*)"));
+  if (!file.isEmpty()) openRecording(file);
+}
+
+void MainWindow::chooseSaveRecording() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the recording"), QStringLiteral("run.json"),
+                                                    tr("Recordings (*.json)"));
+  if (file.isEmpty()) return;
+  if (const auto why = replay_->save(file)) showError(tr("The recording cannot be saved"), *why);
+}
+
+void MainWindow::keepJournals(const QString& folder) {
+  for (const std::string& file : abandonedJournals(folder.toStdString())) offerJournal(QString::fromStdString(file));
+  replay_->recorder().keepJournals(folder.toStdString());
+}
+
+void MainWindow::offerJournal(const QString& file) {
+  QMessageBox box(QMessageBox::Question, tr("A recording was left"),
+                  tr("Glissade ended unexpectedly during a run. Its recording is still there."), QMessageBox::NoButton,
+                  this);
+  const auto* saved = box.addButton(tr("Save..."), QMessageBox::AcceptRole);
+  const auto* discarded = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
+  box.addButton(tr("Later"), QMessageBox::RejectRole);
+  box.exec();
+  if (box.clickedButton() == discarded) QFile::remove(file);
+  if (box.clickedButton() != saved) return;
+  const QString target = QFileDialog::getSaveFileName(this, tr("Save the recording"), QStringLiteral("run.json"),
+                                                      tr("Recordings (*.json)"));
+  if (target.isEmpty()) return;
+  const auto record = readRunRecord(file.toStdString());
+  const Outcome written = record ? writeRunRecord(*record, target.toStdString()) : Outcome(record.error());
+  if (written) {
+    QFile::remove(file);
+  } else {
+    showError(tr("The recording cannot be saved"), written.error());
+  }
 }
 
 void MainWindow::showError(const QString& title, const Diagnostic& why) {

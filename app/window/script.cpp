@@ -7,12 +7,40 @@ namespace glissade {
 namespace {
 
 const std::map<std::string, std::size_t>& argumentCounts() {
-  static const std::map<std::string, std::size_t> counts{
-      {"action", 1},    {"set", 2},        {"select-operator", 1},  {"key", 2},        {"steps", 1},
-      {"wait", 2},      {"expect", 1},     {"export", 1},           {"screenshot", 1}, {"quit", 0},
-      {"open", 1},      {"save", 1},       {"select", 2},           {"click", 2},      {"drag", 4},
-      {"attribute", 2}, {"define", 3},     {"expect-attribute", 2}, {"expect-way", 1}, {"select-strategy", 1},
-      {"study", 1},     {"study-cell", 1}, {"study-plot", 1},       {"study-run", 2},  {"study-screenshot", 1}};
+  static const std::map<std::string, std::size_t> counts{{"action", 1},
+                                                         {"set", 2},
+                                                         {"select-operator", 1},
+                                                         {"key", 2},
+                                                         {"steps", 1},
+                                                         {"wait", 2},
+                                                         {"expect", 1},
+                                                         {"export", 1},
+                                                         {"screenshot", 1},
+                                                         {"quit", 0},
+                                                         {"open", 1},
+                                                         {"save", 1},
+                                                         {"select", 2},
+                                                         {"click", 2},
+                                                         {"drag", 4},
+                                                         {"attribute", 2},
+                                                         {"define", 3},
+                                                         {"expect-attribute", 2},
+                                                         {"expect-way", 1},
+                                                         {"select-strategy", 1},
+                                                         {"save-recording", 1},
+                                                         {"replay", 1},
+                                                         {"seek", 1},
+                                                         {"expect-replay", 1},
+                                                         {"plug", 2},
+                                                         {"unplug", 1},
+                                                         {"deflect", 7},
+                                                         {"press", 2},
+                                                         {"expect-steering", 1},
+                                                         {"study", 1},
+                                                         {"study-cell", 1},
+                                                         {"study-plot", 1},
+                                                         {"study-run", 2},
+                                                         {"study-screenshot", 1}};
   return counts;
 }
 

@@ -18,8 +18,13 @@ struct ScriptCommand {
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
 ///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5
-///   select-operator ID          hand, keyboard, expert, default, novice
+///   select-operator ID          hand, keyboard, mouse6d, gamepad, expert, default, novice
 ///   key press|release|tap KEY   a key over the 3D view, e.g. key press W
+///   plug DEVICE NAME            a keyboard, mouse6d or gamepad of that name comes, offscreen
+///   unplug DEVICE               it goes
+///   deflect DEVICE X Y Z RX RY RZ   its six raw axes, each in [-1, 1]
+///   press DEVICE BUTTON         a button of it, from 0
+///   expect-steering TARGET      object or camera
 ///   steps N                     let the session do N planner steps (offscreen)
 ///   wait STATE LIMIT            idle, planning, paused, solved, ended; LIMIT in steps offscreen,
 ///                               in seconds on screen
@@ -39,6 +44,10 @@ struct ScriptCommand {
 ///   study-plot N                brings its N-th plot to the front
 ///   study-run N SEED            shows that run of the N-th cell again (offscreen: go on with wait)
 ///   study-screenshot FILE       the browser as PNG
+///   save-recording FILE         what was done in the last run
+///   replay FILE                 a recorded run again
+///   seek STEP                   shows that step of the replay
+///   expect-replay VERDICT       same, different, another (other parameters), closed
 ///   screenshot FILE             the whole window as PNG
 ///   export FILE                 the path, format by ending
 ///   quit

@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <map>
 
+#include "app/window/device_controller.h"
+#include "app/window/device_script.h"
 #include "app/window/environment_script.h"
+#include "app/window/replay_script.h"
 #include "app/window/study_script.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
@@ -68,6 +71,12 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   if (command.name == "save") return save(command);
   if (command.name == "select-strategy") return selectStrategy(command);
   if (const auto outcome = EnvironmentScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = DeviceScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = ReplayScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (const auto outcome = StudyScript(window_).carryOut(command)) {
@@ -142,6 +151,7 @@ Outcome ScriptRunner::steps(const ScriptCommand& command) {
   if (window_.bridge().clock() != SessionClock::Lockstep) {
     return wrong(command, "on screen time goes on by itself", "Use wait, or run with --offscreen.");
   }
+  window_.devices().advance(static_cast<std::uint64_t>(*count));
   window_.bridge().advance(static_cast<std::uint64_t>(*count));
   return Done{};
 }

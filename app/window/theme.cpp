@@ -51,9 +51,14 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolButton:focus { border: 1px solid %4; }"
              "QStatusBar { border-top: 1px solid %2; }"
              "QStatusBar::item { border: none; }"
+             "QStatusBar QToolButton { padding: 0px 6px; }"
              "QTreeWidget { border: none; }"
-             "QLabel#authority { font-weight: 600; }")
-      .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name());
+             "QLabel#authority { font-weight: 600; }"
+             "#calibration QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 2px; "
+             "}"
+             "#calibration QCheckBox::indicator:focus { border: 2px solid %4; }"
+             "#calibration QCheckBox::indicator:checked { background: %4; border-color: %4; }")
+      .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());
 }
 
 }  // namespace

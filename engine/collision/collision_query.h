@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/stop_token.h"
+#include "engine/collision/motion_bound.h"
 #include "engine/environment/rigid_body.h"
 
 namespace glissade {
@@ -24,10 +26,28 @@ struct NearestObstacle {
   }
 };
 
+enum class CertificateStatus {
+  Certified,  ///< proved: clearance stays at or above the requirement on the whole motion
+  Violated,   ///< a configuration with less clearance than required was found
+  Undecided   ///< stopped, or out of steps, before either was shown
+};
+
+/// Yes or no about a whole motion, without the distances on the way (those are in MotionCertificate).
+struct MotionCheck {
+  CertificateStatus status = CertificateStatus::Undecided;
+  double certified = 0.0;            ///< the requirement is proved on [0, certified]
+  double at = 1.0;                   ///< where the first violation was found, if Violated
+  std::uint64_t configurations = 0;  ///< looked at
+};
+
 struct QueryCounts {
   std::uint64_t collision = 0;
-  std::uint64_t distance = 0;
+  std::uint64_t distance = 0;  ///< exact ones, and up to a bound
+  std::uint64_t motion = 0;
 };
+
+/// Who answers for surfaces: our own kernel, or FCL as its reference and fallback.
+enum class CollisionBackend { Kernel, Fcl };
 
 /// Asks one CollisionWorld. One query object per thread; poses must be valid (isValid).
 /// Solids are solids: the object wholly inside a closed obstacle, or around one, is in collision.
@@ -41,7 +61,16 @@ class CollisionQuery {
   virtual std::optional<int> collidingBody(const Pose& X_WB) = 0;
   /// Exact distance (error below 1e-9 relative, never over-estimated beyond that).
   virtual NearestObstacle nearestObstacle(const Pose& X_WB) = 0;
+  /// min(distance, enough), as exact as nearestObstacle and cheaper the smaller `enough` is.
+  virtual double distanceUpTo(const Pose& X_WB, double enough) = 0;
+  /// The distance is larger than `bound` (>= 0): ends at the first pair that is not.
+  virtual bool clearAbove(const Pose& X_WB, double bound) = 0;
+  /// Whether the straight motion keeps the required clearance (> 0): proved, or where it is first
+  /// violated (to within a thousandth of the object's size).
+  virtual MotionCheck checkMotion(const Pose& from, const Pose& to, double required, const StopToken& stop) = 0;
 
+  /// Of the object of this query's world.
+  virtual const MotionBound& motionBound() const = 0;
   virtual const QueryCounts& counts() const = 0;
 };
 
@@ -50,7 +79,8 @@ class CollisionQuery {
 class CollisionWorld {
  public:
   /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty.
-  static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object);
+  static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object,
+                                                     CollisionBackend backend = CollisionBackend::Kernel);
   ~CollisionWorld();
   CollisionWorld(const CollisionWorld&) = delete;
   CollisionWorld& operator=(const CollisionWorld&) = delete;
@@ -61,6 +91,10 @@ class CollisionWorld {
   double objectRadius() const;
   /// Bounding box of all obstacles; empty where there is none.
   const Box3& obstaclesBox() const;
+
+  CollisionBackend backend() const;
+  /// The same world, asked of another backend.
+  std::shared_ptr<const CollisionWorld> withBackend(CollisionBackend backend) const;
 
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;

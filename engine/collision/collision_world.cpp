@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <limits>
 
 #include "engine/collision/collision_query.h"
 #include "engine/collision/fcl_query.h"
+#include "engine/collision/kernel/kernel_query.h"
+#include "engine/collision/motion_certificate.h"
 #include "engine/collision/solids.h"
 
 namespace glissade {
@@ -9,48 +12,81 @@ namespace glissade {
 struct CollisionWorld::Impl {
   std::vector<RigidBody> obstacles;
   MeshPtr object;
+  CollisionBackend backend = CollisionBackend::Kernel;
   double objectRadius = 0.0;
   Box3 obstaclesBox;
+  std::shared_ptr<const MotionBound> motionBound;
   std::shared_ptr<const Solids> solids;
-  std::shared_ptr<const FclGeometry> fcl;
+  std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
+  std::shared_ptr<const FclGeometry> fcl;        ///< of the backend
 };
 
 namespace {
 
-/// Surfaces by FCL, containment by our own test of solids.
+/// Surfaces by one of the backends, containment by our own test of solids.
 class SolidQuery final : public CollisionQuery {
  public:
-  SolidQuery(std::shared_ptr<const FclGeometry> fcl, std::shared_ptr<const Solids> solids)
-      : surfaces_(std::move(fcl)), solids_(std::move(solids)) {}
+  SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, std::shared_ptr<const Solids> solids,
+             std::shared_ptr<const MotionBound> motionBound)
+      : surfaces_(std::move(surfaces)), solids_(std::move(solids)), motionBound_(std::move(motionBound)) {}
 
   bool collides(const Pose& X_WB) override {
     ++counts_.collision;
-    return surfaces_.surfacesTouch(X_WB) || solids_->containment(X_WB);
+    return inCollision(X_WB);
   }
 
   std::optional<int> collidingBody(const Pose& X_WB) override {
     ++counts_.collision;
-    const std::vector<int> touching = surfaces_.touchingBodies(X_WB);
-    if (!touching.empty()) return touching.front();
-    return solids_->containment(X_WB);
+    return bodyInCollision(X_WB);
   }
 
   NearestObstacle nearestObstacle(const Pose& X_WB) override {
     ++counts_.distance;
-    NearestObstacle nearest = surfaces_.nearest(X_WB);
-    if (nearest.distance <= 0.0) return nearest;
-    if (const auto body = solids_->containment(X_WB)) {
-      nearest.distance = 0.0;
-      nearest.body = *body;
+    if (const auto body = bodyInCollision(X_WB)) {
+      NearestObstacle touching;
+      touching.body = *body;
+      return touching;
     }
-    return nearest;
+    return surfaces_->nearest(X_WB, std::numeric_limits<double>::infinity());
   }
 
+  double distanceUpTo(const Pose& X_WB, double enough) override {
+    ++counts_.distance;
+    return inCollision(X_WB) ? 0.0 : surfaces_->nearest(X_WB, enough).distance;
+  }
+
+  bool clearAbove(const Pose& X_WB, double bound) override {
+    ++counts_.distance;
+    return !inCollision(X_WB) && !surfaces_->isWithin(X_WB, bound);
+  }
+
+  MotionCheck checkMotion(const Pose& from, const Pose& to, double required, const StopToken& stop) override {
+    ++counts_.motion;
+    auto check = surfaces_->checkMotion(from, to, required, stop);
+    if (!check) {
+      const MotionCertificate certificate = certifyMotion(*this, from, to, required, stop);
+      check = {certificate.status, certificate.certified, certificate.at, certificate.distanceQueries};
+    } else if (check->certified > 0.0 && solids_->containment(from)) {
+      // What touches nothing is inside all the way, or nowhere.
+      check = {CertificateStatus::Violated, 0.0, 0.0, check->configurations};
+    }
+    return *check;
+  }
+
+  const MotionBound& motionBound() const override { return *motionBound_; }
   const QueryCounts& counts() const override { return counts_; }
 
  private:
-  FclSurfaceQuery surfaces_;
+  bool inCollision(const Pose& X_WB) { return surfaces_->touches(X_WB) || solids_->containment(X_WB); }
+
+  std::optional<int> bodyInCollision(const Pose& X_WB) {
+    const std::optional<int> touching = surfaces_->touchingBody(X_WB);
+    return touching ? touching : solids_->containment(X_WB);
+  }
+
+  std::unique_ptr<SurfaceQuery> surfaces_;
   std::shared_ptr<const Solids> solids_;
+  std::shared_ptr<const MotionBound> motionBound_;
   QueryCounts counts_;
 };
 
@@ -59,12 +95,19 @@ class SolidQuery final : public CollisionQuery {
 CollisionWorld::CollisionWorld(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 CollisionWorld::~CollisionWorld() = default;
 
-std::shared_ptr<const CollisionWorld> CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object) {
+std::shared_ptr<const CollisionWorld> CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object,
+                                                            CollisionBackend backend) {
   auto impl = std::make_unique<Impl>();
+  impl->backend = backend;
   impl->objectRadius = radiusAboutOrigin(*object);
   for (const RigidBody& body : obstacles) impl->obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
+  impl->motionBound = std::make_shared<const MotionBound>(*object);
   impl->solids = std::make_shared<const Solids>(obstacles, *object);
-  impl->fcl = makeFclGeometry(obstacles, *object);
+  if (backend == CollisionBackend::Kernel) {
+    impl->kernel = std::make_shared<const KernelGeometry>(obstacles, *object);
+  } else {
+    impl->fcl = makeFclGeometry(obstacles, *object);
+  }
   impl->obstacles = std::move(obstacles);
   impl->object = std::move(object);
   return std::shared_ptr<const CollisionWorld>(new CollisionWorld(std::move(impl)));
@@ -74,9 +117,20 @@ const std::vector<RigidBody>& CollisionWorld::obstacles() const { return impl_->
 const TriangleMesh& CollisionWorld::object() const { return *impl_->object; }
 double CollisionWorld::objectRadius() const { return impl_->objectRadius; }
 const Box3& CollisionWorld::obstaclesBox() const { return impl_->obstaclesBox; }
+CollisionBackend CollisionWorld::backend() const { return impl_->backend; }
+
+std::shared_ptr<const CollisionWorld> CollisionWorld::withBackend(CollisionBackend backend) const {
+  return build(impl_->obstacles, impl_->object, backend);
+}
 
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
-  return std::make_unique<SolidQuery>(impl_->fcl, impl_->solids);
+  std::unique_ptr<SurfaceQuery> surfaces;
+  if (impl_->kernel) {
+    surfaces = std::make_unique<KernelQuery>(impl_->kernel);
+  } else {
+    surfaces = std::make_unique<FclSurfaceQuery>(impl_->fcl);
+  }
+  return std::make_unique<SolidQuery>(std::move(surfaces), impl_->solids, impl_->motionBound);
 }
 
 }  // namespace glissade

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace glissade {
 
@@ -33,8 +32,8 @@ void addMesh(FclGeometry::Model& model, const TriangleMesh& mesh) {
 /// FCL fills a static table of functions at its first use: do it before there are threads.
 void warmUp(const FclGeometry& geometry) {
   FclSurfaceQuery query(std::shared_ptr<const FclGeometry>(&geometry, [](const FclGeometry*) {}));
-  query.surfacesTouch(Pose::identity());
-  query.nearest(Pose::identity());
+  query.touches(Pose::identity());
+  query.nearest(Pose::identity(), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
@@ -59,7 +58,7 @@ std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>&
 
 FclSurfaceQuery::FclSurfaceQuery(std::shared_ptr<const FclGeometry> geometry) : geometry_(std::move(geometry)) {}
 
-bool FclSurfaceQuery::surfacesTouch(const Pose& X_WB) const {
+bool FclSurfaceQuery::touches(const Pose& X_WB) {
   if (geometry_->bodyOf.empty()) return false;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
@@ -67,34 +66,42 @@ bool FclSurfaceQuery::surfacesTouch(const Pose& X_WB) const {
                       request, result) > 0;
 }
 
-std::vector<int> FclSurfaceQuery::touchingBodies(const Pose& X_WB) const {
-  if (geometry_->bodyOf.empty()) return {};
+std::optional<int> FclSurfaceQuery::touchingBody(const Pose& X_WB) {
+  if (geometry_->bodyOf.empty()) return std::nullopt;
   const fcl::CollisionRequestd request(std::numeric_limits<int>::max());
   fcl::CollisionResultd result;
   fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
                result);
-  std::set<int> bodies;
+  std::optional<int> lowest;
   for (std::size_t i = 0; i < result.numContacts(); ++i) {
-    bodies.insert(geometry_->bodyOf[static_cast<std::size_t>(result.getContact(i).b1)]);
+    const int body = geometry_->bodyOf[static_cast<std::size_t>(result.getContact(i).b1)];
+    if (!lowest || body < *lowest) lowest = body;
   }
-  return {bodies.begin(), bodies.end()};
+  return lowest;
 }
 
-NearestObstacle FclSurfaceQuery::nearest(const Pose& X_WB) const {
+NearestObstacle FclSurfaceQuery::nearest(const Pose& X_WB, double enough) {
   NearestObstacle nearest;
-  if (geometry_->bodyOf.empty()) {
-    nearest.distance = std::numeric_limits<double>::infinity();
-    return nearest;
-  }
+  nearest.distance = enough;
+  if (geometry_->bodyOf.empty()) return nearest;
   const fcl::DistanceRequestd request(true);
   fcl::DistanceResultd result;
   fcl::distance(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
                 result);
+  if (result.min_distance > enough) return nearest;
   nearest.distance = std::max(0.0, result.min_distance);
   nearest.body = geometry_->bodyOf[static_cast<std::size_t>(result.b1)];
   nearest.p_WPo = result.nearest_points[0];
   nearest.p_WPn = result.nearest_points[1];
   return nearest;
+}
+
+bool FclSurfaceQuery::isWithin(const Pose& X_WB, double bound) {
+  return nearest(X_WB, std::numeric_limits<double>::infinity()).distance <= bound;
+}
+
+std::optional<MotionCheck> FclSurfaceQuery::checkMotion(const Pose&, const Pose&, double, const StopToken&) {
+  return std::nullopt;
 }
 
 }  // namespace glissade

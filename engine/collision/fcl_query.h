@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "engine/collision/collision_query.h"
+#include "engine/collision/surface_query.h"
 
 namespace glissade {
 
@@ -13,16 +13,17 @@ class FclGeometry;
 
 std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
 
-/// A query of the surfaces alone: containment is not seen.
-class FclSurfaceQuery {
+class FclSurfaceQuery final : public SurfaceQuery {
  public:
   explicit FclSurfaceQuery(std::shared_ptr<const FclGeometry> geometry);
 
-  bool surfacesTouch(const Pose& X_WB) const;
-  /// Every obstacle whose surface touches the object's, ascending.
-  std::vector<int> touchingBodies(const Pose& X_WB) const;
-  /// Distance 0 where surfaces touch.
-  NearestObstacle nearest(const Pose& X_WB) const;
+  bool touches(const Pose& X_WB) override;
+  std::optional<int> touchingBody(const Pose& X_WB) override;
+  NearestObstacle nearest(const Pose& X_WB, double enough) override;
+  bool isWithin(const Pose& X_WB, double bound) override;
+  /// Nothing: its continuous collision is wrong.
+  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+                                         const StopToken& stop) override;
 
  private:
   std::shared_ptr<const FclGeometry> geometry_;

@@ -47,7 +47,7 @@ class Certifier {
       // By construction at least the requirement; the maximum only takes rounding away.
       const double lowest = clearance - bound_ * std::max(probe - proved, end - probe);
       result_.provedClearance = std::min(result_.provedClearance, std::max(result_.tolerance, lowest));
-      proved = end;
+      result_.certified = proved = end;
       probe = std::min(1.0, proved + 0.9 * reach);
     }
     result_.status = CertificateStatus::Certified;
@@ -83,66 +83,71 @@ void accumulate(MotionCertificate& path, const MotionCertificate& edge, std::siz
   }
   path.provedClearance = index == 0 ? edge.provedClearance : std::min(path.provedClearance, edge.provedClearance);
   path.distanceQueries += edge.distanceQueries;
+  path.certified = edge.certified;
   path.status = edge.status;
 }
 
+/// The samples of a motion, 0 (known to be free) to `count`.
+class FreeSamples {
+ public:
+  FreeSamples(CollisionQuery& query, const Pose& from, const Pose& to, double dt, const StopToken& stop)
+      : query_(query), from_(from), to_(to), dt_(dt), bound_(query.motionBound()(from, to)), stop_(stop) {}
+
+  double fraction() { return at(lastFree(0.0, std::ceil(1.0 / dt_))); }
+
+ private:
+  double at(double sample) const { return std::min(1.0, sample * dt_); }
+
+  /// The last sample in [first, last] before one that collides; `first` is free. Halves the run until
+  /// it is proved free as one, or is short.
+  double lastFree(double first, double last) {
+    constexpr double kShort = 2.0;
+    if (stop_.stopRequested()) return first;
+    if (last - first <= kShort) {
+      for (double sample = first + 1.0; sample <= last; ++sample) {
+        if (query_.collides(interpolate(from_, to_, at(sample)))) return sample - 1.0;
+      }
+      return last;
+    }
+    const double middle = std::floor(0.5 * (first + last));
+    const double way = bound_ * std::max(at(middle) - at(first), at(last) - at(middle));
+    if (query_.clearAbove(interpolate(from_, to_, at(middle)), way)) return last;
+    const double reached = lastFree(first, middle);
+    return reached < middle ? reached : lastFree(middle, last);
+  }
+
+  CollisionQuery& query_;
+  const Pose& from_;
+  const Pose& to_;
+  double dt_;
+  double bound_;
+  const StopToken& stop_;
+};
+
 }  // namespace
 
-double motionBound(const TriangleMesh& object, const Pose& from, const Pose& to) {
-  const double translation = (to.position - from.position).norm();
-  // The axis of the shortest turn is constant in the object's own frame.
-  const Vector3 axis = (from.orientation.conjugate() * to.orientation).vec();
-  if (axis.isZero(0.0)) return translation;
-  const Vector3 direction = axis.normalized();
-  double squaredArm = 0.0;
-  for (const Vector3& vertex : object.vertices) {
-    squaredArm = std::max(squaredArm, direction.cross(vertex).squaredNorm());
-  }
-  return translation + angleBetween(from.orientation, to.orientation) * std::sqrt(squaredArm);
+MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
+                                const StopToken& stop) {
+  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance).run(stop);
 }
 
-MotionCertificate certifyMotion(CollisionQuery& query, const TriangleMesh& object, const Pose& from, const Pose& to,
-                                double requiredClearance, const StopToken& stop) {
-  return Certifier(query, from, to, motionBound(object, from, to), requiredClearance).run(stop);
-}
-
-MotionCertificate certifyPath(CollisionQuery& query, const TriangleMesh& object, const std::vector<Pose>& path,
-                              double requiredClearance, const StopToken& stop) {
+MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
+                              const StopToken& stop) {
   MotionCertificate result;
   result.tolerance = requiredClearance;
   const std::size_t edges = path.size() > 1 ? path.size() - 1 : path.size();
   for (std::size_t i = 0; i < edges; ++i) {
     const Pose& to = path.size() > 1 ? path[i + 1] : path[i];
-    accumulate(result, certifyMotion(query, object, path[i], to, requiredClearance, stop), i);
+    accumulate(result, certifyMotion(query, path[i], to, requiredClearance, stop), i);
     if (result.status != CertificateStatus::Certified) break;
   }
   return result;
 }
 
-double freeFraction(CollisionQuery& query, const TriangleMesh& object, const Pose& from, const Pose& to, double step,
-                    const StopToken& stop) {
-  // A distance costs about as much as this many yes/no samples: leap where it is worth more.
-  constexpr int kSamplesPerDistance = 8;
-  const double length = Se3Metric(radiusAboutOrigin(object)).distance(from, to);
+double freeFraction(CollisionQuery& query, const Pose& from, const Pose& to, double step, const StopToken& stop) {
+  const double length = Se3Metric(query.motionBound().objectRadius()).distance(from, to);
   if (length <= 0.0) return 1.0;
-  const double dt = step / length;
-  const double bound = motionBound(object, from, to);
-  double free = 0.0;
-  while (free < 1.0) {
-    if (stop.stopRequested()) return free;
-    const double leap = query.nearestObstacle(interpolate(from, to, free)).distance / bound;
-    if (leap > kSamplesPerDistance * dt) {
-      // Just short of the ball's rim: the end itself must be free, not in touch.
-      free = std::min(1.0, free + 0.999 * leap);
-      continue;
-    }
-    for (int i = 0; i < kSamplesPerDistance && free < 1.0; ++i) {
-      const double next = std::min(1.0, free + dt);
-      if (query.collides(interpolate(from, to, next))) return free;
-      free = next;
-    }
-  }
-  return 1.0;
+  return FreeSamples(query, from, to, step / length, stop).fraction();
 }
 
 }  // namespace glissade

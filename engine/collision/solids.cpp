@@ -17,9 +17,9 @@ Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& obje
 
 Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
   Solid solid;
-  solid.mesh = mesh;
   solid.box = boundingBox(mesh);
-  solid.closed = audit(mesh).closed();
+  const MeshAudit report = audit(mesh);
+  if (report.closed()) solid.interior.emplace(mesh, report.consistentlyOriented);
   for (const TriangleMesh& component : connectedComponents(mesh)) {
     solid.components.push_back({component.vertices.front(), boundingBox(component)});
   }
@@ -35,21 +35,21 @@ std::optional<int> Solids::containment(const Pose& X_WB) const {
 }
 
 bool Solids::objectInside(const Solid& obstacle, const Pose& X_WB) const {
-  if (!obstacle.closed) return false;
+  if (!obstacle.interior) return false;
   for (const Component& component : object_.components) {
     const Vector3 point = X_WB * component.point;
     if (!obstacle.box.contains(point) || !mayFit(component.box, obstacle.box)) continue;
-    if (containsPoint(obstacle.mesh, point)) return true;
+    if (obstacle.interior->contains(point)) return true;
   }
   return false;
 }
 
 bool Solids::objectAround(const Solid& obstacle, const Pose& X_BW) const {
-  if (!object_.closed) return false;
+  if (!object_.interior) return false;
   for (const Component& component : obstacle.components) {
     const Vector3 point = X_BW * component.point;
     if (!object_.box.contains(point) || !mayFit(component.box, object_.box)) continue;
-    if (containsPoint(object_.mesh, point)) return true;
+    if (object_.interior->contains(point)) return true;
   }
   return false;
 }

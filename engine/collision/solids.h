@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/environment/rigid_body.h"
+#include "engine/geometry/solid_interior.h"
 
 namespace glissade {
 
@@ -24,9 +25,8 @@ class Solids {
     Box3 box;
   };
   struct Solid {
-    TriangleMesh mesh;  ///< in the world for obstacles, in B for the object
-    Box3 box;
-    bool closed = false;
+    Box3 box;                               ///< in the world for obstacles, in B for the object
+    std::optional<SolidInterior> interior;  ///< of a closed mesh
     std::vector<Component> components;
   };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,10 @@ class CombinedDevice final : public OperatorDevice {
   }
   void restart() override {
     for (const auto& device : devices_) device->restart();
+  }
+
+  bool connected() const override {
+    return std::any_of(devices_.begin(), devices_.end(), [](const auto& device) { return device->connected(); });
   }
 
  private:

@@ -3,22 +3,29 @@
 #include <algorithm>
 
 #include "engine/operator/combined_device.h"
+#include "engine/operator/shaped_device.h"
 #include "engine/operator/simulated_operator.h"
-#include "engine/operator/spacenav_device.h"
 
 namespace glissade {
 namespace {
 
+using Member = HandInput HandInputs::*;
+
 std::unique_ptr<OperatorDevice> makeHand(const DeviceContext& context) {
+  if (!context.hand) return nullptr;
   std::vector<std::unique_ptr<OperatorDevice>> devices;
-  if (context.keys) devices.push_back(std::make_unique<KeyboardDevice>(context.keys));
-  devices.push_back(std::make_unique<SpacenavDevice>());
+  for (const HandInput* input : context.hand->all()) {
+    devices.push_back(std::make_unique<ShapedDevice>(context.hand, *input));
+  }
   return std::make_unique<CombinedDevice>(std::move(devices));
 }
 
-std::unique_ptr<OperatorDevice> makeKeyboard(const DeviceContext& context) {
-  if (!context.keys) return nullptr;
-  return std::make_unique<KeyboardDevice>(context.keys);
+DeviceEntry held(Member member, std::string id, std::string label, std::string description) {
+  return {std::move(id), std::move(label), std::move(description), false,
+          [member](const DeviceContext& context) -> std::unique_ptr<OperatorDevice> {
+            if (!context.hand) return nullptr;
+            return std::make_unique<ShapedDevice>(context.hand, (*context.hand).*member);
+          }};
 }
 
 DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string description) {
@@ -37,9 +44,10 @@ const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
 
 DeviceRegistry makeDeviceRegistry() {
   DeviceRegistry registry;
-  registry.add(
-      {"hand", "Keyboard and 6D mouse", "A person: the keys of the window and a 3Dconnexion mouse.", false, makeHand});
-  registry.add({"keyboard", "Keyboard", "A person: the keys of the window.", false, makeKeyboard});
+  registry.add({"hand", "By hand", "A person: keys, 6D mouse and gamepad together.", false, makeHand});
+  registry.add(held(&HandInputs::keyboard, "keyboard", "Keyboard", "A person: the keys of the window."));
+  registry.add(held(&HandInputs::mouse6d, "mouse6d", "6D mouse", "A person: a 3Dconnexion mouse."));
+  registry.add(held(&HandInputs::gamepad, "gamepad", "Gamepad", "A person: a game controller."));
   registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
   registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
   registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/geometry/se3_metric.h"
-#include "engine/operator/keyboard_device.h"
+#include "engine/operator/hand_inputs.h"
 #include "engine/operator/operator_input.h"
 
 namespace glissade {
@@ -17,7 +17,7 @@ struct DeviceContext {
   std::vector<Pose> route;  ///< a person's plan, the goal last
   Se3Metric metric{1.0};
   std::uint64_t seed = 1;
-  std::shared_ptr<const DeflectionMailbox> keys;  ///< may be null: no keys
+  HandInputsPtr hand;  ///< may be null: nobody is there
 };
 
 /// How a device is known and made. Registered by explicit calls.
@@ -40,7 +40,7 @@ class DeviceRegistry {
   std::vector<DeviceEntry> entries_;
 };
 
-/// hand (keyboard and 6D mouse together), keyboard, expert, default, novice.
+/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, expert, default, novice.
 DeviceRegistry makeDeviceRegistry();
 
 }  // namespace glissade

@@ -1,6 +1,22 @@
 #include "engine/operator/operator_input.h"
 
+#include <algorithm>
+
 namespace glissade {
+namespace {
+
+constexpr double kViewHeightsPerSecond = 0.08;
+constexpr double kFewestRadiiPerSecond = 0.05;
+constexpr double kMostRadiiPerSecond = 5.0;
+constexpr double kRadiansPerSecond = 1.0;
+
+}  // namespace
+
+OperatorSpeed operatorSpeed(double viewHeight, double objectRadius) {
+  return {std::clamp(kViewHeightsPerSecond * viewHeight, kFewestRadiiPerSecond * objectRadius,
+                     kMostRadiiPerSecond * objectRadius),
+          kRadiansPerSecond};
+}
 
 Twist toTwist(const Deflection& deflection, const OperatorFrame& frame) {
   const auto clamped = [](const Vector3& axes) { return axes.cwiseMax(-1.0).cwiseMin(1.0); };

@@ -37,6 +37,11 @@ struct OperatorFrame {
   OperatorSpeed speed;                       ///< at full deflection; scales with the object's size
 };
 
+/// Speeds at full deflection that suit what is seen: the object crosses a view of this height (metres,
+/// where the object is) at the same pace whatever the zoom, but never by less than a twentieth of its
+/// radius a second nor by more than five.
+OperatorSpeed operatorSpeed(double viewHeight, double objectRadius);
+
 /// The twist of a view-relative deflection.
 Twist toTwist(const Deflection& deflection, const OperatorFrame& frame);
 

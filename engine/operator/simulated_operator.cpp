@@ -14,6 +14,7 @@ constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk
 constexpr double kShortestMovement = 0.3;    ///< s
 constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
 constexpr double kPatience = 3.0;            ///< s of waiting for the tree before he fetches it
+constexpr double kLinger = 3.0;              ///< s at a way-point before he goes on without the tree
 constexpr double kTremorTime = 0.3;          ///< s, correlation time
 constexpr double kShortestHesitation = 0.5;  ///< s
 constexpr double kLongestHesitation = 1.0;   ///< s
@@ -66,6 +67,7 @@ void SimulatedOperator::restart() {
   movement_ = SubMovement();
   rest_ = 0.0;
   waited_ = 0.0;
+  lingered_ = 0.0;
   tremor_.setZero();
   tremorAngle_.setZero();
 }
@@ -76,7 +78,7 @@ Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3&
     aimed_ = view.q_device;
     movement_ = SubMovement();
   }
-  chooseTarget(view);
+  chooseTarget(dt, view);
   if (stream_.uniform() < level_.hesitationsPerSecond * dt) {
     rest_ += stream_.uniform(kShortestHesitation, kLongestHesitation);
   }
@@ -91,10 +93,16 @@ Pose SimulatedOperator::advance(double dt, const OperatorView& view, const Box3&
   return shown;
 }
 
-void SimulatedOperator::chooseTarget(const OperatorView& view) {
-  const bool last = target_ + 1 >= route_.size();
-  if (last || view.distanceToStartTree(route_[target_]) > kReached * metric_.radius()) return;
+void SimulatedOperator::chooseTarget(double dt, const OperatorView& view) {
+  if (target_ + 1 >= route_.size()) return;
+  const Pose& target = route_[target_];
+  const bool there = metric_.distance(aimed_, target) <= kReached * metric_.radius();
+  lingered_ = there ? lingered_ + dt : 0.0;
+  const double away = view.distanceToStartTree(target);
+  const bool impatient = lingered_ > kLinger && away <= kLagging * metric_.radius();
+  if (away > kReached * metric_.radius() && !impatient) return;
   ++target_;
+  lingered_ = 0.0;
   movement_ = SubMovement();
 }
 

@@ -32,9 +32,9 @@ const OperatorLevel* findOperatorLevel(std::string_view id);
 /// A person with a 6D mouse who follows a plan of way-points, so that interactive runs need no
 /// person: minimum-jerk sub-movements (Flash and Hogan 1985) with a fresh aim error each, a reaction
 /// delay between them, tremor (an Ornstein-Uhlenbeck process), hesitations (a Poisson process). He is
-/// not blocked by collisions. He goes on to the next way-point only when the start tree has come near
-/// the current one, keeps correcting around it until then, and waits where the tree lags behind him; after a while
-/// he goes back a way-point to fetch it.
+/// not blocked by collisions. He goes on to the next way-point when the start tree has come near the
+/// current one, keeps correcting around it until then, or until he loses patience with a tree that is not far; he
+/// waits where the tree lags behind him; after a while he goes back a way-point to fetch it.
 /// Deterministic for a seed and the same sequence of calls.
 class SimulatedOperator final : public OperatorDevice {
  public:
@@ -56,7 +56,7 @@ class SimulatedOperator final : public OperatorDevice {
     double elapsed = 0.0;
   };
 
-  void chooseTarget(const OperatorView& view);
+  void chooseTarget(double dt, const OperatorView& view);
   bool waitsForTheTree(double dt, const OperatorView& view);
   void beginSubMovement();
   Twist follow(double dt);
@@ -71,8 +71,9 @@ class SimulatedOperator final : public OperatorDevice {
   Pose aimed_;                 ///< where the hand is without tremor
   std::optional<Pose> shown_;  ///< what was returned last; differs from q_device after somebody put the object
   SubMovement movement_;
-  double waited_ = 0.0;  ///< seconds of waiting for the tree at one place
-  double rest_ = 0.0;    ///< seconds of delay or hesitation left
+  double waited_ = 0.0;    ///< seconds of waiting for the tree at one place
+  double lingered_ = 0.0;  ///< seconds at the way-point he is heading for
+  double rest_ = 0.0;      ///< seconds of delay or hesitation left
   Vector3 tremor_ = Vector3::Zero();
   Vector3 tremorAngle_ = Vector3::Zero();
 };

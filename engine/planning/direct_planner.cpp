@@ -33,8 +33,8 @@ bool DirectPlanner::solve(PlannerHost& host) {
     if (done) {
       Path path;
       for (const RoadmapNode& node : nodes_) path.points.push_back({node.q, node.author});
-      path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
-                                     host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+      path.certificate = certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
+                                     host.stopToken());
       if (path.certificate.status == CertificateStatus::Certified) {
         path_ = std::move(path);
       } else if (!host.stopToken().stopRequested()) {
@@ -50,8 +50,7 @@ bool DirectPlanner::solve(PlannerHost& host) {
 }
 
 std::optional<Pose> LinearPlanner::next(const Pose& q, bool& done, PlannerHost& host) {
-  const double free = freeFraction(query(), problem().world->object(), q, *goal(),
-                                   host.parameters()[ParameterId::GrowthStep], host.stopToken());
+  const double free = freeFraction(query(), q, *goal(), host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (free < 1.0) return std::nullopt;
   done = true;
   return goal();
@@ -71,8 +70,8 @@ std::optional<Pose> PotentialFieldPlanner::next(const Pose& q, bool& done, Plann
   }
   const double step = 0.1 * radius;
   const NearestObstacle nearest = query().nearestObstacle(q);
-  const bool straight = freeFraction(query(), problem().world->object(), q, *goal(),
-                                     host.parameters()[ParameterId::GrowthStep], host.stopToken()) >= 1.0;
+  const bool straight =
+      freeFraction(query(), q, *goal(), host.parameters()[ParameterId::GrowthStep], host.stopToken()) >= 1.0;
   if (straight) {
     done = true;
     return goal();
@@ -88,12 +87,11 @@ std::optional<Pose> PotentialFieldPlanner::next(const Pose& q, bool& done, Plann
   }
   Pose ahead = interpolate(q, *goal(), std::min(1.0, step / distance));
   if (force.norm() > 1e-9) ahead.position = q.position + std::min(step, nearest.distance) * force.normalized();
-  const double free = freeFraction(query(), problem().world->object(), q, ahead,
-                                   host.parameters()[ParameterId::GrowthStep], host.stopToken());
+  const double free = freeFraction(query(), q, ahead, host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (free >= 1.0 && problem().bounds.contains(ahead.position)) return ahead;
   ahead.orientation = q.orientation;  // turning was what collided
-  const double freeWithoutTurn = freeFraction(query(), problem().world->object(), q, ahead,
-                                              host.parameters()[ParameterId::GrowthStep], host.stopToken());
+  const double freeWithoutTurn =
+      freeFraction(query(), q, ahead, host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (freeWithoutTurn < 0.1 || !problem().bounds.contains(ahead.position)) return std::nullopt;
   return interpolate(q, ahead, 0.9 * freeWithoutTurn);
 }

@@ -7,106 +7,171 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-/// The grid is laid anew each time there are this many times more configurations.
-constexpr std::size_t kGrowth = 4;
-constexpr double kNodesPerCell = 6.0;
-constexpr int kMostCells = 64;  // along an axis
+constexpr float kFar = std::numeric_limits<float>::infinity();
+/// A leaf with more configurations is split, if they differ.
+constexpr std::size_t kMostInALeaf = 32;
+/// Single precision rounds seven coordinates, their differences, squares and sum by less than this
+/// share of the largest coordinate, or of the distance.
+constexpr double kRounding = 16.0 * std::numeric_limits<float>::epsilon();
+
+template <class Point>
+float squaredToBox(const Point& p, const Point& low, const Point& high) {
+  float sum = 0.0F;
+  for (std::size_t axis = 0; axis < p.size(); ++axis) {
+    const float outside = std::max(0.0F, std::max(low[axis] - p[axis], p[axis] - high[axis]));
+    sum += outside * outside;
+  }
+  return sum;
+}
 
 }  // namespace
 
+/// What one question has found so far.
+struct NearestNeighbours::Search {
+  const Pose& q;
+  Point point;   ///< of q with one sign of its quaternion
+  double scale;  ///< largest coordinate that has a part in it
+  std::size_t best = std::numeric_limits<std::size_t>::max();
+  double squared = std::numeric_limits<double>::infinity();
+  double distance = 0.0;
+  float limit = kFar;  ///< what is farther, squared and in single precision, cannot be the nearest
+
+  void consider(std::size_t place, double away) {
+    const double awaySquared = away * away;
+    if (awaySquared > squared || (awaySquared == squared && place > best)) return;
+    best = place;
+    squared = awaySquared;
+    distance = away;
+    const double reach = away * (1.0 + kRounding) + kRounding * scale;
+    limit = std::nextafter(static_cast<float>(reach * reach), kFar);
+  }
+};
+
+NearestNeighbours::Point NearestNeighbours::pointOf(const Pose& q) const {
+  const Vector3 p = q.position - origin_;
+  const auto& r = q.orientation.coeffs();
+  const double weight = 2.0 * metric_.radius();
+  const auto single = [](double value) { return static_cast<float>(value); };
+  return {single(p.x()),         single(p.y()),         single(p.z()),        single(weight * r[0]),
+          single(weight * r[1]), single(weight * r[2]), single(weight * r[3])};
+}
+
 void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
-  x_.push_back(q.position.x());
-  y_.push_back(q.position.y());
-  z_.push_back(q.position.z());
-  qx_.push_back(q.orientation.x());
-  qy_.push_back(q.orientation.y());
-  qz_.push_back(q.orientation.z());
-  qw_.push_back(q.orientation.w());
+  if (nodes_.empty()) {
+    origin_ = q.position;
+    nodes_.emplace_back();
+    nodes_.front().low.fill(kFar);
+    nodes_.front().high.fill(-kFar);
+  }
+  const auto place = static_cast<std::uint32_t>(poses_.size());
+  poses_.push_back(q);
   indices_.push_back(index);
-  if (indices_.size() == nextBuild_) {
-    buildGrid();
-  } else if (!grid_.empty()) {
-    cell(cellOf(x_.back(), y_.back(), z_.back())).push_back(static_cast<std::uint32_t>(indices_.size() - 1));
+  const Point point = pointOf(q);
+  for (const float value : point) scale_ = std::max(scale_, static_cast<double>(std::abs(value)));
+  std::uint32_t node = 0;
+  while (nodes_[node].children != 0) {
+    Node& inner = nodes_[node];
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+      inner.low[axis] = std::min(inner.low[axis], point[axis]);
+      inner.high[axis] = std::max(inner.high[axis], point[axis]);
+    }
+    node = inner.children + (point[inner.axis] < inner.split ? 0U : 1U);
+  }
+  addToLeaf(node, place, point);
+  if (nodes_[node].count > kMostInALeaf) splitLeaf(node);
+}
+
+void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t place, const Point& point) {
+  Node& leaf = nodes_[node];
+  const std::size_t lane = leaf.count % kLanes;
+  if (lane == 0) {
+    leaf.packets.emplace_back();
+    for (auto& axis : leaf.packets.back().at) axis.fill(kFar);
+  }
+  Packet& packet = leaf.packets.back();
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    packet.at[axis][lane] = point[axis];
+    leaf.low[axis] = std::min(leaf.low[axis], point[axis]);
+    leaf.high[axis] = std::max(leaf.high[axis], point[axis]);
+  }
+  packet.place[lane] = place;
+  ++leaf.count;
+}
+
+/// At the middle of the widest axis. Configurations that are all alike stay together.
+void NearestNeighbours::splitLeaf(std::uint32_t node) {
+  std::size_t axis = 0;
+  const auto width = [&](std::size_t a) { return nodes_[node].high[a] - nodes_[node].low[a]; };
+  for (std::size_t a = 1; a < kAxes; ++a) {
+    if (width(a) > width(axis)) axis = a;
+  }
+  const float split = nodes_[node].low[axis] + 0.5F * width(axis);
+  if (!(nodes_[node].low[axis] < split && split <= nodes_[node].high[axis])) return;
+  const std::vector<Packet> packets = std::move(nodes_[node].packets);
+  const std::size_t count = nodes_[node].count;
+  const auto children = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.resize(nodes_.size() + 2);
+  for (std::uint32_t child = children; child < children + 2; ++child) {
+    nodes_[child].low.fill(kFar);
+    nodes_[child].high.fill(-kFar);
+  }
+  nodes_[node].children = children;
+  nodes_[node].axis = axis;
+  nodes_[node].split = split;
+  nodes_[node].packets = {};
+  nodes_[node].count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Packet& packet = packets[i / kLanes];
+    Point point;
+    for (std::size_t a = 0; a < kAxes; ++a) point[a] = packet.at[a][i % kLanes];
+    addToLeaf(children + (point[axis] < split ? 0U : 1U), packet.place[i % kLanes], point);
   }
 }
 
-/// Configurations outside the box that there was when the grid was laid go to the cells at its rim.
-NearestNeighbours::GridIndex NearestNeighbours::cellOf(double x, double y, double z) const {
-  const Vector3 scaled = (Vector3(x, y, z) - least_) / edge_;
-  GridIndex c{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<std::size_t>(axis);
-    c[a] = static_cast<int>(std::clamp(std::floor(scaled[axis]), 0.0, counts_[a] - 1.0));
-  }
-  return c;
-}
-
-void NearestNeighbours::buildGrid() {
-  Box3 box;
-  for (std::size_t i = 0; i < indices_.size(); ++i) box.extend(Vector3(x_[i], y_[i], z_[i]));
-  const Vector3 sizes = box.sizes().cwiseMax(1e-3 * box.sizes().maxCoeff()).cwiseMax(1e-9);
-  edge_ = std::cbrt(sizes.prod() * kNodesPerCell / static_cast<double>(indices_.size()));
-  edge_ = std::max(edge_, sizes.maxCoeff() / kMostCells);
-  least_ = box.min();
-  for (int axis = 0; axis < 3; ++axis) {
-    counts_[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(std::ceil(sizes[axis] / edge_)));
-  }
-  grid_.assign(flat({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 1, {});
-  for (std::size_t i = 0; i < indices_.size(); ++i) {
-    cell(cellOf(x_[i], y_[i], z_[i])).push_back(static_cast<std::uint32_t>(i));
-  }
-  nextBuild_ *= kGrowth;
-}
-
-void NearestNeighbours::consider(std::size_t i, const Pose& q, Best& best) const {
-  // Below rounding a node may only win by really being nearer.
-  constexpr double kSlack = 1.0 + 1e-12;
-  const double dx = x_[i] - q.position.x();
-  const double dy = y_[i] - q.position.y();
-  const double dz = z_[i] - q.position.z();
-  const double dot = std::abs(qx_[i] * q.orientation.x() + qy_[i] * q.orientation.y() + qz_[i] * q.orientation.z() +
-                              qw_[i] * q.orientation.w());
-  // angle >= 2 * chord on the unit sphere of quaternions, so angle^2 >= 8 (1 - |dot|).
-  const double lowerBound = dx * dx + dy * dy + dz * dz + metric_.radius() * metric_.radius() * 8.0 * (1.0 - dot);
-  if (lowerBound > best.squared * kSlack) return;
-  const Pose node{{x_[i], y_[i], z_[i]}, Quaternion(qw_[i], qx_[i], qy_[i], qz_[i])};
-  const double distance = metric_.distance(node, q);
-  const double squared = distance * distance;
-  if (squared < best.squared || (squared == best.squared && i < best.at)) best = {i, squared, distance};
-}
-
-/// Ring after ring of cells about that of q. A cell k rings away is at least k - 1 edges away.
-void NearestNeighbours::searchGrid(const Pose& q, Best& best) const {
-  const GridIndex centre = cellOf(q.position.x(), q.position.y(), q.position.z());
-  const int farthest = *std::max_element(counts_.begin(), counts_.end());
-  for (int ring = 0; ring <= farthest; ++ring) {
-    const double least = std::max(0, ring - 1) * edge_;
-    if (least * least > best.squared) return;
-    const auto low = [&](std::size_t a) { return std::max(0, centre[a] - ring); };
-    const auto high = [&](std::size_t a) { return std::min(counts_[a] - 1, centre[a] + ring); };
-    for (int x = low(0); x <= high(0); ++x) {
-      for (int y = low(1); y <= high(1); ++y) {
-        const bool rim = std::abs(x - centre[0]) == ring || std::abs(y - centre[1]) == ring;
-        // Inside the ring only the two cells at its ends are new.
-        for (int z = rim ? low(2) : centre[2] - ring; z <= high(2); z += rim || ring == 0 ? 1 : 2 * ring) {
-          if (z < 0) continue;
-          for (const std::uint32_t i : grid_[flat({x, y, z})]) consider(i, q, best);
-        }
-      }
+void NearestNeighbours::look(const Packet& packet, Search& search) const {
+  std::array<float, kLanes> squared{};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const float offset = packet.at[axis][lane] - search.point[axis];
+      squared[lane] += offset * offset;
     }
   }
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (squared[lane] == kFar || squared[lane] > search.limit) continue;
+    const std::uint32_t place = packet.place[lane];
+    search.consider(place, metric_.distance(poses_[place], search.q));
+  }
+}
+
+void NearestNeighbours::visit(std::uint32_t at, Search& search) const {
+  const Node& node = nodes_[at];
+  if (node.children == 0) {
+    for (const Packet& packet : node.packets) look(packet, search);
+    return;
+  }
+  const auto away = [&](std::uint32_t child) {
+    return squaredToBox(search.point, nodes_[child].low, nodes_[child].high);
+  };
+  std::uint32_t first = node.children;
+  std::uint32_t second = node.children + 1;
+  float toFirst = away(first);
+  float toSecond = away(second);
+  if (toSecond < toFirst) {
+    std::swap(first, second);
+    std::swap(toFirst, toSecond);
+  }
+  if (toFirst <= search.limit) visit(first, search);
+  if (toSecond <= search.limit) visit(second, search);
 }
 
 std::optional<NearestNeighbours::Neighbour> NearestNeighbours::nearest(const Pose& q) const {
-  Best best{kNone, std::numeric_limits<double>::infinity(), 0.0};
-  if (grid_.empty()) {
-    for (std::size_t i = 0; i < indices_.size(); ++i) consider(i, q, best);
-  } else {
-    searchGrid(q, best);
-  }
-  if (best.at == kNone) return std::nullopt;
-  return Neighbour{indices_[best.at], best.distance};
+  if (nodes_.empty()) return std::nullopt;
+  Search search{q, pointOf(q), scale_};
+  for (const float value : search.point) search.scale = std::max(search.scale, static_cast<double>(std::abs(value)));
+  visit(0, search);
+  for (std::size_t axis = 3; axis < kAxes; ++axis) search.point[axis] = -search.point[axis];
+  visit(0, search);
+  return Neighbour{indices_[search.best], search.distance};
 }
 
 }  // namespace glissade

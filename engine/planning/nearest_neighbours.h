@@ -10,10 +10,12 @@
 
 namespace glissade {
 
-/// Configurations with an index each, for trees that grow every step. Few are searched by a linear
-/// scan over flat arrays, in which a lower bound without trigonometry settles nearly every node; many
-/// lie in a grid over their positions besides, whose cells are searched ring by ring. Both find the
-/// same.
+/// Configurations with an index each, for trees that grow every step. They lie in a k-d tree over
+/// position and quaternion (Bentley 1975, with tight boxes as in a hierarchy of bounding volumes): the
+/// angle between two orientations is at least twice the chord between their quaternions, so the
+/// Euclidean distance of (p, 2 r quaternion) to the nearer of the two quaternions of the query never
+/// exceeds the metric. Boxes and leaves are looked at in single precision with a margin for its
+/// rounding, eight configurations at once; what is left is decided by the metric itself.
 class NearestNeighbours {
  public:
   struct Neighbour {
@@ -29,34 +31,38 @@ class NearestNeighbours {
   std::optional<Neighbour> nearest(const Pose& q) const;
 
  private:
-  /// The best so far: place in the arrays and squared distance.
-  struct Best {
-    std::size_t at;
-    double squared;
-    double distance;
-  };
-  using GridIndex = std::array<int, 3>;
+  static constexpr std::size_t kAxes = 7;
+  static constexpr std::size_t kLanes = 8;
+  using Point = std::array<float, kAxes>;
 
-  void consider(std::size_t at, const Pose& q, Best& best) const;
-  void searchGrid(const Pose& q, Best& best) const;
-  void buildGrid();
-  GridIndex cellOf(double x, double y, double z) const;
-  std::vector<std::uint32_t>& cell(const GridIndex& c) { return grid_[flat(c)]; }
-  std::size_t flat(const GridIndex& c) const {
-    return (static_cast<std::size_t>(c[0]) * static_cast<std::size_t>(counts_[1]) + static_cast<std::size_t>(c[1])) *
-               static_cast<std::size_t>(counts_[2]) +
-           static_cast<std::size_t>(c[2]);
-  }
+  /// Up to eight configurations side by side; lanes without one lie infinitely far away.
+  struct Packet {
+    std::array<std::array<float, kLanes>, kAxes> at;
+    std::array<std::uint32_t, kLanes> place;
+  };
+  struct Node {
+    Point low;
+    Point high;
+    std::uint32_t children = 0;  ///< the first of two; 0: a leaf
+    std::size_t axis = 0;
+    float split = 0.0F;  ///< below it, on the axis: the first child
+    std::vector<Packet> packets;
+    std::size_t count = 0;  ///< configurations of a leaf
+  };
+  struct Search;
+
+  Point pointOf(const Pose& q) const;
+  void addToLeaf(std::uint32_t node, std::uint32_t place, const Point& point);
+  void splitLeaf(std::uint32_t node);
+  void visit(std::uint32_t node, Search& search) const;
+  void look(const Packet& packet, Search& search) const;
 
   Se3Metric metric_;
-  std::vector<double> x_, y_, z_, qx_, qy_, qz_, qw_;
+  std::vector<Pose> poses_;
   std::vector<std::uint32_t> indices_;
-
-  std::vector<std::vector<std::uint32_t>> grid_;  ///< places in the arrays; empty while there are few
-  Vector3 least_ = Vector3::Zero();
-  double edge_ = 1.0;
-  GridIndex counts_{0, 0, 0};
-  std::size_t nextBuild_ = 2048;
+  std::vector<Node> nodes_;
+  Vector3 origin_ = Vector3::Zero();  ///< of the positions in the tree: the first one
+  double scale_ = 0.0;                ///< largest coordinate in the tree
 };
 
 }  // namespace glissade

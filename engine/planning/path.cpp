@@ -23,4 +23,12 @@ double Path::rotation() const {
   return sum;
 }
 
+PerAuthor<double> Path::lengthByAuthor(const Se3Metric& metric) const {
+  PerAuthor<double> sums{};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    sums[static_cast<std::size_t>(points[i].segmentAuthor)] += metric.distance(points[i - 1].q, points[i].q);
+  }
+  return sums;
+}
+
 }  // namespace glissade

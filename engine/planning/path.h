@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/collision/motion_certificate.h"
+#include "engine/geometry/se3_metric.h"
 #include "engine/planning/roadmap.h"
 
 namespace glissade {
@@ -10,6 +11,9 @@ namespace glissade {
 struct PathPoint {
   Pose q;
   Author author = Author::Computer;
+  /// Of the straight motion that ends here: of the node that it was made for, that is of the later one
+  /// of its two ends. Not always `author`: a path runs up the goal tree from child to parent.
+  Author segmentAuthor = Author::Computer;
 };
 
 /// A solution from start to goal: straight motions between consecutive points. Only ever delivered
@@ -21,6 +25,8 @@ struct Path {
   std::vector<Pose> configurations() const;
   double length() const;    ///< sum of translations, metres
   double rotation() const;  ///< sum of rotation angles, radians
+  /// Metric length of the segments of each author, metres.
+  PerAuthor<double> lengthByAuthor(const Se3Metric& metric) const;
 };
 
 }  // namespace glissade

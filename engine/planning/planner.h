@@ -66,6 +66,9 @@ class Planner {
   virtual const PlannerCounts& counts() const = 0;
   /// The certified solution, once solved.
   virtual const Path* path() const = 0;
+  /// Brings nodes() and edges() up to date where a planner does so now and then only. Called when the
+  /// run ends, so that what a run grows does not depend on when somebody looks at it.
+  virtual void completeRoadmap() {}
   /// Whose configuration was tried last.
   virtual Author authority() const = 0;
   /// Contact mode is on: contact samples are being shot.
@@ -74,6 +77,8 @@ class Planner {
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
   /// What the coarse planning decided; null for planners without one.
   virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
+  /// Of a portfolio: the member that has the turn, or that found the path; empty otherwise.
+  virtual std::string member() const { return {}; }
 };
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).
@@ -82,7 +87,7 @@ struct PlannerEntry {
   std::string label;        ///< in the window
   std::string description;  ///< one sentence with the source
   bool usesOperator = false;
-  bool complete = true;     ///< goes on until it finds a path or is stopped; false: it may give up
+  bool complete = true;  ///< goes on until it finds a path or is stopped; false: it may give up
   std::function<std::unique_ptr<Planner>(const Problem&, std::uint64_t seed)> make;
   bool multiLayer = false;  ///< plans coarsely first: needs the environment model
 };

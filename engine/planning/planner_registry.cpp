@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/planning/automatic/automatic_planner.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/direct_planner.h"
 #include "engine/planning/fine/multi_layer_planner.h"
@@ -75,6 +76,10 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
 
 PlannerRegistry makePlannerRegistry() {
   PlannerRegistry registry;
+  registry.add({"auto", "Automatic", "Several planners take turns, dealt out by what each earns; no settings needed.",
+                false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                  return std::make_unique<AutomaticPlanner>(problem, seed);
+                }});
   addFirstPapersPlanners(registry);
   registry.add(interactive("interactive-birrt", "Interactive BiRRT",
                            "Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -11,6 +12,10 @@ namespace glissade {
 
 /// Who shot the configuration that a node comes from.
 enum class Author : std::uint8_t { Computer, Operator, Contact };
+
+/// One number for each author, by Author.
+template <class T>
+using PerAuthor = std::array<T, 3>;
 
 /// Which root a node first grew from; colours the trees.
 enum class TreeSide : std::uint8_t { Start, Goal };

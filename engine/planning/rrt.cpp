@@ -59,8 +59,7 @@ std::optional<Rrt::Extension> Rrt::extend(const Pose& q, PlannerHost& host) {
   if (near.distance == 0.0) return Extension{near.index, true};
   const Pose from = roadmap_.nodes()[near.index].q;
   const ParameterValues& parameters = host.parameters();
-  const double free =
-      freeFraction(*query_, problem_.world->object(), from, q, parameters[ParameterId::GrowthStep], host.stopToken());
+  const double free = freeFraction(*query_, from, q, parameters[ParameterId::GrowthStep], host.stopToken());
   double t = 1.0;
   if (free < 1.0) {
     const double step = parameters[ParameterId::ExtensionStep];
@@ -77,8 +76,8 @@ void Rrt::deliverPath(RoadmapGraph::Node goal, PlannerHost& host) {
   if (!way) return;
   Path path;
   for (const RoadmapGraph::Node node : way->nodes) path.points.push_back({roadmap_.nodes()[node].q, Author::Computer});
-  path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
-                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate =
+      certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance], host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

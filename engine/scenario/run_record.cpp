@@ -2,99 +2,108 @@
 
 #include <glissade/version.h>
 
+#include <filesystem>
+
 #include "engine/base/file.h"
-#include "engine/scenario/json_reader.h"
+#include "engine/scenario/run_record_json.h"
+#include "engine/scenario/scenario_io.h"
 
 namespace glissade {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = JsonCursor::Json;
 
-constexpr std::size_t kMostBytes = 1U << 30;
+constexpr std::size_t kMostBytes = 256U << 20;
 
-ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
-  const auto id = parameterByKey(key);
-  if (!id) at.fail("names the unknown parameter '" + key + "'");
-  return *id;
+/// One key a line, one entry of a list a line: long streams stay readable, and small.
+std::string text(const Json& json) {
+  std::string result = "{";
+  for (const auto& item : json.items()) {
+    result += (result.size() > 1 ? ",\n " : "\n ") + Json(item.key()).dump() + ": ";
+    if (!item.value().is_array() || item.value().empty()) {
+      result += item.value().dump();
+      continue;
+    }
+    std::string separator = "[\n  ";
+    for (const Json& entry : item.value()) {
+      result += separator + entry.dump();
+      separator = ",\n  ";
+    }
+    result += "\n ]";
+  }
+  return result + "\n}\n";
 }
 
-/// A step that does not come before the one above it: a replay goes through them in order.
-std::uint64_t readStep(const JsonCursor& at, std::uint64_t earliest) {
-  const std::uint64_t step = at.wholeNumber();
-  if (step < earliest) at.fail("comes before the step above it");
-  return step;
+/// As seen from the record's folder, so that both may be moved together.
+std::string relativeTo(const std::string& folder, const std::string& file) {
+  std::error_code ignored;
+  const fs::path relative = fs::relative(file, folder, ignored);
+  return relative.empty() ? file : relative.generic_string();
 }
 
-RunRecord read(const JsonCursor& root) {
-  root.allowOnly({"format", "version", "program", "scenario", "scenario_sha256", "planner", "seed", "parameters",
-                  "parameter_changes", "had_operator", "operator_stream", "nodes"});
-  if (root.at("format").text() != "glissade-run") root.at("format").fail("is not \"glissade-run\"");
-  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
-  RunRecord record;
-  record.scenario = root.at("scenario").text();
-  record.scenarioSha256 = root.at("scenario_sha256").text();
-  record.planner = root.at("planner").nonEmptyText();
-  record.seed = root.at("seed").wholeNumber();
-  record.nodes = root.at("nodes").wholeNumber();
-  record.hadOperator = root.at("had_operator").boolean();
-  const JsonCursor parameters = root.at("parameters");
-  for (const auto& item : parameters.json().items()) {
-    const JsonCursor at = parameters.at(item.key());
-    record.parameters[readParameterId(at, item.key())] = at.number();
+/// Where the scenario is: as seen from the record, from here, or beside the record.
+std::string findScenario(const std::string& named, const std::string& recordFile) {
+  const fs::path folder = folderOf(recordFile);
+  for (const fs::path& candidate : {folder / named, fs::path(named), folder / fs::path(named).filename()}) {
+    std::error_code ignored;
+    if (fs::is_regular_file(candidate, ignored)) return candidate.lexically_normal().string();
   }
-  const JsonCursor changes = root.at("parameter_changes");
-  for (std::size_t i = 0; i < changes.size(); ++i) {
-    const JsonCursor at = changes.element(i);
-    at.allowOnly({"step", "parameter", "value"});
-    const std::uint64_t earliest = record.parameterChanges.empty() ? 0 : record.parameterChanges.back().step;
-    record.parameterChanges.push_back({readStep(at.at("step"), earliest),
-                                       readParameterId(at.at("parameter"), at.at("parameter").text()),
-                                       at.at("value").number()});
-  }
-  const JsonCursor stream = root.at("operator_stream");
-  for (std::size_t i = 0; i < stream.size(); ++i) {
-    const JsonCursor at = stream.element(i);
-    at.allowOnly({"step", "q"});
-    const std::uint64_t earliest = record.operatorStream.empty() ? 0 : record.operatorStream.back().step;
-    record.operatorStream.push_back({readStep(at.at("step"), earliest), at.at("q").pose()});
-  }
-  return record;
+  return named;
 }
 
 }  // namespace
 
+std::string problemSha256(const Scenario& scenario) {
+  Scenario problem = scenario;
+  setSemanticEdits({}, problem);
+  const Scenario usual;
+  problem.name = problem.description = "";
+  problem.wayPoints.clear();
+  problem.planner = usual.planner;
+  problem.parameters.clear();
+  problem.seed = usual.seed;
+  for (Asset& asset : problem.assets) asset.sha256.clear();  // those that were used are compared
+  return sha256(writeScenario(problem));
+}
+
+Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log) {
+  RunRecord record;
+  record.program = std::string("Glissade ") + kVersion;
+  record.build = kBuild;
+  std::error_code ignored;
+  record.scenario = fs::absolute(scenario.file, ignored).lexically_normal().string();
+  record.problemSha256 = problemSha256(scenario.scenario);
+  for (const Asset& asset : scenario.scenario.assets) {
+    const auto hash = assetSha256(asset, scenario.file);
+    if (!hash) return hash.error();
+    record.assets.push_back({asset.id, *hash});
+  }
+  setLog(std::move(log), record);
+  return record;
+}
+
+void setLog(RunLog log, RunRecord& record) {
+  for (const ParameterSpec& spec : parameterTable()) record.parameters[spec.id] = log.start.parameters[spec.id];
+  record.log = std::move(log);
+}
+
 Outcome writeRunRecord(const RunRecord& record, const std::string& file) {
-  Json json;
-  json["format"] = "glissade-run";
-  json["version"] = 1;
-  json["program"] = std::string("Glissade ") + kVersion;
-  json["scenario"] = record.scenario;
-  json["scenario_sha256"] = record.scenarioSha256;
-  json["planner"] = record.planner;
-  json["seed"] = record.seed;
-  json["parameters"] = Json::object();
-  for (const auto& [id, value] : record.parameters) json["parameters"][std::string(specOf(id).key)] = value;
-  json["parameter_changes"] = Json::array();
-  for (const auto& change : record.parameterChanges) {
-    json["parameter_changes"].push_back(
-        {{"step", change.step}, {"parameter", std::string(specOf(change.id).key)}, {"value", change.value}});
-  }
-  json["had_operator"] = record.hadOperator;
-  json["nodes"] = record.nodes;
-  json["operator_stream"] = Json::array();
-  for (const auto& entry : record.operatorStream) {
-    json["operator_stream"].push_back({{"step", entry.step}, {"q", toJson(entry.q_device)}});
-  }
-  return writeFileAtomically(file, json.dump(1) + "\n");
+  Json json = headToJson(record);
+  json["scenario"] = relativeTo(folderOf(file), record.scenario);
+  addEvents(record.log, json);
+  return writeFileAtomically(file, text(json));
 }
 
 Result<RunRecord> readRunRecord(const std::string& file) {
-  const auto text = readFile(file, kMostBytes);
-  if (!text) return text.error();
-  const auto document = parseJson(*text, file);
+  const auto content = readFile(file, kMostBytes);
+  if (!content) return content.error();
+  const auto document = isJournal(*content) ? mergedJournal(*content, file) : parseJson(*content, file);
   if (!document) return document.error();
   try {
-    return read(JsonCursor(*document, file, ""));
+    RunRecord record = readRecord(JsonCursor(*document, file, ""));
+    record.scenario = findScenario(record.scenario, file);
+    return record;
   } catch (const JsonError& error) {
     return error.diagnostic;
   }

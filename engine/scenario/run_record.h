@@ -4,33 +4,45 @@
 #include <string>
 #include <vector>
 
-#include "engine/base/parameters.h"
-#include "engine/operator/recorded_device.h"
+#include "engine/operator/run_log.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
 
 /// One run as a file: enough to grow the same roadmap again, bit by bit, also where a person steered.
 struct RunRecord {
-  struct ParameterChange {
-    std::uint64_t step = 0;
-    ParameterId id = ParameterId::Alpha;
-    double value = 0.0;
+  struct AssetHash {
+    std::string id;
+    std::string sha256;
   };
 
-  std::string scenario;        ///< file as the user named it
-  std::string scenarioSha256;  ///< of the canonical scenario with its asset hashes
-  std::string planner;
-  std::uint64_t seed = 1;
-  std::map<ParameterId, double> parameters;  ///< all of them, at the start
-  std::vector<ParameterChange> parameterChanges;
-  std::vector<RecordedPose> operatorStream;
-  bool hadOperator = false;
-  std::uint64_t nodes = 0;  ///< at the end, to compare a replay with
+  int version = 2;            ///< of the file; 1 knows no semantic edits and no checkpoints
+  std::string program;        ///< "Glissade 0.1.0"
+  std::string build;          ///< compiler, processor, flags
+  std::string scenario;       ///< its file; in the record relative to the record's folder
+  std::string problemSha256;  ///< problemSha256(scenario); empty in version 1
+  std::vector<AssetHash> assets;
+  std::map<ParameterId, double> parameters;  ///< at the start
+  RunLog log;                                ///< its start.parameters are set by replayLog()
 };
 
-/// Saved atomically.
+/// The record of a run of this scenario. Errors: an asset can no longer be read.
+Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log);
+
+/// Another run of the same scenario.
+void setLog(RunLog log, RunRecord& record);
+
+/// SHA-256 of what a scenario says about the problem: bodies, object, start, goal, workspace,
+/// environment and rules. What a record holds itself (edits, planner, parameters, seed) is left out.
+std::string problemSha256(const Scenario& scenario);
+
+/// Version 2, saved atomically.
 Outcome writeRunRecord(const RunRecord& record, const std::string& file);
+/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB.
 Result<RunRecord> readRunRecord(const std::string& file);
+
+/// The record's log for this scenario, its parameters and edits checked. Refused (MalformedInput, or
+/// Usage where the scenario is another): what would not be the recorded run.
+Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario, const std::string& file);
 
 }  // namespace glissade

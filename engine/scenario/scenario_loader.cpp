@@ -253,15 +253,21 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
   return loaded;
 }
 
-Outcome saveScenario(const Scenario& scenario, const std::string& file) {
+Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile) {
   constexpr std::size_t kMostBytes = 100U << 20;
+  const auto path = resolveBelow(folderOf(scenarioFile), asset.path, scenarioFile, "asset '" + asset.id + "'");
+  if (!path) return path.error();
+  const auto content = readFile(*path, kMostBytes);
+  if (!content) return content.error();
+  return sha256(*content);
+}
+
+Outcome saveScenario(const Scenario& scenario, const std::string& file) {
   Scenario hashed = scenario;
   for (Asset& asset : hashed.assets) {
-    const auto path = resolveBelow(folderOf(file), asset.path, file, "asset '" + asset.id + "'");
-    if (!path) return path.error();
-    const auto content = readFile(*path, kMostBytes);
-    if (!content) return content.error();
-    asset.sha256 = sha256(*content);
+    const auto hash = assetSha256(asset, file);
+    if (!hash) return hash.error();
+    asset.sha256 = *hash;
   }
   const std::string text = writeScenario(hashed);
   if (const auto readBack = parseScenario(text, file); !readBack) return readBack.error();

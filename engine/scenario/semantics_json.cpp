@@ -26,9 +26,7 @@ Attributes readAttributes(const std::optional<JsonCursor>& at) {
   return attributes;
 }
 
-namespace {
-
-EnvironmentOptions readEnvironment(const JsonCursor& at) {
+EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
   at.allowOnly({"cell_size", "memory", "topology_level", "places"});
   EnvironmentOptions options;
   if (const auto size = at.find("cell_size")) {
@@ -49,6 +47,8 @@ EnvironmentOptions readEnvironment(const JsonCursor& at) {
   }
   return options;
 }
+
+namespace {
 
 AttributeOwner readOwner(const JsonCursor& at) {
   const std::string owner = at.text();
@@ -137,20 +137,34 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
   if (!rules) refuse(rules.error());
 }
 
+template <class Item, class Read>
+std::vector<Item> readList(const JsonCursor& root, const char* key, Read read) {
+  std::vector<Item> items;
+  const auto list = root.find(key);
+  for (std::size_t i = 0; list && i < list->size(); ++i) items.push_back(read(list->element(i)));
+  return items;
+}
+
 }  // namespace
 
+SemanticEdits readSemanticEdits(const JsonCursor& at) {
+  at.allowOnly({"attributes", "places", "bodies", "milestones"});
+  SemanticEdits edits;
+  edits.definitions = readList<AttributeDefinition>(at, "attributes", readDefinition);
+  edits.places = readList<PlaceEdit>(at, "places", readPlace);
+  edits.milestones = readList<MilestoneEdit>(at, "milestones", readMilestone);
+  const auto bodies = at.find("bodies");
+  if (!bodies) return edits;
+  if (!bodies->json().is_object()) bodies->fail("is not an object");
+  for (const auto& item : bodies->json().items()) edits.bodies[item.key()] = readAttributes(bodies->find(item.key()));
+  return edits;
+}
+
 void readSemantics(const JsonCursor& root, Scenario& scenario) {
-  if (const auto environment = root.find("environment")) scenario.environment = readEnvironment(*environment);
-  const auto definitions = root.find("attributes");
-  for (std::size_t i = 0; definitions && i < definitions->size(); ++i) {
-    scenario.attributeDefinitions.push_back(readDefinition(definitions->element(i)));
-  }
-  const auto places = root.find("places");
-  for (std::size_t i = 0; places && i < places->size(); ++i) scenario.places.push_back(readPlace(places->element(i)));
-  const auto milestones = root.find("milestones");
-  for (std::size_t i = 0; milestones && i < milestones->size(); ++i) {
-    scenario.milestones.push_back(readMilestone(milestones->element(i)));
-  }
+  if (const auto environment = root.find("environment")) scenario.environment = readEnvironmentOptions(*environment);
+  scenario.attributeDefinitions = readList<AttributeDefinition>(root, "attributes", readDefinition);
+  scenario.places = readList<PlaceEdit>(root, "places", readPlace);
+  scenario.milestones = readList<MilestoneEdit>(root, "milestones", readMilestone);
   if (const auto rules = root.find("rules")) scenario.rules = readRules(*rules);
   checkSemantics(scenario, root);
 }
@@ -163,14 +177,14 @@ Json attributesToJson(const Attributes& attributes) {
   return json;
 }
 
-namespace {
-
 Json toJson(const EnvironmentOptions& options) {
   return {{"cell_size", options.cellSize},
           {"memory", options.memory},
           {"topology_level", options.topologyLevel},
           {"places", options.identifier}};
 }
+
+namespace {
 
 Json toJson(const AttributeDefinition& definition) {
   Json json;
@@ -216,6 +230,15 @@ void addList(const char* key, const Range& range, Json& json) {
 }
 
 }  // namespace
+
+Json toJson(const SemanticEdits& edits) {
+  Json json = Json::object();
+  addList("attributes", edits.definitions, json);
+  addList("places", edits.places, json);
+  for (const auto& [id, attributes] : edits.bodies) json["bodies"][id] = attributesToJson(attributes);
+  addList("milestones", edits.milestones, json);
+  return json;
+}
 
 void addSemantics(const Scenario& scenario, Json& json) {
   if (!(scenario.environment == EnvironmentOptions{})) json["environment"] = toJson(scenario.environment);

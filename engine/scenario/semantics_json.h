@@ -13,4 +13,10 @@ void readSemantics(const JsonCursor& root, Scenario& scenario);
 void addSemantics(const Scenario& scenario, JsonCursor::Json& json);
 JsonCursor::Json attributesToJson(const Attributes& attributes);
 
+/// Edits and options by themselves, as run records have them. Edits are checked against bodies later.
+SemanticEdits readSemanticEdits(const JsonCursor& at);
+JsonCursor::Json toJson(const SemanticEdits& edits);
+EnvironmentOptions readEnvironmentOptions(const JsonCursor& at);
+JsonCursor::Json toJson(const EnvironmentOptions& options);
+
 }  // namespace glissade

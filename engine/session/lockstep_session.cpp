@@ -50,10 +50,9 @@ class Lockstep final : public LockstepSession {
   void plan(std::uint64_t steps, const StopToken& stop) {
     std::uint64_t left = steps;
     SessionCore::Hooks hooks;
-    hooks.operatorSample = [this]() -> std::optional<OperatorSample> {
-      if (!hand_.held()) return std::nullopt;
-      return hand_.sample();
-    };
+    hooks.hand = [this] { return hand_.state(); };
+    hooks.operatorSample = [this] { return hand_.sample(); };
+    hooks.seconds = [this] { return static_cast<double>(core_.steps()) * secondsPerStep(); };
     hooks.afterStep = [this, &left, &stop] {
       tick();
       return --left > 0 && !stop.stopRequested();

@@ -10,6 +10,12 @@
 
 namespace glissade {
 
+/// Where the object is in the operator's hand.
+struct HandState {
+  Pose q_device;
+  std::uint64_t moves = 0;  ///< as OperatorSample::moves
+};
+
 /// The operator's side of a session: q_device, what moves it, and its nearest obstacle (paper 1,
 /// section III.A: reading the device, integrating positions, cycling through obstacles). Owned and
 /// used by one thread.
@@ -26,6 +32,10 @@ class OperatorHand {
   /// Lets the object go for good (its device failed).
   void release() { device_.reset(); }
   void advance(double dt, const OperatorFrame& frame, const std::function<double(const Pose&)>& distanceToStartTree);
+  /// Nothing where nobody holds the object.
+  std::optional<HandState> state() const {
+    return held() ? std::make_optional(HandState{sample_.q_device, sample_.moves}) : std::nullopt;
+  }
   /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place.
   const OperatorSample& sample();
 

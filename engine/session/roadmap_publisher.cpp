@@ -9,6 +9,7 @@ void RoadmapPublisher::update(const Planner& planner) {
     auto chunk = std::make_shared<RoadmapChunk>();
     chunk->nodes.assign(nodes.begin() + static_cast<std::ptrdiff_t>(nodes_), nodes.end());
     chunk->edges.assign(edges.begin() + static_cast<std::ptrdiff_t>(edges_), edges.end());
+    for (const RoadmapNode& node : chunk->nodes) ++nodesByAuthor_[static_cast<std::size_t>(node.author)];
     nodes_ = nodes.size();
     edges_ = edges.size();
     chunks_.push_back(std::move(chunk));

@@ -14,10 +14,12 @@ class RoadmapPublisher {
 
   const RoadmapChunks& chunks() const { return chunks_; }
   const std::vector<RoadmapEdge>& droppedEdges() const { return dropped_; }
+  const PerAuthor<std::uint64_t>& nodesByAuthor() const { return nodesByAuthor_; }
 
  private:
   RoadmapChunks chunks_;
   std::vector<RoadmapEdge> dropped_;
+  PerAuthor<std::uint64_t> nodesByAuthor_{};
   std::size_t nodes_ = 0;
   std::size_t edges_ = 0;
 };

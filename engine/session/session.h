@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "engine/operator/operator_input.h"
+#include "engine/operator/run_log.h"
 #include "engine/planning/planner.h"
-#include "engine/session/run_log.h"
 
 namespace glissade {
 
@@ -69,10 +69,12 @@ struct SessionSnapshot {
   OperatorSample device;  ///< q_device and its nearest obstacle
   bool deviceConnected = true;
   RoadmapChunks roadmap;
+  PerAuthor<std::uint64_t> nodesByAuthor{};
   std::vector<RoadmapEdge> droppedEdges;
-  CoarsePlanPtr coarsePlan;           ///< of a multi-layer planner; null otherwise
-  std::shared_ptr<const Path> path;   ///< certified; null until solved
-  std::shared_ptr<const RunLog> log;  ///< what shaped the run, once it has ended
+  CoarsePlanPtr coarsePlan;          ///< of a multi-layer planner; null otherwise
+  std::shared_ptr<const Path> path;  ///< certified; null until solved
+  RunLogParts log;                   ///< what shaped the run: at most a second old, and whole once it has ended
+  std::string member;                ///< of the automatic planner: whose turn it is, or who found the path
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 

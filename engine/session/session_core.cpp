@@ -3,6 +3,7 @@
 #include <exception>
 #include <sstream>
 
+#include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/session/start_check.h"
 
 namespace glissade {
@@ -24,20 +25,27 @@ std::string grouped(std::uint64_t count) {
 /// The planner's view of the session.
 class SessionCore::Host final : public PlannerHost {
  public:
-  Host(SessionCore& core, const Hooks& hooks) : core_(core), hooks_(hooks), stop_(core.withTimeLimit(hooks.stop)) {}
+  Host(SessionCore& core, const Hooks& hooks) : core_(core), hooks_(hooks), stop_(core.withTimeLimit(hooks.stop)) {
+    core_.logger_.noteHand(hooks_.hand());
+  }
 
   std::optional<OperatorSample> operatorSample() override {
-    auto sample = hooks_.operatorSample();
-    if (sample) core_.noteOperator(*sample);
+    if (!core_.logger_.held()) return std::nullopt;
+    OperatorSample sample = hooks_.operatorSample();
+    sample.moves = core_.logger_.handMoves();  // as a replay will count them
     return sample;
   }
   const ParameterValues& parameters() const override { return core_.parameters_; }
   bool afterStep() override {
+    core_.logger_.stepDone(*core_.planner_, hooks_.seconds(), !stop_.stopRequested());
     if (auto reached = core_.limitReached(); reached && core_.planner_->path() == nullptr) {
       core_.fail(*std::move(reached));
       return false;
     }
-    return hooks_.afterStep();
+    if (!hooks_.afterStep()) return false;
+    const bool over = core_.planner_->path() != nullptr || core_.planner_->failure();
+    if (!over) core_.logger_.noteHand(hooks_.hand());
+    return true;
   }
   const StopToken& stopToken() const override { return stop_; }
   SemanticEditsPtr semanticEdits() const override { return core_.problem_.scene.edits; }
@@ -66,7 +74,7 @@ void SessionCore::carryOut(const Command& wanted) {
   } else if (std::holds_alternative<command::Resume>(wanted)) {
     if (state_ == SessionState::Paused) state_ = SessionState::Planning;
   } else if (std::holds_alternative<command::Stop>(wanted)) {
-    if (running) state_ = SessionState::Stopped;
+    if (running) endRun(SessionState::Stopped);
   } else if (const auto* seed = std::get_if<command::SetSeed>(&wanted)) {
     seed_ = seed->seed;
   } else if (const auto* planner = std::get_if<command::SetPlanner>(&wanted)) {
@@ -75,6 +83,7 @@ void SessionCore::carryOut(const Command& wanted) {
     setParameter(parameter->id, parameter->value);
   } else if (const auto* semantics = std::get_if<command::SetSemantics>(&wanted)) {
     problem_.scene.edits = semantics->edits;
+    if (running) logger_.note(semantics->edits);
   } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
     problem_.scene.knowledge = known->knowledge;
   }
@@ -96,7 +105,7 @@ void SessionCore::setParameter(ParameterId id, double value) {
     trouble_ = outcome.error();
     return;
   }
-  if (planner_) log_.parameterChanges.push_back({planner_->counts().steps, id, value});
+  if (state_ == SessionState::Planning || state_ == SessionState::Paused) logger_.note(id, value);
 }
 
 void SessionCore::startRun() {
@@ -105,9 +114,9 @@ void SessionCore::startRun() {
   path_.reset();
   planner_.reset();
   roadmap_.reset();
-  log_ = RunLog();
-  log_.initialParameters = parameters_;
-  lastMoves_.reset();
+  const SceneDescription& scene = problem_.scene;
+  logger_.start({plannerId_, seed_, parameters_, scene.edits,
+                 scene.knowledge ? std::make_optional(scene.knowledge->source) : std::nullopt});
   spent_ = std::chrono::duration<double>(0);
   const Outcome startable = checkStart(problem_, parameters_[ParameterId::RequiredClearance]);
   if (!startable) {
@@ -130,7 +139,7 @@ void SessionCore::plan(const Hooks& hooks) {
   try {
     if (planner_->solve(host)) {
       path_ = std::make_shared<const Path>(*planner_->path());
-      state_ = SessionState::Solved;
+      endRun(SessionState::Solved);
     } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
       fail(*why);
     }
@@ -142,15 +151,14 @@ void SessionCore::plan(const Hooks& hooks) {
   planningSince_.reset();
 }
 
-void SessionCore::noteOperator(const OperatorSample& sample) {
-  if (lastMoves_ == sample.moves) return;
-  lastMoves_ = sample.moves;
-  log_.operatorStream.push_back({planner_->counts().steps, sample.q_device});
+void SessionCore::endRun(SessionState state) {
+  state_ = state;
+  if (planner_) planner_->completeRoadmap();
 }
 
 void SessionCore::fail(Diagnostic why) {
   trouble_ = std::move(why);
-  state_ = SessionState::Failed;
+  endRun(SessionState::Failed);
 }
 
 std::optional<Diagnostic> SessionCore::limitReached() const {
@@ -203,12 +211,12 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
     snapshot.authority = planner_->authority();
     snapshot.contactMode = planner_->inContactMode();
     snapshot.coarsePlan = planner_->coarsePlan();
+    snapshot.member = planner_->member();
   }
   snapshot.roadmap = roadmap_.chunks();
+  snapshot.nodesByAuthor = roadmap_.nodesByAuthor();
   snapshot.droppedEdges = roadmap_.droppedEdges();
-  const bool ended =
-      state_ == SessionState::Solved || state_ == SessionState::Failed || state_ == SessionState::Stopped;
-  snapshot.log = ended && run_ > 0 ? std::make_shared<const RunLog>(log_) : nullptr;
+  if (run_ > 0) snapshot.log = logger_.parts(!isRunning(snapshot));
 }
 
 }  // namespace glissade

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/session/roadmap_publisher.h"
-#include "engine/session/run_log.h"
+#include "engine/session/run_logger.h"
 #include "engine/session/session.h"
 
 namespace glissade {
@@ -19,17 +19,22 @@ class SessionCore {
   SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed);
   ~SessionCore();
 
-  /// Start, Pause, Resume, Stop, SetSeed, SetPlanner, SetParameter; SetDevicePose is the operator
-  /// side's and does nothing here.
+  /// Every command but SetDevicePose, which is the operator side's and does nothing here.
   void carryOut(const Command& command);
 
   SessionState state() const { return state_; }
   /// Counts the runs started so far.
   std::uint64_t run() const { return run_; }
+  /// Session steps of this run: how often the planner came back (RunLog's clock).
+  std::uint64_t steps() const { return logger_.steps(); }
 
   /// What plan() needs from the session around it.
   struct Hooks {
-    std::function<std::optional<OperatorSample>()> operatorSample;
+    /// The object in the operator's hand; asked once a step, before it. Nothing: nobody holds it.
+    std::function<std::optional<HandState>()> hand;
+    /// The same object with its nearest obstacle, where the planner wants to know.
+    std::function<OperatorSample()> operatorSample;
+    std::function<double()> seconds;  ///< since the start, in the run's own time
     std::function<bool()> afterStep;  ///< false: return from plan() (and be called again later)
     StopToken stop;
   };
@@ -40,6 +45,8 @@ class SessionCore {
   /// Fills in the planning side of a snapshot and publishes new roadmap nodes.
   void describe(SessionSnapshot& snapshot);
 
+  /// Time spent planning, pauses excluded.
+  double planningSeconds() const;
   const Problem& problem() const { return problem_; }
   const ParameterValues& parameters() const { return parameters_; }
   const Planner* planner() const { return planner_.get(); }
@@ -50,11 +57,10 @@ class SessionCore {
   void startRun();
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
-  void noteOperator(const OperatorSample& sample);
+  void endRun(SessionState state);
   void fail(Diagnostic why);
   std::optional<Diagnostic> limitReached() const;
   StopToken withTimeLimit(const StopToken& stop) const;
-  double planningSeconds() const;
 
   Problem problem_;
   PlannerRegistry registry_;
@@ -68,8 +74,7 @@ class SessionCore {
   std::unique_ptr<Planner> planner_;
   RoadmapPublisher roadmap_;
   std::shared_ptr<const Path> path_;
-  RunLog log_;
-  std::optional<std::uint64_t> lastMoves_;  ///< of the operator sample logged last
+  RunLogger logger_;
   std::chrono::duration<double> spent_{0};
   std::optional<std::chrono::steady_clock::time_point> planningSince_;
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -94,7 +95,9 @@ class Threaded final : public Session {
     while (waitForWork()) {
       if (core_.state() == SessionState::Planning) {
         SessionCore::Hooks hooks;
-        hooks.operatorSample = [this] { return readOperator(); };
+        hooks.hand = [this] { return readOperator(); };
+        hooks.operatorSample = [this] { return operatorSeen_; };
+        hooks.seconds = [this] { return core_.planningSeconds(); };
         hooks.afterStep = [this] { return afterStep(); };
         hooks.stop = freshStopToken();
         core_.plan(hooks);
@@ -124,18 +127,24 @@ class Threaded final : public Session {
     return true;
   }
 
-  /// A stop asked for from now on. One asked for before is in the command queue.
+  /// A stop that is asked for from now on, or that waits in the queue already. Other commands let the
+  /// planner finish its step: a step cut off could not be replayed.
   StopToken freshStopToken() {
     const std::lock_guard lock(mutex_);
     stop_ = StopSource();
-    if (quit_ || !commands_.empty()) stop_.requestStop();
+    const bool stopQueued = std::any_of(commands_.begin(), commands_.end(), [](const Command& command) {
+      return std::holds_alternative<command::Stop>(command);
+    });
+    if (quit_ || stopQueued) stop_.requestStop();
     return stop_.token();
   }
 
-  std::optional<OperatorSample> readOperator() {
+  /// What the planner sees of the operator for one step.
+  std::optional<HandState> readOperator() {
     const std::lock_guard lock(mutex_);
     if (!held_) return std::nullopt;
-    return operatorSample_;
+    operatorSeen_ = operatorSample_;
+    return HandState{operatorSeen_.q_device, operatorSeen_.moves};
   }
 
   bool afterStep() {
@@ -229,6 +238,7 @@ class Threaded final : public Session {
   SessionCore core_;                   ///< planner thread
   OperatorHand hand_;                  ///< operator thread
   StartTreeDistance tree_;             ///< operator thread
+  OperatorSample operatorSeen_;        ///< planner thread: what the planner sees in this step
   Clock::time_point lastPublication_;  ///< planner thread
 
   mutable std::mutex mutex_;  ///< guards everything below up to the threads

@@ -452,6 +452,102 @@
         <translation>Montrer les configurations de passage ; tirer pour en déplacer une, Ctrl+tirer pour la tourner</translation>
     </message>
     <message>
+        <source>Steer the &amp;camera</source>
+        <translation>Diriger la &amp;caméra</translation>
+    </message>
+    <message>
+        <source>Keys, 6D mouse and gamepad move the camera, or the object again</source>
+        <translation>Clavier, souris 6D et manette déplacent la caméra, ou de nouveau l&apos;objet</translation>
+    </message>
+    <message>
+        <source>&amp;Devices...</source>
+        <translation>&amp;Périphériques...</translation>
+    </message>
+    <message>
+        <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
+        <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
+    </message>
+    <message>
+        <source>Save &amp;recording...</source>
+        <translation>Enregistrer la &amp;session...</translation>
+    </message>
+    <message>
+        <source>Save what was done in the last run, to replay it bit by bit</source>
+        <translation>Enregistrer ce qui a été fait au dernier calcul, pour le rejouer au bit près</translation>
+    </message>
+    <message>
+        <source>Open re&amp;cording...</source>
+        <translation>Ouvrir un en&amp;registrement...</translation>
+    </message>
+    <message>
+        <source>Replay a recorded run</source>
+        <translation>Rejouer un calcul enregistré</translation>
+    </message>
+    <message>
+        <source>Replay the &amp;last run</source>
+        <translation>Re&amp;jouer le dernier calcul</translation>
+    </message>
+    <message>
+        <source>Run the last run, or the recording opened last, again bit by bit</source>
+        <translation>Refaire au bit près le dernier calcul, ou le dernier enregistrement ouvert</translation>
+    </message>
+    <message>
+        <source>Replay with &amp;current parameters</source>
+        <translation>Rejouer avec les &amp;paramètres courants</translation>
+    </message>
+    <message>
+        <source>What the same operator would have led to with the sliders as they are set</source>
+        <translation>Ce que le même opérateur aurait donné avec les curseurs tels qu&apos;ils sont</translation>
+    </message>
+    <message>
+        <source>Play the r&amp;eplay</source>
+        <translation>&amp;Lire la relecture</translation>
+    </message>
+    <message>
+        <source>Let the replayed run pass, or hold it</source>
+        <translation>Faire défiler le calcul rejoué, ou le retenir</translation>
+    </message>
+    <message>
+        <source>Step &amp;forward</source>
+        <translation>Pas en a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Show the next step of the replay</source>
+        <translation>Montrer le pas suivant de la relecture</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Pas en a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Show the step before</source>
+        <translation>Montrer le pas précédent</translation>
+    </message>
+    <message>
+        <source>To the be&amp;ginning</source>
+        <translation>Au dé&amp;but</translation>
+    </message>
+    <message>
+        <source>Show the replay from its beginning</source>
+        <translation>Montrer la relecture depuis son début</translation>
+    </message>
+    <message>
+        <source>Close the repla&amp;y</source>
+        <translation>&amp;Fermer la relecture</translation>
+    </message>
+    <message>
+        <source>Go back to the session; its run and parameters are as they were left</source>
+        <translation>Revenir à la session ; son calcul et ses paramètres sont tels qu&apos;on les a laissés</translation>
+    </message>
+    <message>
+        <source>Path by &amp;author</source>
+        <translation>Chemin par &amp;auteur</translation>
+    </message>
+    <message>
+        <source>Colour the path by who made each segment: computer, operator, contact</source>
+        <translation>Colorer le chemin selon l&apos;auteur de chaque segment : ordinateur, opérateur, contact</translation>
+    </message>
+    <message>
         <source>&amp;Open study results...</source>
         <translation>&amp;Ouvrir les résultats d’une étude...</translation>
     </message>
@@ -542,10 +638,6 @@
 <context>
     <name>Devices</name>
     <message>
-        <source>Keyboard and 6D mouse</source>
-        <translation>Clavier et souris 6D</translation>
-    </message>
-    <message>
         <source>Keyboard</source>
         <translation>Clavier</translation>
     </message>
@@ -560,6 +652,18 @@
     <message>
         <source>Simulated novice</source>
         <translation>Novice simulé</translation>
+    </message>
+    <message>
+        <source>6D mouse</source>
+        <translation>Souris 6D</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Manette</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
     </message>
 </context>
 <context>
@@ -666,6 +770,10 @@
         <source>OMPL: EST</source>
         <translation>OMPL : EST</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
 </context>
 <context>
     <name>Plots</name>
@@ -716,6 +824,29 @@
     <message>
         <source>Contact distance d (m)</source>
         <translation>Distance de contact d (m)</translation>
+    </message>
+</context>
+<context>
+    <name>Presets</name>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>As in CAD</source>
+        <translation>Comme en CAO</translation>
+    </message>
+    <message>
+        <source>Beginner</source>
+        <translation>Débutant</translation>
+    </message>
+    <message>
+        <source>Precise</source>
+        <translation>Précis</translation>
+    </message>
+    <message>
+        <source>Flight</source>
+        <translation>Vol</translation>
     </message>
 </context>
 <context>
@@ -859,6 +990,234 @@
     </message>
 </context>
 <context>
+    <name>glissade::AuthorBar</name>
+    <message>
+        <source>computer</source>
+        <translation>ordinateur</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>opérateur</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent plane of his nearest obstacle.</source>
+        <translation>Ordinateur : configurations aléatoires. Opérateur : là où il tenait l&apos;objet. Contact : tirées sur le plan tangent de son obstacle le plus proche.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AxisBar</name>
+    <message>
+        <source>Thin: as the device reports it. Thick: after shaping. Hatched: the dead zone.</source>
+        <translation>Fin : tel que le périphérique l&apos;indique. Épais : après mise en forme. Hachuré : la zone morte.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AxisRow</name>
+    <message>
+        <source>Dead zone</source>
+        <translation>Zone morte</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbe</translation>
+    </message>
+    <message>
+        <source>Turns the direction round</source>
+        <translation>Inverse le sens</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Inversé</translation>
+    </message>
+    <message>
+        <source>shift x</source>
+        <translation>translation x</translation>
+    </message>
+    <message>
+        <source>shift y</source>
+        <translation>translation y</translation>
+    </message>
+    <message>
+        <source>shift z</source>
+        <translation>translation z</translation>
+    </message>
+    <message>
+        <source>turn x</source>
+        <translation>rotation x</translation>
+    </message>
+    <message>
+        <source>turn y</source>
+        <translation>rotation y</translation>
+    </message>
+    <message>
+        <source>turn z</source>
+        <translation>rotation z</translation>
+    </message>
+    <message>
+        <source>The device&apos;s axis that drives this one</source>
+        <translation>L&apos;axe du périphérique qui commande celui-ci</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Device, motion</source>
+        <translation>Périphérique, mouvement</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Inverser</translation>
+    </message>
+    <message>
+        <source>Driven by</source>
+        <translation>Commandé par</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::CalibrationDialog</name>
+    <message>
+        <source>&amp;One axis at a time (the dominant one)</source>
+        <translation>&amp;Un axe à la fois (le dominant)</translation>
+    </message>
+    <message>
+        <source>Lock &amp;shifts</source>
+        <translation>Bloquer les &amp;translations</translation>
+    </message>
+    <message>
+        <source>Lock &amp;turns</source>
+        <translation>Bloquer les &amp;rotations</translation>
+    </message>
+    <message>
+        <source>Speed of shifts</source>
+        <translation>Vitesse des translations</translation>
+    </message>
+    <message>
+        <source>Speed of turns</source>
+        <translation>Vitesse des rotations</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Périphériques</translation>
+    </message>
+    <message>
+        <source>The settings cannot be written: %1</source>
+        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>Réi&amp;nitialiser</translation>
+    </message>
+    <message>
+        <source>Shaping and buttons of this device as at the first time</source>
+        <translation>Mise en forme et boutons de ce périphérique comme la première fois</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Périphérique</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>Pré&amp;réglage</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>À droite</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>En haut</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Vers vous</translation>
+    </message>
+    <message>
+        <source>Tip forward</source>
+        <translation>Basculer en avant</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Tourner à droite</translation>
+    </message>
+    <message>
+        <source>Roll left</source>
+        <translation>Rouler à gauche</translation>
+    </message>
+    <message>
+        <source>of the view</source>
+        <translation>de la vue</translation>
+    </message>
+    <message>
+        <source>of the world</source>
+        <translation>du monde</translation>
+    </message>
+    <message>
+        <source>of the object</source>
+        <translation>de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>&amp;Axes</translation>
+    </message>
+    <message>
+        <source>S&amp;hifts, speed</source>
+        <translation>Translations, &amp;vitesse</translation>
+    </message>
+    <message>
+        <source>T&amp;urns, speed</source>
+        <translation>R&amp;otations, vitesse</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Boutons</translation>
+    </message>
+    <message>
+        <source>&amp;Button</source>
+        <translation>&amp;Bouton</translation>
+    </message>
+    <message>
+        <source>d&amp;oes</source>
+        <translation>d&amp;éclenche</translation>
+    </message>
+    <message>
+        <source>Press a button of the device to find its number.</source>
+        <translation>Appuyez sur un bouton du périphérique pour trouver son numéro.</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>personnel</translation>
+    </message>
+    <message>
+        <source>connected: %1</source>
+        <translation>connecté : %1</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>non connecté</translation>
+    </message>
+</context>
+<context>
     <name>glissade::CountsPanel</name>
     <message>
         <source>Iterations</source>
@@ -962,6 +1321,33 @@
     </message>
 </context>
 <context>
+    <name>glissade::DeviceController</name>
+    <message>
+        <source>6D mouse: %1</source>
+        <translation>Souris 6D : %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>No 6D mouse, or spacenavd does not run; looked for again and again</source>
+        <translation>Pas de souris 6D, ou spacenavd ne tourne pas ; recherche répétée</translation>
+    </message>
+    <message>
+        <source>Gamepad: %1</source>
+        <translation>Manette : %1</translation>
+    </message>
+    <message>
+        <source>Moves: camera</source>
+        <translation>Déplace : caméra</translation>
+    </message>
+    <message>
+        <source>Moves: object</source>
+        <translation>Déplace : objet</translation>
+    </message>
+</context>
+<context>
     <name>glissade::InteractionPanel</name>
     <message>
         <source>Who holds the object</source>
@@ -1006,6 +1392,10 @@
     <message>
         <source>Strategy</source>
         <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Replayed: as it was at this step</source>
+        <translation>Relecture : tel qu&apos;à ce pas</translation>
     </message>
 </context>
 <context>
@@ -1186,6 +1576,62 @@
         <translation>Le scénario a des modifications non enregistrées.</translation>
     </message>
     <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Opérateur</translation>
+    </message>
+    <message>
+        <source>No journal of this run on disk: %1</source>
+        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be replayed</source>
+        <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened</source>
+        <translation>L&apos;enregistrement ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json *.journal);;All files (*)</source>
+        <translation>Enregistrements (*.json *.journal);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json)</source>
+        <translation>Enregistrements (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording cannot be saved</source>
+        <translation>L&apos;enregistrement ne peut pas être sauvegardé</translation>
+    </message>
+    <message>
+        <source>A recording was left</source>
+        <translation>Un enregistrement est resté</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly during a run. Its recording is still there.</source>
+        <translation>Glissade s&apos;est arrêté brusquement pendant un calcul. Son enregistrement est toujours là.</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Enregistrer...</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
         <source>&amp;Study</source>
         <translation>É&amp;tude</translation>
     </message>
@@ -1217,8 +1663,8 @@
         <translation>%1 configurations, %2 m, %3°</translation>
     </message>
     <message>
-        <source>by computer %1, operator %2, contact %3</source>
-        <translation>ordinateur %1, opérateur %2, contact %3</translation>
+        <source>Length by author</source>
+        <translation>Longueur par auteur</translation>
     </message>
 </context>
 <context>
@@ -1274,6 +1720,91 @@
     <message>
         <source>failed</source>
         <translation>échoué</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ReplayBar</name>
+    <message>
+        <source>Replay</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>RELECTURE</translation>
+    </message>
+    <message>
+        <source>What you see was recorded: nothing can be steered until the replay is closed</source>
+        <translation>Ce que vous voyez a été enregistré : rien ne peut être piloté avant de fermer la relecture</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>Times the pace of the recorded run</source>
+        <translation>Fois l&apos;allure du calcul enregistré</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Vitesse de la relecture</translation>
+    </message>
+    <message>
+        <source>Step of the run</source>
+        <translation>Pas du calcul</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ReplayController</name>
+    <message>
+        <source>replaying...</source>
+        <translation>relecture en cours...</translation>
+    </message>
+    <message>
+        <source>The run is being replayed</source>
+        <translation>Le calcul est en train d&apos;être rejoué</translation>
+    </message>
+    <message>
+        <source>replaying... %1 %</source>
+        <translation>relecture en cours... %1 %</translation>
+    </message>
+    <message>
+        <source>other parameters</source>
+        <translation>autres paramètres</translation>
+    </message>
+    <message>
+        <source>Other parameters: solved, %1 nodes (recorded: %2)</source>
+        <translation>Autres paramètres : résolu, %1 nœuds (enregistré : %2)</translation>
+    </message>
+    <message>
+        <source>Other parameters: no path, %1 nodes (recorded: %2)</source>
+        <translation>Autres paramètres : pas de chemin, %1 nœuds (enregistré : %2)</translation>
+    </message>
+    <message>
+        <source>≠ recorded</source>
+        <translation>≠ enregistré</translation>
+    </message>
+    <message>
+        <source>Differs from the recording: the same until step %1, not at step %2</source>
+        <translation>Diffère de l&apos;enregistrement : identique jusqu&apos;au pas %1, plus au pas %2</translation>
+    </message>
+    <message>
+        <source>✓ as recorded</source>
+        <translation>✓ tel qu&apos;enregistré</translation>
+    </message>
+    <message>
+        <source>Same roadmap as recorded: %1 nodes</source>
+        <translation>Même graphe qu&apos;enregistré : %1 nœuds</translation>
+    </message>
+    <message>
+        <source>Replay. %1</source>
+        <translation>Relecture. %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ResponseCurve</name>
+    <message>
+        <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
+        <translation>La réponse (vers le haut) au débattement du périphérique (en travers) ; le point indique la position actuelle</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1946,18 @@
 <context>
     <name>glissade::StudyBrowser</name>
     <message>
+        <source>Holds</source>
+        <translation>Tient</translation>
+    </message>
+    <message>
+        <source>Does not hold</source>
+        <translation>Ne tient pas</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>En suspens</translation>
+    </message>
+    <message>
         <source>Seed</source>
         <translation>Graine</translation>
     </message>
@@ -1443,10 +1986,6 @@
         <translation>Étude</translation>
     </message>
     <message>
-        <source>Double-click a run to see it again, from its seed.</source>
-        <translation>Double-cliquez sur un essai pour le revoir, à partir de sa graine.</translation>
-    </message>
-    <message>
         <source>&amp;Show this run</source>
         <translation>&amp;Montrer cet essai</translation>
     </message>
@@ -1457,6 +1996,10 @@
     <message>
         <source>%1 — study</source>
         <translation>%1 — étude</translation>
+    </message>
+    <message>
+        <source>Double-click a run to see it again, from its seed.</source>
+        <translation>Double-cliquez sur un essai pour le revoir, à partir de sa graine.</translation>
     </message>
     <message>
         <source>Row</source>
@@ -1483,28 +2026,16 @@
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>Holds</source>
-        <translation>Tient</translation>
-    </message>
-    <message>
-        <source>Does not hold</source>
-        <translation>Ne tient pas</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>En suspens</translation>
-    </message>
-    <message>
         <source>%1 of %2 pairs</source>
         <translation>%1 paires sur %2</translation>
     </message>
     <message>
         <source>The study declares no findings.</source>
         <translation>L’étude n’énonce pas de constats.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
     </message>
 </context>
 <context>
@@ -1529,16 +2060,16 @@
         <source>The report cannot be written</source>
         <translation>Le rapport ne peut pas être écrit</translation>
     </message>
+    <message>
+        <source>The run cannot be shown</source>
+        <translation>L’essai ne peut pas être montré</translation>
+    </message>
     <message numerus="yes">
         <source>%n file(s) of runs could not be read and are left out.</source>
         <translation>
             <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
             <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The run cannot be shown</source>
-        <translation>L’essai ne peut pas être montré</translation>
     </message>
     <message>
         <source>Seed %1 is running in the main window.</source>

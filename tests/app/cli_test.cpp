@@ -197,7 +197,7 @@ TEST_F(Cli, AnInteractiveRunReplaysBitByBit) {
       0);
   const std::string original = read(first);
   ASSERT_FALSE(original.empty());
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const std::string again = (folder / "again.path").string();
     const std::string recordAgain = (folder / "again.json").string();
     const Finished replay = run("plan " + sample("environment-1") + " --operator replay:" + record + " --record " +
@@ -206,6 +206,55 @@ TEST_F(Cli, AnInteractiveRunReplaysBitByBit) {
     EXPECT_EQ(read(again), original);
     EXPECT_EQ(read(recordAgain), read(record));
   }
+}
+
+TEST_F(Cli, AReplayIsComparedBitByBit) {
+  const std::string record = (folder / "run.json").string();
+  ASSERT_EQ(run("plan " + sample("environment-1") + " --operator novice --seed 3 --record " + record).exitCode, 0);
+  const Finished same = run("replay " + record + " --json");
+  ASSERT_EQ(same.exitCode, 0) << same.err;
+  const Json report = Json::parse(same.out);
+  EXPECT_EQ(report["same"], true);
+  EXPECT_EQ(report["solved"], true);
+  EXPECT_GT(report["checkpoints"].get<int>(), 1);
+
+  Json altered = Json::parse(read(record));
+  for (std::size_t i = 0; i < 200; ++i) {  // not every pose is looked at
+    Json& x = altered["operator_stream"][i][1];
+    x = x.get<double>() + 1e-9;
+  }
+  const std::string other = write("other.json", altered.dump());
+  const Finished different = run("replay " + other + " --scenario " + sample("environment-1") + " --json");
+  ASSERT_EQ(different.exitCode, 1) << different.err;
+  const Json difference = Json::parse(different.out)["difference"];
+  EXPECT_EQ(difference["same_until"], 0);
+  EXPECT_EQ(run("replay " + record + " --scenario " + sample("environment-2")).exitCode, 2);
+  EXPECT_EQ(run("replay " + (folder / "none.json").string()).exitCode, 3);
+}
+
+TEST_F(Cli, ARecordedOperatorMeetsOtherParameters) {
+  const std::string record = (folder / "run.json").string();
+  ASSERT_EQ(run("plan " + sample("environment-1") + " --operator expert --record " + record).exitCode, 0);
+  const Finished other =
+      run("plan " + sample("environment-1") + " --operator replay:" + record + " --alpha 0.9 --max-steps 300 --json");
+  const Json report = Json::parse(other.out);
+  EXPECT_EQ(report["parameters"]["alpha"], 0.9);
+  EXPECT_LE(report["steps"].get<int>(), 300);
+  EXPECT_GT(report["nodes_by_author"]["computer"].get<int>(), report["nodes_by_author"]["operator"].get<int>());
+}
+
+TEST_F(Cli, SharesOfTheAuthorsAddUp) {
+  const Finished plan = run("plan " + sample("environment-1") + " --operator expert --json");
+  ASSERT_EQ(plan.exitCode, 0) << plan.err;
+  const Json report = Json::parse(plan.out);
+  int nodes = 0;
+  double path = 0.0;
+  for (const char* author : {"computer", "operator", "contact"}) {
+    nodes += report["nodes_by_author"][author].get<int>();
+    path += report["path_share_by_author"][author].get<double>();
+  }
+  EXPECT_EQ(nodes, report["nodes"].get<int>());
+  EXPECT_NEAR(path, 1.0, 1e-9);
 }
 
 TEST_F(Cli, InfoTellsWhatIsThere) {

@@ -44,6 +44,8 @@ TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
   bridge.open(slidingPlane());
   bridge.post(command::SetParameter{ParameterId::Alpha, 0.625});
   bridge.post(command::SetSeed{77});
+  const auto edits = std::make_shared<const SemanticEdits>();
+  bridge.post(command::SetSemantics{edits});
   QElapsedTimer timer;
   timer.start();
   while (bridge.snapshot()->seed != 77 && timer.elapsed() < 10000) QCoreApplication::processEvents();
@@ -51,6 +53,11 @@ TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
   EXPECT_EQ(bridge.snapshot()->parameters[ParameterId::Alpha], 0.625);
   EXPECT_EQ(bridge.snapshot()->seed, 77U);
   EXPECT_EQ(bridge.deviceId(), "novice");
+  bridge.post(command::Start{});
+  timer.start();
+  while (bridge.snapshot()->log.empty() && timer.elapsed() < 10000) QCoreApplication::processEvents();
+  ASSERT_FALSE(bridge.snapshot()->log.empty());
+  EXPECT_EQ(bridge.snapshot()->log.front()->start.edits, edits);
 }
 
 TEST_P(Bridge, OpensOneScenarioAfterAnotherWhileItRuns) {

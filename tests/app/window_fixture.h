@@ -59,6 +59,10 @@ class WindowTest : public testing::Test {
       arguments << kSource + QStringLiteral("/samples/") + scenario + QStringLiteral("/scenario.json");
     }
     QProcess process;
+    // The user's own settings stay out of it.
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
+    process.setProcessEnvironment(environment);
     process.start(QStringLiteral(GLISSADE_BIN_DIR "/glissade-offscreen"), arguments + options);
     EXPECT_TRUE(process.waitForFinished(120000));
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};

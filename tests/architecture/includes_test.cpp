@@ -85,11 +85,18 @@ TEST(Architecture, TheEngineKnowsNeitherQtNorOsgNorTheWindow) {
 }
 
 TEST(Architecture, WindowAndWidgetsReachTheLibrariesOfTheEngineOnlyThroughIt) {
-  static const std::regex forbidden(R"(^(fcl|assimp|urdf_|urdf/|spnav))");
+  static const std::regex forbidden(R"(^(fcl|assimp|urdf_|urdf/|spnav|SDL))");
   for (const std::string folder : {"widgets", "app"}) {
     for (const Include& include : includesUnder(folder)) {
       EXPECT_FALSE(std::regex_search(include.what, forbidden)) << include.from << " includes " << include.what;
     }
+  }
+}
+
+TEST(Architecture, OnlyOneFileOfTheEngineKnowsSdl) {
+  for (const Include& include : includesUnder("engine")) {
+    if (include.what.rfind("SDL", 0) != 0) continue;
+    EXPECT_EQ(include.from, "engine/operator/gamepad_reader.cpp");
   }
 }
 

@@ -12,7 +12,11 @@ constexpr std::uint64_t kStepsAtOnce = 4;
 }  // namespace
 
 SessionBridge::SessionBridge(SessionClock clock, QObject* parent)
-    : QObject(parent), clock_(clock), deviceId_(clock == SessionClock::RealTime ? "hand" : "keyboard") {
+    : QObject(parent),
+      clock_(clock),
+      deviceId_("hand"),
+      hand_(clock == SessionClock::RealTime ? std::make_shared<HandInputs>()
+                                            : std::make_shared<HandInputs>(std::nullopt)) {
   qRegisterMetaType<SnapshotPtr>();
   pace_.setInterval(kPaceMilliseconds);
   connect(&pace_, &QTimer::timeout, this, [this] { advance(kStepsAtOnce); });
@@ -24,6 +28,7 @@ SessionBridge::~SessionBridge() {
 
 void SessionBridge::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
+  scene_ = scenario->problem.scene;
   restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
 }
 
@@ -37,7 +42,9 @@ void SessionBridge::setDevice(const std::string& deviceId) {
 
 void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
   end();
-  begin({scenario_->problem, parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
+  Problem problem = scenario_->problem;
+  problem.scene = scene_;
+  begin({std::move(problem), parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
   session_->setOperatorFrame(frame_);
   emitSnapshot();
 }
@@ -52,7 +59,7 @@ void SessionBridge::startFixed(const FixedRun& run) {
   if (clock_ == SessionClock::RealTime) pace_.start();
 }
 
-/// Before a new session begins: one device at a time, because libspnav holds one connection per process.
+/// Before a new session begins.
 void SessionBridge::end() {
   if (session_) session_->setWakeUp({});
   pace_.stop();
@@ -65,7 +72,7 @@ std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id,
   const DeviceRegistry registry = makeDeviceRegistry();
   const DeviceEntry* entry = registry.find(id);
   if (entry == nullptr) return nullptr;
-  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, keys_};
+  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
   if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
   return entry->make(context);
 }
@@ -85,6 +92,8 @@ void SessionBridge::begin(SessionConfig config, SessionClock clock) {
 }
 
 void SessionBridge::post(Command command) {
+  if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) scene_.edits = semantics->edits;
+  if (const auto* known = std::get_if<command::SetKnowledge>(&command)) scene_.knowledge = known->knowledge;
   if (session_) session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);

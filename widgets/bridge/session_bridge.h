@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/operator/keyboard_device.h"
+#include "engine/operator/hand_inputs.h"
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 
@@ -38,7 +38,8 @@ class SessionBridge final : public QObject {
 
   /// A new session on this scenario; parameters and seed are the scenario's. The old session ends.
   void open(const ScenarioPtr& scenario);
-  /// Gives the object into other hands (an id of the device registry). Ends a run.
+  /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
+  /// planner, semantic edits and environment model stay as they were set.
   void setDevice(const std::string& deviceId);
   /// Who holds the object now; of a fixed run its own.
   const std::string& deviceId() const { return fixed_ ? fixedDeviceId_ : deviceId_; }
@@ -49,8 +50,8 @@ class SessionBridge final : public QObject {
 
   void post(Command command);
   void setOperatorFrame(const OperatorFrame& frame);
-  /// The keys of the window, for the keyboard device.
-  DeflectionMailbox& keys() { return *keys_; }
+  /// What the person at the window holds.
+  const HandInputsPtr& hand() const { return hand_; }
 
   /// Null while no scenario is open.
   SnapshotPtr snapshot() const;
@@ -70,9 +71,10 @@ class SessionBridge final : public QObject {
 
   SessionClock clock_;
   ScenarioPtr scenario_;
+  SceneDescription scene_;  ///< the scenario's, with the edits and the knowledge posted since
   std::string deviceId_;
   OperatorFrame frame_;
-  std::shared_ptr<DeflectionMailbox> keys_ = std::make_shared<DeflectionMailbox>();
+  HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
   bool fixed_ = false;                   ///< session_ is a FixedRun

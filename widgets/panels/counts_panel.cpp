@@ -15,6 +15,8 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   layout_->setVerticalSpacing(3);
   iterations_ = addRow(tr("Iterations"), tr("Passes of the paper's loop"));
   nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
+  authors_ = new AuthorBar(this);
+  layout_->addRow(authors_);
   edges_ = addRow(tr("Edges"), tr("Both directions, as the papers count"));
   random_ = addRow(tr("Random configurations"), tr("Drawn by the computer, kept or not"));
   operator_ = addRow(tr("Operator configurations"), tr("Where the operator held the object"));
@@ -39,6 +41,13 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   const PlannerCounts& counts = snapshot.counts;
   iterations_->setText(count(counts.iterations));
   nodes_->setText(count(counts.nodes));
+  PerAuthor<double> shares{};
+  PerAuthor<QString> numbers;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    shares[i] = static_cast<double>(snapshot.nodesByAuthor[i]);
+    numbers[i] = count(snapshot.nodesByAuthor[i]);
+  }
+  authors_->setShares(shares, numbers);
   edges_->setText(count(counts.edges));
   random_->setText(count(counts.randomConfigurations));
   operator_->setText(count(counts.operatorConfigurations));

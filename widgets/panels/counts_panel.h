@@ -6,6 +6,7 @@
 
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
+#include "widgets/panels/author_bar.h"
 
 namespace glissade {
 
@@ -24,6 +25,7 @@ class CountsPanel final : public QWidget {
   QFormLayout* layout_;
   QLabel* iterations_;
   QLabel* nodes_;
+  AuthorBar* authors_;
   QLabel* edges_;
   QLabel* random_;
   QLabel* operator_;

@@ -31,6 +31,7 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Planners", "OMPL: BKPIECE"),
     QT_TRANSLATE_NOOP("Planners", "OMPL: PRM"),
     QT_TRANSLATE_NOOP("Planners", "OMPL: EST"),
+    QT_TRANSLATE_NOOP("Planners", "Automatic"),
     QT_TRANSLATE_NOOP("PlaceIdentifiers", "Region growing"),
     QT_TRANSLATE_NOOP("PlaceIdentifiers", "Watershed"),
     QT_TRANSLATE_NOOP("Attributes", "Complexity"),
@@ -51,8 +52,10 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Attributes", "Ways through the place count this many times shorter."),
     QT_TRANSLATE_NOOP("Attributes", "Static bodies shape the places; mobile ones clutter them."),
     QT_TRANSLATE_NOOP("Attributes", "What the body is shaped like."),
-    QT_TRANSLATE_NOOP("Devices", "Keyboard and 6D mouse"),
+    QT_TRANSLATE_NOOP("Devices", "By hand"),
     QT_TRANSLATE_NOOP("Devices", "Keyboard"),
+    QT_TRANSLATE_NOOP("Devices", "6D mouse"),
+    QT_TRANSLATE_NOOP("Devices", "Gamepad"),
     QT_TRANSLATE_NOOP("Devices", "Simulated expert"),
     QT_TRANSLATE_NOOP("Devices", "Simulated operator"),
     QT_TRANSLATE_NOOP("Devices", "Simulated novice"),
@@ -68,6 +71,11 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Plots", "Authority α"),
     QT_TRANSLATE_NOOP("Plots", "Contact samples N"),
     QT_TRANSLATE_NOOP("Plots", "Contact distance d (m)"),
+    QT_TRANSLATE_NOOP("Presets", "Standard"),
+    QT_TRANSLATE_NOOP("Presets", "As in CAD"),
+    QT_TRANSLATE_NOOP("Presets", "Beginner"),
+    QT_TRANSLATE_NOOP("Presets", "Precise"),
+    QT_TRANSLATE_NOOP("Presets", "Flight"),
 };
 
 }  // namespace glissade

@@ -30,12 +30,13 @@ QComboBox* makeBox(QWidget* parent) {
 
 }  // namespace
 
-InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent)
+InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
       planner_(makeBox(this)),
       device_(makeBox(this)),
       seed_(new QSpinBox(this)),
-      authority_(new QLabel(this)) {
+      authority_(new QLabel(this)),
+      replayed_(new QLabel(tr("Replayed: as it was at this step"), this)) {
   const PlannerRegistry planners = makePlannerRegistry();
   for (const PlannerEntry& entry : planners.entries()) {
     planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
@@ -43,7 +44,6 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock 
   }
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) {
-    if (clock == SessionClock::Lockstep && entry.id == "hand") continue;
     device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
     device_->setItemData(device_->count() - 1, text(entry.description), Qt::ToolTipRole);
   }
@@ -64,6 +64,10 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, SessionClock 
   layout->setSpacing(10);
   layout->addWidget(makeButtons(actions));
   layout->addLayout(form);
+  replayed_->setObjectName(QStringLiteral("replayed"));
+  replayed_->setStyleSheet(QStringLiteral("QLabel { background: #b3500a; color: white; padding: 2px 6px; }"));
+  replayed_->hide();
+  layout->addWidget(replayed_);
   for (const ParameterSpec& spec : parameterTable()) {
     if (!spec.live) continue;
     auto* slider = new ParameterSlider(spec.id, this);
@@ -121,6 +125,14 @@ void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   } else {
     authority_->setText(snapshot.authority == Author::Operator ? tr("operator") : tr("operator, in contact"));
   }
+}
+
+void InteractionPanel::setReplayed(bool replayed) {
+  replayed_->setVisible(replayed);
+  for (ParameterSlider* slider : sliders_) slider->setEnabled(!replayed);
+  planner_->setEnabled(!replayed);
+  device_->setEnabled(!replayed);
+  seed_->setEnabled(!replayed);
 }
 
 void InteractionPanel::setDevice(const std::string& deviceId) { select(*device_, deviceId); }

@@ -18,11 +18,13 @@ class InteractionPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  InteractionPanel(const ActionCatalogue& actions, SessionClock clock, QWidget* parent = nullptr);
+  InteractionPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
   void setDevice(const std::string& deviceId);
+  /// What is shown is a replay: nothing can be steered, and it says so.
+  void setReplayed(bool replayed);
 
  signals:
   void commanded(const glissade::Command& command);
@@ -35,6 +37,7 @@ class InteractionPanel final : public QWidget {
   QComboBox* device_;
   QSpinBox* seed_;
   QLabel* authority_;
+  QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;
 };
 

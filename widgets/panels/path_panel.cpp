@@ -7,7 +7,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace glissade {
@@ -26,9 +25,10 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
       certificate_(new QLabel(this)),
       figures_(new QLabel(this)),
-      shares_(new QLabel(this)),
+      sharesTitle_(new QWidget(this)),
+      shares_(new AuthorBar(this)),
       slider_(new QSlider(Qt::Horizontal, this)) {
-  for (QLabel* label : {certificate_, figures_, shares_}) label->setWordWrap(true);
+  for (QLabel* label : {certificate_, figures_}) label->setWordWrap(true);
   certificate_->setObjectName(QStringLiteral("certificate"));
   slider_->setRange(0, kPositions);
   slider_->setAccessibleName(tr("Place on the path"));
@@ -42,9 +42,15 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row->addWidget(button);
   }
+  auto* title = makeActionRow(actions, {"view.path-authors"}, sharesTitle_);
+  title->setContentsMargins(0, 0, 0, 0);
+  title->insertWidget(0, new QLabel(tr("Length by author"), sharesTitle_));
+  title->insertStretch(1);
+  sharesTitle_->setLayout(title);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(certificate_);
   layout->addWidget(figures_);
+  layout->addWidget(sharesTitle_);
   layout->addWidget(shares_);
   layout->addWidget(slider_);
   layout->addLayout(row);
@@ -62,6 +68,7 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const LoadedSce
   setPlaying(false);
   slider_->setEnabled(path != nullptr);
   figures_->setVisible(path != nullptr);
+  sharesTitle_->setVisible(path != nullptr);
   shares_->setVisible(path != nullptr);
   if (!path) {
     certificate_->setText(tr("No path yet."));
@@ -70,10 +77,8 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const LoadedSce
   }
   const Se3Metric metric = scenario.problem.metric();
   arrival_.assign(1, 0.0);
-  std::array<int, 3> authors{};
   for (std::size_t i = 1; i < path->points.size(); ++i) {
     arrival_.push_back(arrival_.back() + metric.distance(path->points[i - 1].q, path->points[i].q));
-    ++authors[static_cast<std::size_t>(path->points[i].author)];
   }
   const MotionCertificate& certificate = path->certificate;
   const int body = certificate.nearest.body;
@@ -86,7 +91,13 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const LoadedSce
   figures_->setText(tr("%1 configurations, %2 m, %3°")
                         .arg(path->points.size())
                         .arg(number(path->length(), 2), number(path->rotation() * 180.0 / std::acos(-1.0), 0)));
-  shares_->setText(tr("by computer %1, operator %2, contact %3").arg(authors[0]).arg(authors[1]).arg(authors[2]));
+  const PerAuthor<double> lengths = path->lengthByAuthor(metric);
+  PerAuthor<QString> percents;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double share = arrival_.back() > 0.0 ? lengths[i] / arrival_.back() : 0.0;
+    percents[i] = number(100.0 * share, 0) + QStringLiteral(" %");
+  }
+  shares_->setShares(lengths, percents);
   const QSignalBlocker block(slider_);
   slider_->setValue(0);
 }

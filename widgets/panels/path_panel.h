@@ -11,6 +11,7 @@
 #include "engine/planning/path.h"
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/author_bar.h"
 
 namespace glissade {
 
@@ -38,7 +39,8 @@ class PathPanel final : public QWidget {
   std::vector<double> arrival_;  ///< metric length from the start to each configuration
   QLabel* certificate_;
   QLabel* figures_;
-  QLabel* shares_;
+  QWidget* sharesTitle_;
+  AuthorBar* shares_;
   QSlider* slider_;
   QTimer timer_;
 };

@@ -59,10 +59,7 @@ void CameraController::orbit(double dx, double dy) {
   orientation_ = (yaw * orientation_ * pitch).normalized();
 }
 
-void CameraController::pan(double dx, double dy) {
-  const double perHeight = 2.0 * distance_ * std::tan(0.5 * kFieldOfView);
-  focus_ += orientation_ * Vector3(-dx * perHeight, dy * perHeight, 0.0);
-}
+void CameraController::pan(double dx, double dy) { focus_ += viewHeight() * (orientation_ * Vector3(-dx, dy, 0.0)); }
 
 void CameraController::zoom(double factor, double x, double y) {
   const double before = distance_;
@@ -81,6 +78,8 @@ Quaternion CameraController::R_WV() const { return orientation_; }
 Vector3 CameraController::eye() const { return focus_ + orientation_ * Vector3(0.0, 0.0, distance_); }
 
 double CameraController::verticalFieldOfView() const { return kFieldOfView; }
+
+double CameraController::viewHeight() const { return 2.0 * distance_ * std::tan(0.5 * kFieldOfView); }
 
 double CameraController::nearPlane() const {
   const double toScene = (eye() - sceneCentre_).norm() - 2.0 * sceneRadius_;

@@ -27,6 +27,8 @@ class CameraController {
   Vector3 focus() const { return focus_; }
   double distance() const { return distance_; }
   double verticalFieldOfView() const;  ///< radians
+  /// What the view's height measures at the focus, metres.
+  double viewHeight() const;
   double aspect() const { return aspect_; }
   /// Near and far plane that enclose the fitted box from where the eye is now.
   double nearPlane() const;

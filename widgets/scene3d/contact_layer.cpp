@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "widgets/model/author_colour.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
@@ -42,13 +43,25 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
   return group;
 }
 
-osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette) {
+osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette,
+                                  bool byAuthor) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
+  PerAuthor<std::vector<Vector3>> segments;
   std::vector<Vector3> way;
-  for (const PathPoint& point : path.points) way.push_back(point.q.position);
+  for (std::size_t i = 0; i < path.points.size(); ++i) {
+    way.push_back(path.points[i].q.position);
+    if (i == 0) continue;
+    auto& own = segments[static_cast<std::size_t>(path.points[i].segmentAuthor)];
+    own.insert(own.end(), {way[i - 1], way[i]});
+  }
   osg::ref_ptr<osg::Geode> line = new osg::Geode;
-  line->addDrawable(makeLines(way, LineKind::Strip, palette.path, kPathWidth * palette.pixelScale));
-
+  const float width = kPathWidth * palette.pixelScale;
+  for (std::size_t i = 0; byAuthor && i < segments.size(); ++i) {
+    if (segments[i].empty()) continue;
+    const osg::Vec4 colour = toOsg(authorColour(static_cast<Author>(i)));
+    line->addDrawable(makeLines(segments[i], LineKind::Segments, colour, width));
+  }
+  if (!byAuthor) line->addDrawable(makeLines(way, LineKind::Strip, palette.path, width));
   group->addChild(line);
   const std::size_t count = std::min(kGhosts, path.points.size());
   for (std::size_t i = 1; i + 1 < count; ++i) {

@@ -13,6 +13,8 @@ namespace glissade {
 osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const ScenePalette& palette);
 
 /// The path: the way of the reference point, and ghosts of the object along it.
-osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette);
+/// `byAuthor`: each segment in the colour of who made it.
+osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette,
+                                  bool byAuthor);
 
 }  // namespace glissade

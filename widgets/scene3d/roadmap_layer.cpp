@@ -39,11 +39,19 @@ void RoadmapLayer::setPalette(const ScenePalette& palette) {
 }
 
 void RoadmapLayer::update(const SessionSnapshot& snapshot) {
-  if (snapshot.run != run_) {
+  if (snapshot.run != run_ || !isPrefixOf(snapshot)) {
     clear();
     run_ = snapshot.run;
   }
-  for (; chunksTaken_ < snapshot.roadmap.size(); ++chunksTaken_) take(*snapshot.roadmap[chunksTaken_]);
+  // The last chunk taken may have been cut, and be longer now: only those before it are done with.
+  for (; chunksTaken_ < snapshot.roadmap.size(); ++chunksTaken_) {
+    const RoadmapChunk& chunk = *snapshot.roadmap[chunksTaken_];
+    while (nodes_.size() < nodesBefore_ + chunk.nodes.size()) takeNode(chunk.nodes[nodes_.size() - nodesBefore_]);
+    while (edges_.size() < edgesBefore_ + chunk.edges.size()) takeEdge(chunk.edges[edges_.size() - edgesBefore_]);
+    if (chunksTaken_ + 1 == snapshot.roadmap.size()) break;
+    nodesBefore_ += chunk.nodes.size();
+    edgesBefore_ += chunk.edges.size();
+  }
   for (; droppedTaken_ < snapshot.droppedEdges.size(); ++droppedTaken_) drop(snapshot.droppedEdges[droppedTaken_]);
 }
 
@@ -53,23 +61,33 @@ void RoadmapLayer::clear() {
   points_.clear();
   nodes_.clear();
   edges_.clear();
-  chunksTaken_ = 0;
+  chunksTaken_ = nodesBefore_ = edgesBefore_ = 0;
   droppedTaken_ = 0;
   segmentsDrawn_ = 0;
 }
 
-void RoadmapLayer::take(const RoadmapChunk& chunk) {
-  nodes_.insert(nodes_.end(), chunk.nodes.begin(), chunk.nodes.end());
-  for (const RoadmapNode& node : chunk.nodes) {
-    if (node.author != Author::Computer) addVertex(points_, GL_POINTS, node.q.position, colourOf(node, palette_));
+/// What is drawn is the beginning of what is to be shown.
+bool RoadmapLayer::isPrefixOf(const SessionSnapshot& snapshot) const {
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  for (const auto& chunk : snapshot.roadmap) {
+    nodes += chunk->nodes.size();
+    edges += chunk->edges.size();
   }
-  for (const RoadmapEdge& edge : chunk.edges) {
-    const osg::Vec4ub colour = colourOf(nodes_[std::max(edge.from, edge.to)], palette_);
-    addVertex(lines_, GL_LINES, nodes_[edge.from].q.position, colour);
-    addVertex(lines_, GL_LINES, nodes_[edge.to].q.position, colour);
-    edges_.push_back(edge);
-    ++segmentsDrawn_;
-  }
+  return nodes >= nodes_.size() && edges >= edges_.size() && snapshot.droppedEdges.size() >= droppedTaken_;
+}
+
+void RoadmapLayer::takeNode(const RoadmapNode& node) {
+  nodes_.push_back(node);
+  if (node.author != Author::Computer) addVertex(points_, GL_POINTS, node.q.position, colourOf(node, palette_));
+}
+
+void RoadmapLayer::takeEdge(const RoadmapEdge& edge) {
+  const osg::Vec4ub colour = colourOf(nodes_[std::max(edge.from, edge.to)], palette_);
+  addVertex(lines_, GL_LINES, nodes_[edge.from].q.position, colour);
+  addVertex(lines_, GL_LINES, nodes_[edge.to].q.position, colour);
+  edges_.push_back(edge);
+  ++segmentsDrawn_;
 }
 
 /// A dropped edge shrinks to a point.

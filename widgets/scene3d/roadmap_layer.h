@@ -19,7 +19,7 @@ class RoadmapLayer {
 
   osg::Group* node() const { return root_; }
   void setPalette(const ScenePalette& palette);
-  /// Takes in what is new; another run begins anew.
+  /// Takes in what is new; another run begins anew, and so does one that is shown at an earlier step.
   void update(const SessionSnapshot& snapshot);
   void clear();
 
@@ -37,7 +37,9 @@ class RoadmapLayer {
     int used = 0;
   };
 
-  void take(const RoadmapChunk& chunk);
+  bool isPrefixOf(const SessionSnapshot& snapshot) const;
+  void takeNode(const RoadmapNode& node);
+  void takeEdge(const RoadmapEdge& edge);
   void drop(const RoadmapEdge& edge);
   void addVertex(std::vector<Batch>& batches, GLenum mode, const Vector3& position, const osg::Vec4ub& colour);
   Batch makeBatch(GLenum mode);
@@ -46,7 +48,9 @@ class RoadmapLayer {
   osg::ref_ptr<osg::Geode> geode_;
   ScenePalette palette_;
   std::uint64_t run_ = 0;
-  std::size_t chunksTaken_ = 0;
+  std::size_t chunksTaken_ = 0;  ///< whole ones, and what they held:
+  std::size_t nodesBefore_ = 0;
+  std::size_t edgesBefore_ = 0;
   std::size_t droppedTaken_ = 0;
   std::size_t segmentsDrawn_ = 0;
   std::size_t uploads_ = 0;

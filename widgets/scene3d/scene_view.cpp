@@ -33,6 +33,7 @@ struct SceneView::Impl {
   std::shared_ptr<const LoadedScenario> scenario;
   SnapshotPtr snapshot;
   std::shared_ptr<const Path> drawnPath;
+  bool pathByAuthor = false;
   std::optional<Pose> playback;
   EnvironmentPicture environment;
   CoarsePlanPtr drawnPlan;
@@ -142,7 +143,7 @@ struct SceneView::Impl {
     osg::Group& group = layer(SceneLayer::Path);
     group.removeChildren(0, group.getNumChildren());
     if (!drawnPath) return;
-    group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette));
+    group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette, pathByAuthor));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 
@@ -251,6 +252,12 @@ std::vector<SceneLabel> SceneView::labels() const {
     if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, cost.str(), false, true});
   }
   return labels;
+}
+
+void SceneView::setPathByAuthor(bool byAuthor) {
+  impl_->pathByAuthor = byAuthor;
+  impl_->drawnPath.reset();
+  impl_->showSnapshot();
 }
 
 void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {

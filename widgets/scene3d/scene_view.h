@@ -74,6 +74,8 @@ class SceneView {
   void setShownStep(const std::optional<std::size_t>& step);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
+  /// Colours the path's segments by who made them, instead of all alike.
+  void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
   void setTheme(Theme theme);

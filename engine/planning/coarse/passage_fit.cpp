@@ -185,7 +185,7 @@ std::optional<PassageFit::Crossing> straightThrough(const CollisionWorldPtr& wor
     const PassageFit::Crossing crossing{at(passage.min()[axis] - reach.before), inside,
                                         at(passage.max()[axis] + reach.behind)};
     if (!bounds.contains(crossing.before.position) || !bounds.contains(crossing.behind.position)) continue;
-    if (certifyPath(*query, world->object(), {crossing.before, inside, crossing.behind}, required, stop).status ==
+    if (certifyPath(*query, {crossing.before, inside, crossing.behind}, required, stop).status ==
         CertificateStatus::Certified) {
       return crossing;
     }

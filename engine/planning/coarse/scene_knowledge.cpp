@@ -41,6 +41,7 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
   auto environment = buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment, stop);
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
+  knowledge->source = {problem.scene.environment, problem.scene.edits, requiredClearance};
   const auto& places = knowledge->environment->map.places;
   const double slimmest = slimmestExtent(problem.world->object());
   for (std::size_t place = 0; place < places.size(); ++place) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/stop_token.h"
+#include "engine/environment/knowledge_source.h"
 #include "engine/planning/coarse/passage_fit.h"
 #include "engine/planning/problem.h"
 
@@ -11,6 +12,7 @@ namespace glissade {
 struct SceneKnowledge {
   EnvironmentModelPtr environment;
   std::vector<PassageFit> fits;  ///< per place
+  KnowledgeSource source;
   std::vector<double> compatibility() const;
   std::uint64_t randomConfigurations() const;  ///< drawn by the probes in 3D
 };

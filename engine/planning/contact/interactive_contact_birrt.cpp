@@ -1,5 +1,6 @@
 #include "engine/planning/contact/interactive_contact_birrt.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/tolerances.h"
@@ -136,8 +137,7 @@ std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::
   const double same = author == Author::Computer ? tolerance::kSameConfiguration : tolerance::kDuplicate;
   if (near.distance < same * radius) return near.index;  // as good as q itself: worth connecting
   const RoadmapNode from = roadmap_.nodes()[near.index];
-  const double free = freeFraction(*query_, problem_.world->object(), from.q, q,
-                                   host.parameters()[ParameterId::GrowthStep], host.stopToken());
+  const double free = freeFraction(*query_, from.q, q, host.parameters()[ParameterId::GrowthStep], host.stopToken());
   if (free >= 1.0 && reached) {
     roadmap_.join(near.index, *reached);
     return std::nullopt;
@@ -166,7 +166,7 @@ void InteractiveContactBirrt::connect(const std::vector<RoadmapGraph::Node>& add
       if (roadmap_.connected(added[i], added[j])) continue;
       const Pose& from = roadmap_.nodes()[added[i]].q;
       const Pose& to = roadmap_.nodes()[added[j]].q;
-      if (freeFraction(*query_, problem_.world->object(), from, to, step, host.stopToken()) >= 1.0) {
+      if (freeFraction(*query_, from, to, step, host.stopToken()) >= 1.0) {
         roadmap_.join(added[i], added[j]);
       }
     }
@@ -180,11 +180,14 @@ void InteractiveContactBirrt::deliverPath(PlannerHost& host) {
     const auto way = roadmap_.way(startRoot_, goal);
     if (!way) continue;
     Path path;
+    RoadmapGraph::Node before = way->nodes.front();
     for (const RoadmapGraph::Node node : way->nodes) {
-      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author});
+      const Author segment = roadmap_.nodes()[std::max(before, node)].author;
+      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
+      before = node;
     }
-    path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
-                                   host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+    path.certificate = certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
+                                   host.stopToken());
     if (path.certificate.status == CertificateStatus::Certified) {
       path_ = std::move(path);
       return;

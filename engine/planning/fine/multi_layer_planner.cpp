@@ -299,8 +299,8 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
     const bool first = path.points.empty();
     path.points.insert(path.points.end(), step.points.begin() + (first ? 0 : 1), step.points.end());
   }
-  path.certificate = certifyPath(*query_, problem_.world->object(), path.configurations(),
-                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate =
+      certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance], host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

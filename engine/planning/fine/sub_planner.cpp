@@ -28,6 +28,7 @@ class OneStep final : public PlannerHost {
 SubPlanner::State SubPlanner::step(PlannerHost& host, SharedRoadmap& roadmap) {
   OneStep one(host, region_.get());
   const bool solved = planner_->solve(one);
+  planner_->completeRoadmap();
   collect(roadmap);
   if (solved) return State::Solved;
   const bool spent = randomConfigurations() >= samples_ && !planner_->inContactMode();

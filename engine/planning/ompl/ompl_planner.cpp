@@ -145,11 +145,18 @@ bool OmplPlanner::solve(PlannerHost& host) {
       ++counts_.steps;
       if (!host.afterStep()) break;
     }
-    if (engine_) collect();
   } catch (const std::exception& error) {
     fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
   }
   return path_.has_value();
+}
+
+void OmplPlanner::completeRoadmap() {
+  try {
+    if (engine_) collect();
+  } catch (const std::exception& error) {
+    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
+  }
 }
 
 void OmplPlanner::grow(PlannerHost& host) {
@@ -188,8 +195,8 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
                                         });
   path.points.front().q = world.problem.start;
   path.points.back().q = *nearest;
-  path.certificate = certifyPath(*world.query, world.problem.world->object(), path.configurations(),
-                                 host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*world.query, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
+                                 host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

@@ -28,6 +28,7 @@ class OmplPlanner final : public Planner {
   ~OmplPlanner() override;
 
   bool solve(PlannerHost& host) override;
+  void completeRoadmap() override;
 
   const std::vector<RoadmapNode>& nodes() const override { return nodes_; }
   const std::vector<RoadmapEdge>& edges() const override { return edges_; }

@@ -142,16 +142,14 @@ bool OmplWorld::isFree(const Pose& q) { return problem.bounds.contains(q.positio
 
 double OmplWorld::freeFraction(const Pose& from, const Pose& to) {
   if (!problem.bounds.contains(to.position)) return 0.0;
-  const TriangleMesh& object = problem.world->object();
-  double t = glissade::freeFraction(*query, object, from, to, growthStep, stop);
+  double t = glissade::freeFraction(*query, from, to, growthStep, stop);
   if (t < 1.0) {
     const double length = metric.distance(from, to);
     t = std::floor(t * length / extensionStep) * extensionStep / length;
   }
   if (!certifyEdges || t <= 0.0) return t;
-  const MotionCertificate certificate =
-      certifyMotion(*query, object, from, interpolate(from, to, t), requiredClearance, stop);
-  return certificate.status == CertificateStatus::Certified ? t : 0.0;
+  const MotionCheck check = query->checkMotion(from, interpolate(from, to, t), requiredClearance, stop);
+  return check.status == CertificateStatus::Certified ? t : 0.0;
 }
 
 OmplSpace::OmplSpace(const Problem& problem) : bounds_(problem.bounds), metric_(problem.metric()) {

@@ -54,9 +54,12 @@ Pose randomPoseIn(const Case& world, RandomStream& stream) {
   return q;
 }
 
-TEST(CollisionQuery, AgreesWithExactPredicatesOnRandomPoses) {
+/// Both backends answer the same questions.
+class CollisionQueryBy : public testing::TestWithParam<CollisionBackend> {};
+
+TEST_P(CollisionQueryBy, AgreesWithExactPredicatesOnRandomPoses) {
   for (const Case& world : cases()) {
-    const auto query = CollisionWorld::build(world.obstacles, world.object)->makeQuery();
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
     RandomStream stream(1, world.name);
     int colliding = 0;
     for (int i = 0; i < 1000; ++i) {
@@ -72,9 +75,9 @@ TEST(CollisionQuery, AgreesWithExactPredicatesOnRandomPoses) {
   }
 }
 
-TEST(CollisionQuery, AgreesWithExactPredicatesWhereItNearlyTouches) {
+TEST_P(CollisionQueryBy, AgreesWithExactPredicatesWhereItNearlyTouches) {
   for (const Case& world : cases()) {
-    const auto query = CollisionWorld::build(world.obstacles, world.object)->makeQuery();
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
     RandomStream stream(2, world.name);
     int tested = 0;
     for (int i = 0; i < 400 && tested < 60; ++i) {
@@ -99,9 +102,9 @@ TEST(CollisionQuery, AgreesWithExactPredicatesWhereItNearlyTouches) {
   }
 }
 
-TEST(CollisionQuery, DistanceAndNearestPointsAgreeWithEveryPairOfTriangles) {
+TEST_P(CollisionQueryBy, DistanceAndNearestPointsAgreeWithEveryPairOfTriangles) {
   for (const Case& world : cases()) {
-    const auto query = CollisionWorld::build(world.obstacles, world.object)->makeQuery();
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
     RandomStream stream(3, world.name);
     for (int i = 0; i < 300; ++i) {
       const Pose q = randomPoseIn(world, stream);
@@ -118,47 +121,47 @@ TEST(CollisionQuery, DistanceAndNearestPointsAgreeWithEveryPairOfTriangles) {
   }
 }
 
-TEST(CollisionQuery, AHollowOpenMeshContainsNothing) {
+TEST_P(CollisionQueryBy, AHollowOpenMeshContainsNothing) {
   RigidBody open = boxBody("open", {4, 4, 4}, Pose::identity());
   TriangleMesh mesh = *open.mesh;
   mesh.triangles.pop_back();
   open.mesh = std::make_shared<const TriangleMesh>(mesh);
-  const auto query = CollisionWorld::build({open}, boxMesh({0.2, 0.2, 0.2}))->makeQuery();
+  const auto query = CollisionWorld::build({open}, boxMesh({0.2, 0.2, 0.2}), GetParam())->makeQuery();
   EXPECT_FALSE(query->collides(Pose::identity()));
 }
 
-TEST(CollisionQuery, EveryPartOfABodyIsSolid) {
+TEST_P(CollisionQueryBy, EveryPartOfABodyIsSolid) {
   // Two boxes in one mesh, the object inside the second.
   TriangleMesh two = makeBox(Vector3::Ones());
   append(two, transformed(makeBox({2, 2, 2}), Pose::translation({5, 0, 0})));
   RigidBody body = boxBody("two", Vector3::Ones(), Pose::identity());
   body.mesh = std::make_shared<const TriangleMesh>(two);
-  const auto query = CollisionWorld::build({body}, boxMesh({0.1, 0.1, 0.1}))->makeQuery();
+  const auto query = CollisionWorld::build({body}, boxMesh({0.1, 0.1, 0.1}), GetParam())->makeQuery();
   EXPECT_TRUE(query->collides(Pose::translation({5, 0.3, 0})));
   EXPECT_TRUE(query->collides(Pose::translation({0, 0.3, 0})));
   EXPECT_FALSE(query->collides(Pose::translation({2.5, 0, 0})));
 }
 
-TEST(CollisionQuery, WithoutObstaclesEverythingIsFree) {
-  const auto query = CollisionWorld::build({}, makeL())->makeQuery();
+TEST_P(CollisionQueryBy, WithoutObstaclesEverythingIsFree) {
+  const auto query = CollisionWorld::build({}, makeL(), GetParam())->makeQuery();
   EXPECT_FALSE(query->collides(Pose::identity()));
   EXPECT_FALSE(query->collidingBody(Pose::identity()));
   EXPECT_TRUE(std::isinf(query->nearestObstacle(Pose::identity()).distance));
   EXPECT_EQ(query->nearestObstacle(Pose::identity()).body, -1);
 }
 
-TEST(CollisionQuery, TheLowestCollidingBodyIsNamed) {
+TEST_P(CollisionQueryBy, TheLowestCollidingBodyIsNamed) {
   const auto query = CollisionWorld::build({boxBody("away", Vector3::Ones(), Pose::translation({9, 0, 0})),
                                             boxBody("hit", Vector3::Ones(), Pose::identity()),
                                             boxBody("hit too", Vector3::Ones(), Pose::identity())},
-                                           makeL())
+                                           makeL(), GetParam())
                          ->makeQuery();
   EXPECT_EQ(query->collidingBody(Pose::identity()), 1);
 }
 
-TEST(CollisionQuery, ThreadsWithAQueryEachGetTheSameAnswers) {
+TEST_P(CollisionQueryBy, ThreadsWithAQueryEachGetTheSameAnswers) {
   const Case world = cases().front();
-  const auto shared = CollisionWorld::build(world.obstacles, world.object);
+  const auto shared = CollisionWorld::build(world.obstacles, world.object, GetParam());
   const auto answers = [&] {
     const auto query = shared->makeQuery();
     RandomStream stream(4, "threads");
@@ -174,14 +177,62 @@ TEST(CollisionQuery, ThreadsWithAQueryEachGetTheSameAnswers) {
   for (const auto& result : found) EXPECT_EQ(result, expected);
 }
 
-TEST(CollisionQuery, CountsItsQueries) {
-  const auto query = CollisionWorld::build({}, makeL())->makeQuery();
+TEST_P(CollisionQueryBy, CountsItsQueries) {
+  const auto query = CollisionWorld::build({}, makeL(), GetParam())->makeQuery();
   query->collides(Pose::identity());
   query->nearestObstacle(Pose::identity());
   query->nearestObstacle(Pose::identity());
   EXPECT_EQ(query->counts().collision, 1U);
   EXPECT_EQ(query->counts().distance, 2U);
 }
+
+TEST_P(CollisionQueryBy, BoundedDistancesAreThoseOfTheNearestObstacle) {
+  for (const Case& world : cases()) {
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
+    RandomStream stream(5, world.name);
+    for (int i = 0; i < 300; ++i) {
+      const Pose q = randomPoseIn(world, stream);
+      const double distance = query->nearestObstacle(q).distance;
+      const double bound = stream.uniform(0.0, 2.0);
+      EXPECT_NEAR(query->distanceUpTo(q, bound), std::min(distance, bound), 1e-12 * (1.0 + world.origin.norm()));
+      if (std::abs(distance - bound) < 1e-9) continue;
+      EXPECT_EQ(query->clearAbove(q, bound), distance > bound) << world.name << ", pose " << i;
+    }
+  }
+}
+
+TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
+  constexpr double kRequired = 1e-3;
+  for (const Case& world : cases()) {
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
+    RandomStream stream(6, world.name);
+    int certified = 0;
+    int violated = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Pose from = randomPoseIn(world, stream);
+      Pose to = randomPoseIn(world, stream);
+      if (stream.uniform() < 0.5) to = interpolate(from, to, 0.1);
+      const MotionCheck check = query->checkMotion(from, to, kRequired, {});
+      ASSERT_NE(check.status, CertificateStatus::Undecided);
+      const bool isFree = check.status == CertificateStatus::Certified;
+      ++(isFree ? certified : violated);
+      for (int k = 0; k < 20 && check.certified > 0.0; ++k) {
+        const Pose q = interpolate(from, to, check.certified * stream.uniform());
+        ASSERT_FALSE(reference::collides(world.obstacles, *world.object, q)) << world.name << ", motion " << i;
+        ASSERT_GE(query->nearestObstacle(q).distance, kRequired * (1.0 - 1e-6)) << world.name << ", motion " << i;
+      }
+      if (isFree) continue;
+      EXPECT_LT(query->nearestObstacle(interpolate(from, to, check.at)).distance, kRequired * 1.002);
+    }
+    EXPECT_GT(certified, 10) << world.name;
+    EXPECT_GT(violated, 10) << world.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, CollisionQueryBy, testing::Values(CollisionBackend::Kernel, CollisionBackend::Fcl),
+                         [](const auto& backend) {
+                           return backend.param == CollisionBackend::Kernel ? "Kernel" : "Fcl";
+                         });
 
 }  // namespace
 }  // namespace glissade

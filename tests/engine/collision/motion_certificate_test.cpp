@@ -20,7 +20,7 @@ class Certificate : public testing::Test {
     query = world->makeQuery();
   }
   MotionCertificate certify(const Pose& from, const Pose& to, double required = kRequired) {
-    return certifyMotion(*query, world->object(), from, to, required);
+    return certifyMotion(*query, from, to, required);
   }
 
   std::vector<RigidBody> bodies;
@@ -95,21 +95,21 @@ TEST_F(Certificate, AStopLeavesItUndecided) {
   build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
   StopSource source;
   source.requestStop();
-  EXPECT_EQ(certifyMotion(*query, world->object(), Pose::translation({-1, 0, 1}), Pose::translation({1, 0, 1}),
-                          kRequired, source.token())
-                .status,
-            CertificateStatus::Undecided);
+  EXPECT_EQ(
+      certifyMotion(*query, Pose::translation({-1, 0, 1}), Pose::translation({1, 0, 1}), kRequired, source.token())
+          .status,
+      CertificateStatus::Undecided);
 }
 
 TEST_F(Certificate, APathReportsItsWorstEdge) {
   build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
   const std::vector<Pose> path{Pose::translation({0, 0, 2}), Pose::translation({1, 0, 0.5}),
                                Pose::translation({2, 0, 1})};
-  const MotionCertificate certificate = certifyPath(*query, world->object(), path, kRequired);
+  const MotionCertificate certificate = certifyPath(*query, path, kRequired);
   EXPECT_EQ(certificate.status, CertificateStatus::Certified);
   EXPECT_NEAR(certificate.minClearance, 0.3, 1e-9);
   const std::vector<Pose> through{path[0], path[1], Pose::translation({2, 0, 0.1})};
-  const MotionCertificate broken = certifyPath(*query, world->object(), through, kRequired);
+  const MotionCertificate broken = certifyPath(*query, through, kRequired);
   EXPECT_EQ(broken.status, CertificateStatus::Violated);
   EXPECT_EQ(broken.edge, 1U);
 }
@@ -120,7 +120,7 @@ TEST(MotionBound, BoundsEveryPointOfTheObject) {
   for (int i = 0; i < 500; ++i) {
     const Pose from = randomPose(stream, 1.0);
     const Pose to = randomPose(stream, 1.0);
-    const double bound = motionBound(*object, from, to);
+    const double bound = MotionBound(*object)(from, to);
     const double t0 = stream.uniform();
     const double t1 = stream.uniform();
     for (const Vector3& vertex : object->vertices) {
@@ -128,21 +128,21 @@ TEST(MotionBound, BoundsEveryPointOfTheObject) {
       ASSERT_LE(moved, bound * std::abs(t1 - t0) * (1.0 + 1e-9) + 1e-12);
     }
   }
-  EXPECT_DOUBLE_EQ(motionBound(*object, Pose::identity(), Pose::translation({0, 2, 0})), 2.0);
+  EXPECT_DOUBLE_EQ(MotionBound(*object)(Pose::identity(), Pose::translation({0, 2, 0})), 2.0);
 }
 
 TEST_F(Certificate, FreeFractionStopsBeforeAPlateThickerThanItsStep) {
   build({boxBody("plate", {4, 4, 0.2}, Pose::identity())}, std::make_shared<const TriangleMesh>(makeBox({.1, .1, .1})));
   const Pose from = Pose::translation({0, 0, 2});
   const Pose to = Pose::translation({0, 0, -2});
-  const double free = freeFraction(*query, world->object(), from, to, 0.05);
+  const double free = freeFraction(*query, from, to, 0.05);
   EXPECT_LT(free, 0.4625);
   EXPECT_GT(free, 0.4625 - 0.05 / 4.0 - 1e-9);
   EXPECT_FALSE(query->collides(interpolate(from, to, free)));
-  EXPECT_EQ(freeFraction(*query, world->object(), from, Pose::translation({1, 0, 2}), 0.05), 1.0);
+  EXPECT_EQ(freeFraction(*query, from, Pose::translation({1, 0, 2}), 0.05), 1.0);
   StopSource source;
   source.requestStop();
-  EXPECT_EQ(freeFraction(*query, world->object(), from, to, 0.05, source.token()), 0.0);
+  EXPECT_EQ(freeFraction(*query, from, to, 0.05, source.token()), 0.0);
 }
 
 }  // namespace

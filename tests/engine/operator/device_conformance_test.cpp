@@ -21,7 +21,7 @@ class DeviceConformance : public testing::TestWithParam<std::string> {
     DeviceContext context;
     context.route = {Pose::translation({1, 0, 0}), Pose::translation({20, 0, 0})};
     context.metric = Se3Metric(1.0);
-    context.keys = std::make_shared<DeflectionMailbox>();
+    context.hand = std::make_shared<HandInputs>();
     return makeDeviceRegistry().find(GetParam())->make(context);
   }
 };
@@ -72,8 +72,10 @@ TEST_P(DeviceConformance, SameSeedAndCallsGiveTheSameMotion) {
 INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(deviceIds()),
                          [](const testing::TestParamInfo<std::string>& parameter) { return parameter.param; });
 
-TEST(DeviceRegistry, WithoutKeysThereIsNoKeyboard) {
-  EXPECT_EQ(makeDeviceRegistry().find("keyboard")->make(DeviceContext()), nullptr);
+TEST(DeviceRegistry, WithoutAHandNobodyHoldsAnything) {
+  for (const char* id : {"hand", "keyboard", "mouse6d", "gamepad"}) {
+    EXPECT_EQ(makeDeviceRegistry().find(id)->make(DeviceContext()), nullptr);
+  }
   EXPECT_EQ(makeDeviceRegistry().find("telepathy"), nullptr);
 }
 

@@ -4,33 +4,51 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace glissade {
 
-/// A stand-in for spacenavd on a socket of its own: answers the handshake of protocol 1 and sends what
-/// the test wants.
+/// What a stand-in for spacenavd does and does not do.
+struct DaemonHabits {
+  bool accepts = true;      ///< false: it listens, and never takes a connection
+  bool shakesHands = true;  ///< false: silent
+};
+
+/// A stand-in for spacenavd on a socket of its own: answers the handshake of protocol 1 and questions
+/// for the mouse's name, and sends what the test wants. Its death is its destructor.
 class FakeSpacenavDaemon {
  public:
-  /// `accepts` false: it listens, and never takes a connection.
-  explicit FakeSpacenavDaemon(std::string socketPath, bool accepts = true);
+  explicit FakeSpacenavDaemon(std::string socketPath, DaemonHabits habits = {});
   ~FakeSpacenavDaemon();
   FakeSpacenavDaemon(const FakeSpacenavDaemon&) = delete;
   FakeSpacenavDaemon& operator=(const FakeSpacenavDaemon&) = delete;
 
   bool hasClient() const { return client_ >= 0; }
   void sendMotion(int x, int y, int z, int rx = 0, int ry = 0, int rz = 0);
+  void sendButton(int button, bool pressed);
   void sendBytes(const std::vector<unsigned char>& bytes);
+  /// Plugs a mouse in (by its name) or pulls it out, and tells the client.
+  void plug(const std::optional<std::string>& mouse);
 
  private:
-  void serve(bool accepts);
+  using Packet = std::array<std::int32_t, 8>;
+
+  void serve();
+  void acceptClient();
+  void answer();
+  void sendName();
+  void sendPacket(const Packet& packet);
 
   std::string path_;
+  DaemonHabits habits_;
   int listener_ = -1;
   std::atomic<int> client_{-1};
   std::atomic<bool> quit_{false};
+  std::mutex mutex_;
+  std::optional<std::string> mouse_ = "SpaceNavigator";
   std::thread thread_;
 };
 

@@ -36,7 +36,7 @@ TEST(NearestNeighbours, AgreesWithThePlainMinimumAlsoForNearlyEqualOrientations)
   }
 }
 
-/// The grid over positions, of which 2048 configurations are the first, finds what a plain scan finds.
+/// The tree of boxes finds what a plain scan finds.
 class ManyNeighbours : public testing::Test {
  protected:
   void add(const Pose& q) {
@@ -64,14 +64,14 @@ class ManyNeighbours : public testing::Test {
   RandomStream stream{23, "many"};
 };
 
-TEST_F(ManyNeighbours, AgreeWithAPlainScanAlsoOutsideTheGridAndAmongEquals) {
+TEST_F(ManyNeighbours, AgreeWithAPlainScanAlsoFarOffAndAmongEquals) {
   while (poses.size() < 10000) {
     const std::size_t n = poses.size();
     Pose q = randomPose(stream, 1.0);
     if (n % 5 == 1) q = poses[n / 2];    // a twin, to be passed over
     if (n % 5 == 2) q.position *= 0.01;  // crowded about the origin
     if (n % 5 == 3) q.orientation = poses[0].orientation;
-    if (n > 9000 && n % 5 == 4) q.position *= 10.0;  // outside the box that the grid was laid over
+    if (n > 9000 && n % 5 == 4) q.position *= 10.0;
     add(q);
   }
   for (int trial = 0; trial < 300; ++trial) {
@@ -104,6 +104,25 @@ TEST_F(ManyNeighbours, AgreeWithAPlainScanOnAPlaneAndInAPoint) {
   poses.clear();
   for (int i = 0; i < 3000; ++i) add(Pose{Vector3::Ones(), randomPose(stream, 1.0).orientation});
   for (int trial = 0; trial < 100; ++trial) expectAsPlain(randomPose(stream, 1.0));
+}
+
+TEST_F(ManyNeighbours, AgreeWithAPlainScanTenKilometresFromTheOrigin) {
+  const Vector3 offset = Vector3::Constant(1e4);
+  const auto near = [&](double reach) {
+    Pose q = randomPose(stream, reach);
+    q.position += offset;
+    return q;
+  };
+  add(Pose::identity());  // single precision rounds the others to a millimetre
+  for (int i = 0; i < 3000; ++i) add(near(i % 2 == 0 ? 1.0 : 1e-3));
+  for (int trial = 0; trial < 300; ++trial) expectAsPlain(near(trial % 2 == 0 ? 1.0 : 1e-3));
+}
+
+TEST_F(ManyNeighbours, ThousandsAtOnePlaceAreNoTrouble) {
+  for (int i = 0; i < 5000; ++i) add(Pose::translation({1, 2, 3}));
+  add(Pose::translation({1, 2, 3.5}));
+  expectAsPlain(Pose::translation({1, 2, 3.1}));
+  expectAsPlain(Pose::translation({1, 2, 3.4}));
 }
 
 TEST(NearestNeighbours, FirstAmongEqualsAndNothingWhenEmpty) {

@@ -67,9 +67,7 @@ TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
     EXPECT_EQ(path->certificate.status, CertificateStatus::Certified);
     EXPECT_GE(path->certificate.provedClearance, host.values[ParameterId::RequiredClearance]);
     const auto query = problem.world->makeQuery();
-    EXPECT_EQ(certifyPath(*query, problem.world->object(), path->configurations(),
-                          host.values[ParameterId::RequiredClearance])
-                  .status,
+    EXPECT_EQ(certifyPath(*query, path->configurations(), host.values[ParameterId::RequiredClearance]).status,
               CertificateStatus::Certified);
   }
 }

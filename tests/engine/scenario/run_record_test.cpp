@@ -5,67 +5,88 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/base/random_stream.h"
+#include "engine/scenario/run_journal.h"
+#include "engine/scenario/scenario_io.h"
+#include "tests/engine/scenario/scenario_fixture.h"
+#include "tests/engine/scenario/some_run_record.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
 namespace {
 
-RunRecord someRecord() {
-  RunRecord record;
-  record.scenario = "samples/scenario.json";
-  record.scenarioSha256 = std::string(64, '1');
-  record.planner = "contact-birrt";
-  record.seed = 12345678901234567890U;
-  for (const ParameterSpec& spec : parameterTable()) record.parameters[spec.id] = spec.defaultValue / 3.0;
-  record.parameterChanges = {{5, ParameterId::Alpha, 0.1}, {5, ParameterId::ContactDistance, 1.0 / 7.0}};
-  RandomStream random(11, "run-record");
-  for (std::uint64_t step = 0; step < 500; step += 2) {
-    Pose q;
-    for (int i = 0; i < 3; ++i) q.position[i] = 1e3 * random.normal();
-    q.orientation = Quaternion(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
-    record.operatorStream.push_back({step, q});
+using test::someRunRecord;
+
+void expectSameLog(const RunLog& read, const RunLog& written) {
+  EXPECT_EQ(read.start.planner, written.start.planner);
+  EXPECT_EQ(read.start.seed, written.start.seed);
+  ASSERT_TRUE(read.start.edits);
+  EXPECT_EQ(*read.start.edits, *written.start.edits);
+  ASSERT_TRUE(read.start.knowledge);
+  EXPECT_EQ(read.start.knowledge->options, written.start.knowledge->options);
+  EXPECT_EQ(read.parameterChanges[1].value, 1.0 / 7.0);
+  ASSERT_EQ(read.semanticChanges.size(), 2U);
+  EXPECT_EQ(*read.semanticChanges[0].edits, *written.semanticChanges[0].edits);
+  EXPECT_EQ(read.semanticChanges[1].edits, nullptr);
+  ASSERT_EQ(read.operatorStream.size(), written.operatorStream.size());
+  for (std::size_t i = 0; i < written.operatorStream.size(); ++i) {
+    EXPECT_EQ(read.operatorStream[i].step, written.operatorStream[i].step);
+    EXPECT_EQ(read.operatorStream[i].q_device, written.operatorStream[i].q_device);
   }
-  record.hadOperator = true;
-  record.nodes = 100;
-  return record;
+  ASSERT_EQ(read.checkpoints.size(), 1U);
+  EXPECT_EQ(read.checkpoints[0].hash, 0xfedcba9876543210U);
+  EXPECT_EQ(read.checkpoints[0].seconds, 1.0 / 3.0);
+  ASSERT_TRUE(read.end);
+  EXPECT_EQ(read.end->step, 1500U);
 }
 
 TEST(RunRecordFile, ReadsBackBitByBit) {
   const test::TemporaryFolder folder;
-  const RunRecord written = someRecord();
+  const RunRecord written = someRunRecord();
   ASSERT_TRUE(writeRunRecord(written, folder / "run.json").ok());
   const Result<RunRecord> read = readRunRecord(folder / "run.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());
-  ASSERT_TRUE(writeRunRecord(*read, folder / "again.json").ok());
-  EXPECT_EQ(test::readWhole(folder / "again.json"), test::readWhole(folder / "run.json"));
-  EXPECT_EQ(read->seed, written.seed);
   EXPECT_EQ(read->parameters, written.parameters);
-  EXPECT_EQ(read->parameterChanges[1].value, 1.0 / 7.0);
-  ASSERT_EQ(read->operatorStream.size(), written.operatorStream.size());
-  for (std::size_t i = 0; i < written.operatorStream.size(); ++i) {
-    EXPECT_EQ(read->operatorStream[i].step, written.operatorStream[i].step);
-    EXPECT_EQ(read->operatorStream[i].q_device, written.operatorStream[i].q_device);
-  }
-  EXPECT_TRUE(read->hadOperator);
-  EXPECT_EQ(read->nodes, 100U);
+  EXPECT_EQ(read->assets[0].sha256, written.assets[0].sha256);
+  expectSameLog(read->log, written.log);
+  RunRecord again = *read;
+  again.scenario = written.scenario;  // it is not there: the record's name for it is kept
+  ASSERT_TRUE(writeRunRecord(again, folder / "again.json").ok());
+  EXPECT_EQ(test::readWhole(folder / "again.json"), test::readWhole(folder / "run.json"));
+}
+
+TEST(RunRecordFile, Version1IsStillRead) {
+  const test::TemporaryFolder folder;
+  const Result<RunRecord> read = readRunRecord(folder.write("old.json", test::kRunRecordOfVersion1));
+  ASSERT_TRUE(read.ok()) << toString(read.error());
+  EXPECT_EQ(read->version, 1);
+  EXPECT_EQ(read->log.start.seed, 5U);
+  EXPECT_EQ(read->log.parameterChanges[0].value, 0.5);
+  EXPECT_EQ(read->log.operatorStream[0].q_device->position, Vector3(1, 2, 3));
+  EXPECT_EQ(read->log.end->nodes, 42U);
 }
 
 TEST(RunRecordFile, IsReadStrictly) {
   const test::TemporaryFolder folder;
-  ASSERT_TRUE(writeRunRecord(someRecord(), folder / "run.json").ok());
+  ASSERT_TRUE(writeRunRecord(someRunRecord(), folder / "run.json").ok());
   const auto sound = nlohmann::json::parse(test::readWhole(folder / "run.json"));
   const std::vector<std::tuple<const char*, std::string>> table{
       {R"([{"op": "replace", "path": "/format", "value": "x"}])", "/format"},
-      {R"([{"op": "replace", "path": "/version", "value": 2}])", "/version"},
+      {R"([{"op": "replace", "path": "/version", "value": 3}])", "/version"},
       {R"([{"op": "add", "path": "/extra", "value": 2}])", "/extra"},
-      {R"([{"op": "remove", "path": "/nodes"}])", "/nodes"},
-      {R"([{"op": "replace", "path": "/operator_stream/3/step", "value": 1}])", "/operator_stream/3/step"},
-      {R"([{"op": "replace", "path": "/operator_stream/3/q/orientation/3", "value": 9}])",
-       "/operator_stream/3/q/orientation"},
+      {R"([{"op": "remove", "path": "/end"}])", "/end"},
+      {R"([{"op": "replace", "path": "/operator_stream/3/0", "value": 1}])", "/operator_stream/3/0"},
+      {R"([{"op": "replace", "path": "/operator_stream/3/7", "value": 9}])", "/operator_stream/3"},
+      {R"([{"op": "remove", "path": "/operator_stream/3/7"}])", "/operator_stream/3"},
       {R"([{"op": "replace", "path": "/parameter_changes/0/parameter", "value": "x"}])",
        "/parameter_changes/0/parameter"},
       {R"([{"op": "add", "path": "/parameters/x", "value": 1}])", "/parameters/x"},
+      {R"([{"op": "replace", "path": "/semantic_changes/1/step", "value": 1}])", "/semantic_changes/1/step"},
+      {R"([{"op": "add", "path": "/semantics/x", "value": 1}])", "/semantics/x"},
+      {R"([{"op": "replace", "path": "/knowledge/environment/places", "value": "x"}])",
+       "/knowledge/environment/places"},
+      {R"([{"op": "replace", "path": "/checkpoints/0/hash", "value": "12"}])", "/checkpoints/0/hash"},
+      {R"([{"op": "replace", "path": "/end/step", "value": 999}])", "/end/step"},
+      {R"([{"op": "replace", "path": "/assets/0/id", "value": 4}])", "/assets/0/id"},
   };
   for (const auto& [patch, place] : table) {
     const Result<RunRecord> read =
@@ -74,6 +95,101 @@ TEST(RunRecordFile, IsReadStrictly) {
     EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(read.error().place, place);
   }
+}
+
+TEST(RunJournal, AKilledWriterLeavesAllButTheLineThatWasCutOff) {
+  const test::TemporaryFolder folder;
+  const RunRecord whole = someRunRecord();
+  RunRecord head = whole;
+  head.log = RunLog();
+  head.log.start = whole.log.start;
+  RunLog first;
+  first.parameterChanges = whole.log.parameterChanges;
+  first.semanticChanges = whole.log.semanticChanges;
+  first.operatorStream = whole.log.operatorStream;
+  RunLog second;
+  second.checkpoints = whole.log.checkpoints;
+  second.end = whole.log.end;
+  auto journal = RunJournal::begin(head, folder / "recordings");
+  ASSERT_TRUE(journal.ok()) << toString(journal.error());
+  ASSERT_TRUE((*journal)->append(first).ok());
+  ASSERT_TRUE((*journal)->append(second).ok());
+  ASSERT_TRUE((*journal)->append(first).ok());
+  EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());  // its writer lives
+
+  const std::string text = test::readWhole((*journal)->file());
+  const std::string cut = folder.write("cut.journal", text.substr(0, text.size() - 20));
+  const Result<RunRecord> read = readRunRecord(cut);
+  ASSERT_TRUE(read.ok()) << toString(read.error());
+  expectSameLog(read->log, whole.log);
+
+  const std::string file = (*journal)->file();
+  journal->reset();
+  EXPECT_EQ(abandonedJournals(folder / "recordings"), std::vector<std::string>{file});
+}
+
+TEST(RunJournal, OnesThatAreNotNeededGoAndBadFoldersAreSaid) {
+  const test::TemporaryFolder folder;
+  auto journal = RunJournal::begin(someRunRecord(), folder / "recordings");
+  ASSERT_TRUE(journal.ok());
+  (*journal)->discard();
+  journal->reset();
+  EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());
+  EXPECT_FALSE(RunJournal::begin(someRunRecord(), folder.write("file", "") + "/below").ok());
+  const Result<RunRecord> broken =
+      readRunRecord(folder.write("x.journal", "{\"format\":\"glissade-run\",\"version\":2}\nnonsense\n"));
+  ASSERT_FALSE(broken.ok());
+  EXPECT_EQ(broken.error().kind, ErrorKind::MalformedInput);
+}
+
+class ReplayLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto loaded = loadScenario(test::sample("sliding-plane"));
+    ASSERT_TRUE(loaded.ok());
+    scenario_.emplace(std::move(*loaded));
+    RunLog log;
+    log.start.planner = "contact-birrt";
+    log.start.parameters = scenario_->parameters;
+    auto record = makeRunRecord(*scenario_, log);
+    ASSERT_TRUE(record.ok());
+    record_ = std::move(*record);
+  }
+
+  std::string refusal() {
+    const auto log = replayLog(record_, *scenario_, "run.json");
+    return log ? "" : log.error().file + ": " + log.error().place;
+  }
+
+  std::optional<LoadedScenario> scenario_;
+  RunRecord record_;
+};
+
+TEST_F(ReplayLog, IsThatOfTheScenarioWhateverElseItSaysNow) {
+  EXPECT_EQ(refusal(), "");
+  scenario_->scenario.seed += 1;
+  scenario_->scenario.name = "renamed";
+  scenario_->scenario.planner = "birrt";
+  scenario_->scenario.places.push_back({Vector3::Zero(), "x", {}});
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(ReplayLog, IsRefusedOnAnotherScenario) {
+  scenario_->scenario.bodies[0].pose.position.x() += 1e-9;
+  EXPECT_EQ(refusal(), "run.json: /problem_sha256");
+}
+
+TEST_F(ReplayLog, IsRefusedWithValuesThatCannotBe) {
+  record_.log.parameterChanges = {{1, ParameterId::Alpha, 7.0}};
+  EXPECT_EQ(refusal(), "run.json: alpha");
+  record_.log.parameterChanges.clear();
+  record_.log.start.planner = "warp";
+  EXPECT_EQ(refusal(), "run.json: /planner");
+  record_.log.start.planner = "gts";
+  auto edits = std::make_shared<SemanticEdits>();
+  edits->bodies["nowhere"]["mobility"] = std::string("mobile");
+  record_.log.semanticChanges = {{1, edits}};
+  EXPECT_EQ(refusal(), "run.json: /bodies/nowhere");
 }
 
 }  // namespace

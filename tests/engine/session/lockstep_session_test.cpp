@@ -51,7 +51,9 @@ TEST(LockstepSession, TheLogHoldsWhatThePlannerSawOfTheOperator) {
   session->advance(100);
   session->post(command::Stop{});
   session->advance(0);
-  const auto& stream = session->snapshot()->log->operatorStream;
+  const RunLogParts parts = session->snapshot()->log;
+  ASSERT_FALSE(parts.empty());
+  const auto stream = joined(parts).operatorStream;
   ASSERT_FALSE(stream.empty());
   EXPECT_EQ(stream.front().q_device, closedProblem().start);
   for (std::size_t i = 1; i < stream.size(); ++i) {

@@ -81,8 +81,7 @@ TEST_P(Table1, AStraightCrossingIsFreeAndGoesFromOneSideToTheOther) {
     const auto& crossing = known.knowledge->fits[place].crossing;
     if (!crossing) continue;
     ++crossings;
-    const MotionCertificate certificate = certifyPath(*query, known.loaded.problem.world->object(),
-                                                      {crossing->before, crossing->inside, crossing->behind},
+    const MotionCertificate certificate = certifyPath(*query, {crossing->before, crossing->inside, crossing->behind},
                                                       known.loaded.parameters[ParameterId::RequiredClearance]);
     EXPECT_EQ(certificate.status, CertificateStatus::Certified) << place;
     const Place& passage = known.knowledge->environment->map.places[place];

@@ -38,10 +38,8 @@ TEST_P(SolvesTight, WithACertifiedPathAndFewRandomConfigurations) {
     EXPECT_EQ(path.points.front().q, problem.start);
     EXPECT_EQ(path.points.back().q, std::get<Pose>(problem.goal));
     const auto query = problem.world->makeQuery();
-    EXPECT_EQ(
-        certifyPath(*query, problem.world->object(), path.configurations(), host.values[ParameterId::RequiredClearance])
-            .status,
-        CertificateStatus::Certified);
+    EXPECT_EQ(certifyPath(*query, path.configurations(), host.values[ParameterId::RequiredClearance]).status,
+              CertificateStatus::Certified);
     const CoarsePlanPtr plan = planner->coarsePlan();
     ASSERT_NE(plan, nullptr);
     for (const TopologicalStep& step : plan->steps) {

@@ -1,0 +1,105 @@
+#include "app/cli/replay_command.h"
+
+#include <glissade/version.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/interrupt.h"
+#include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario_io.h"
+#include "engine/session/replay_session.h"
+#include "engine/session/run_comparison.h"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Session steps between two looks at the clock of the outside world.
+constexpr std::uint64_t kSlice = 1000;
+
+struct Replayed {
+  RunRecord record;
+  RunLog recorded;
+  SnapshotPtr end;
+};
+
+Result<Replayed> replay(const ReplayOptions& options, const Interrupt& interrupt) {
+  auto record = readRunRecord(options.record);
+  if (!record) return record.error();
+  const auto scenario = loadScenario(options.scenario.empty() ? record->scenario : options.scenario);
+  if (!scenario) return scenario.error();
+  auto log = replayLog(*record, *scenario, options.record);
+  if (!log) return log.error();
+  const auto problem = withRecordedKnowledge(scenario->problem, *log, interrupt.token());
+  if (!problem) return problem.error();
+  const auto session = makeReplaySession(*problem, std::make_shared<const RunLog>(*log));
+  session->post(command::Start{});
+  session->advance(0);
+  while (isRunning(*session->snapshot()) && !interrupt.requested()) session->advance(kSlice, interrupt.token());
+  if (interrupt.requested()) {
+    return Diagnostic{ErrorKind::Interrupted, options.record, "", "the replay was not finished", "Start it again."};
+  }
+  return Replayed{std::move(*record), std::move(*log), session->snapshot()};
+}
+
+Json toJson(const RunCheckpoint& checkpoint) {
+  return {{"step", checkpoint.step}, {"nodes", checkpoint.nodes}, {"edges", checkpoint.edges}};
+}
+
+Json toJson(const Replayed& replayed, const std::optional<RunDifference>& difference) {
+  Json report;
+  report["same"] = !difference;
+  report["record_version"] = replayed.record.version;
+  report["recorded_by"] = replayed.record.program;
+  report["recorded_build"] = replayed.record.build;
+  report["version"] = kVersion;
+  report["build"] = kBuild;
+  report["checkpoints"] = replayed.recorded.checkpoints.size() + (replayed.recorded.end ? 1 : 0);
+  report["nodes"] = replayed.end->counts.nodes;
+  report["solved"] = replayed.end->state == SessionState::Solved;
+  report["cut_short"] = replayed.recorded.cutShort;
+  if (difference) {
+    report["difference"] = {{"same_until", difference->same},
+                            {"recorded", toJson(difference->recorded)},
+                            {"replayed", toJson(difference->replayed)}};
+  }
+  return report;
+}
+
+void printText(const Replayed& replayed, const std::optional<RunDifference>& difference) {
+  if (!difference) {
+    const RunCheckpoint end = replayed.recorded.end.value_or(RunCheckpoint{});
+    std::cout << "same roadmap as recorded: " << end.nodes << " nodes\n";
+    if (replayed.record.version == 1) std::cout << "(a record of version 1: only the nodes were counted)\n";
+    if (replayed.recorded.cutShort) std::cout << "(the recording was full there; the run went on)\n";
+    return;
+  }
+  std::cout << "different: the same until step " << difference->same << ", not at step " << difference->recorded.step
+            << " (recorded " << difference->recorded.nodes << " nodes, replayed " << difference->replayed.nodes
+            << " at step " << difference->replayed.step << ")\n";
+  if (!replayed.record.build.empty() && replayed.record.build != kBuild) {
+    std::cout << "recorded by " << replayed.record.program << ", " << replayed.record.build << "; replayed by Glissade "
+              << kVersion << ", " << kBuild << "\n";
+  }
+}
+
+}  // namespace
+
+int runReplay(const ReplayOptions& options) {
+  const Interrupt interrupt;
+  const auto replayed = replay(options, interrupt);
+  if (!replayed) return reportError(replayed.error(), options.format);
+  // A run that failed before its first step left nothing to compare but that.
+  const RunLog again = replayed->end->log.empty() ? RunLog() : joined(replayed->end->log);
+  const auto difference = firstDifference(replayed->recorded, again);
+  if (options.format == Format::Json) {
+    std::cout << toJson(*replayed, difference).dump(2) << "\n";
+  } else {
+    printText(*replayed, difference);
+  }
+  return difference ? 1 : 0;
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,177 @@
+#include "app/window/device_controller.h"
+
+#include <QGuiApplication>
+#include <QLabel>
+#include <QStatusBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+#include "widgets/devices/calibration_dialog.h"
+#include "widgets/scene3d/camera_steering.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kCameraTick = 16;        ///< ms
+constexpr double kLongestTick = 0.05;  ///< s, however late the timer is
+constexpr int kLongestShownName = 24;
+
+QString shortened(const std::string& name) {
+  const QString text = QString::fromStdString(name);
+  return text.size() <= kLongestShownName ? text : text.left(kLongestShownName - 1) + QChar(0x2026);
+}
+
+}  // namespace
+
+DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actions, SceneWidget& scene, QWidget* window)
+    : QObject(window),
+      bridge_(bridge),
+      actions_(actions),
+      scene_(scene),
+      window_(window),
+      hand_(bridge.hand()),
+      shapers_{HandShaper(hand_->keyboard), HandShaper(hand_->mouse6d), HandShaper(hand_->gamepad)} {
+  for (HandInput* input : hand_->all()) input->shaping.set(settings_.shaping(*input));
+  listen();
+  connect(actions_["operator.camera"], &QAction::toggled, this,
+          [this](bool camera) { setTarget(camera ? SteeringTarget::Camera : SteeringTarget::Object); });
+  connect(actions_["operator.devices"], &QAction::triggered, this, [this] { showCalibration(); });
+  cameraTimer_.setInterval(kCameraTick);
+  connect(&cameraTimer_, &QTimer::timeout, this,
+          [this] { steer(std::min(kLongestTick, static_cast<double>(cameraClock_.restart()) / 1000.0)); });
+  if (bridge.clock() == SessionClock::Lockstep) return;
+  connect(qGuiApp, &QGuiApplication::applicationStateChanged, this,
+          [this](Qt::ApplicationState state) { hand_->focused = state == Qt::ApplicationActive; });
+  mouseReader_ = std::make_unique<SpacenavReader>(hand_);
+  gamepadReader_ = std::make_unique<GamepadReader>(hand_);
+}
+
+DeviceController::~DeviceController() {
+  for (HandInput* input : hand_->all()) input->mailbox.setListener({});
+}
+
+/// Devices change on their readers' threads; the window looks at all changes of a moment at once.
+void DeviceController::listen() {
+  for (HandInput* input : hand_->all()) {
+    input->mailbox.setListener([this] {
+      if (lookPending_.exchange(true)) return;
+      QMetaObject::invokeMethod(
+          this, [this] { look(); }, Qt::QueuedConnection);
+    });
+  }
+}
+
+void DeviceController::addIndicators(QStatusBar& bar) {
+  mouse_ = new QLabel(window_);
+  mouse_->setObjectName(QStringLiteral("mouse-state"));
+  gamepad_ = new QLabel(window_);
+  gamepad_->setObjectName(QStringLiteral("gamepad-state"));
+  target_ = new QToolButton(window_);
+  target_->setObjectName(QStringLiteral("steering-target"));
+  target_->setCheckable(true);
+  target_->setFocusPolicy(Qt::TabFocus);
+  target_->setToolTip(actions_["operator.camera"]->toolTip());
+  connect(target_, &QToolButton::clicked, actions_["operator.camera"], &QAction::trigger);
+  bar.addPermanentWidget(target_);
+  bar.addPermanentWidget(mouse_);
+  bar.addPermanentWidget(gamepad_);
+  showTarget();
+  showStates();
+}
+
+void DeviceController::look() {
+  lookPending_ = false;
+  for (std::size_t which = 0; which < seen_.size(); ++which) lookAt(which);
+  if (calibration_ != nullptr && calibration_->isVisible()) calibration_->refresh();
+  if (hand_->target == SteeringTarget::Camera && bridge_.clock() == SessionClock::RealTime && hand_->focused &&
+      !cameraTimer_.isActive()) {
+    cameraClock_.start();
+    cameraTimer_.start();
+  }
+}
+
+void DeviceController::lookAt(std::size_t which) {
+  HandInput& input = *hand_->all()[which];
+  Seen& seen = seen_[which];
+  const InputReading now = input.mailbox.reading();
+  if (now.connected != seen.connected || now.name != seen.name) {
+    seen.connected = now.connected;
+    seen.name = now.name;
+    input.shaping.set(settings_.shaping(input));
+    showStates();
+  }
+  for (std::size_t button = 0; button < kInputButtons; ++button) {
+    while (seen.presses[button] != now.presses[button]) {
+      ++seen.presses[button];  // before the action, which may look again
+      press(input, button);
+    }
+  }
+}
+
+void DeviceController::press(const HandInput& input, std::size_t button) {
+  if (calibration_ != nullptr && calibration_->isVisible()) calibration_->showButton(input, button);
+  QAction* action = actions_.find(settings_.action(input, button));
+  if (action != nullptr && hand_->focused) action->trigger();
+}
+
+void DeviceController::showStates() {
+  if (mouse_ == nullptr) return;
+  const InputReading mouse = hand_->mouse6d.mailbox.reading();
+  mouse_->setText(tr("6D mouse: %1").arg(mouse.connected ? shortened(mouse.name) : tr("none")));
+  mouse_->setToolTip(mouse.connected ? QString::fromStdString(mouse.name)
+                                     : tr("No 6D mouse, or spacenavd does not run; looked for again and again"));
+  const InputReading gamepad = hand_->gamepad.mailbox.reading();
+  gamepad_->setVisible(gamepad.connected);
+  gamepad_->setText(tr("Gamepad: %1").arg(shortened(gamepad.name)));
+  gamepad_->setToolTip(QString::fromStdString(gamepad.name));
+}
+
+void DeviceController::setTarget(SteeringTarget target) {
+  hand_->target = target;
+  for (HandShaper& shaper : shapers_) shaper.restart();
+  showTarget();
+  look();
+}
+
+void DeviceController::showTarget() {
+  if (target_ == nullptr) return;
+  const bool camera = hand_->target == SteeringTarget::Camera;
+  target_->setText(camera ? tr("Moves: camera") : tr("Moves: object"));
+  target_->setChecked(camera);
+}
+
+void DeviceController::showCalibration() {
+  if (calibration_ == nullptr) calibration_ = new CalibrationDialog(hand_, settings_, actions_, window_);
+  calibration_->show();
+  calibration_->raise();
+  calibration_->activateWindow();
+}
+
+void DeviceController::advance(std::uint64_t steps) {
+  const SnapshotPtr snapshot = bridge_.snapshot();
+  if (!snapshot) return;
+  const double dt = 1.0 / snapshot->parameters[ParameterId::StepsPerSecond];
+  for (std::uint64_t step = 0; step < steps && hand_->target == SteeringTarget::Camera; ++step) steer(dt);
+}
+
+/// One moment of camera mode. The timer rests while all devices do.
+void DeviceController::steer(double dt) {
+  const bool maySteer = hand_->target == SteeringTarget::Camera && hand_->focused;
+  bool atRest = true;
+  for (std::size_t which = 0; which < shapers_.size(); ++which) {
+    const DeviceShaping shaping = hand_->all()[which]->shaping.get();
+    const Deflection deflection = shapers_[which].deflection(dt, shaping, maySteer);
+    if (deflection.atRest()) continue;
+    atRest = false;
+    steerCamera(scene_.view().camera(), deflection, {shaping.linearSpeed, shaping.angularSpeed}, dt);
+  }
+  if (atRest) {
+    cameraTimer_.stop();
+    return;
+  }
+  emit cameraMoved();
+  scene_.refresh();
+}
+
+}  // namespace glissade

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include "engine/operator/gamepad_reader.h"
+#include "engine/operator/shaped_device.h"
+#include "engine/operator/spacenav_reader.h"
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/devices/device_settings.h"
+#include "widgets/scene3d/scene_widget.h"
+
+class QLabel;
+class QStatusBar;
+class QToolButton;
+
+namespace glissade {
+
+class CalibrationDialog;
+
+/// The person's devices in the window: reads them in real time, shows what they move and whether they
+/// are there, lets their buttons trigger actions, and steers the camera while it is their target.
+class DeviceController final : public QObject {
+  Q_OBJECT
+
+ public:
+  DeviceController(SessionBridge& bridge, ActionCatalogue& actions, SceneWidget& scene, QWidget* window);
+  ~DeviceController() override;
+
+  /// Adds what moves, and the state of the devices.
+  void addIndicators(QStatusBar& bar);
+  /// Lockstep only: lets the camera be steered for so many planner steps' time.
+  void advance(std::uint64_t steps);
+
+ signals:
+  /// By a device.
+  void cameraMoved();
+
+ private:
+  void listen();
+  /// Something has changed in a mailbox.
+  void look();
+  void lookAt(std::size_t which);
+  void press(const HandInput& input, std::size_t button);
+  void showStates();
+  void showTarget();
+  void setTarget(SteeringTarget target);
+  void showCalibration();
+  void steer(double dt);
+
+  /// What was last seen of a device.
+  struct Seen {
+    bool connected = false;
+    std::string name;
+    std::array<std::uint32_t, kInputButtons> presses{};
+  };
+
+  SessionBridge& bridge_;
+  ActionCatalogue& actions_;
+  SceneWidget& scene_;
+  QWidget* window_;
+  HandInputsPtr hand_;
+  DeviceSettings settings_;
+  std::array<HandShaper, 3> shapers_;
+  std::array<Seen, 3> seen_;
+  std::atomic<bool> lookPending_{false};
+  QToolButton* target_ = nullptr;
+  QLabel* mouse_ = nullptr;
+  QLabel* gamepad_ = nullptr;
+  CalibrationDialog* calibration_ = nullptr;
+  QTimer cameraTimer_;
+  QElapsedTimer cameraClock_;
+  std::unique_ptr<SpacenavReader> mouseReader_;
+  std::unique_ptr<GamepadReader> gamepadReader_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,265 @@
+#include "app/window/replay_controller.h"
+
+#include <QFileInfo>
+#include <QLocale>
+
+#include <algorithm>
+
+#include "engine/scenario/run_record.h"
+#include "engine/session/run_comparison.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kTickMilliseconds = 16;
+/// At full speed a whole run passes in this many ticks (two seconds).
+constexpr std::uint64_t kTicksOfAWholeRun = 120;
+/// A replay with other parameters ends at the latest after so many times the steps of the run.
+constexpr std::uint64_t kPatience = 10;
+constexpr std::uint64_t kLeastSteps = 1000;
+
+QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
+
+/// Records of version 1 know their scenario by its file alone.
+bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
+  if (!scenario) return false;
+  if (record.version > 1) return record.problemSha256 == problemSha256(scenario->scenario);
+  return QFileInfo(QString::fromStdString(record.scenario)) == QFileInfo(QString::fromStdString(scenario->file));
+}
+
+}  // namespace
+
+ReplayController::ReplayController(SessionBridge& bridge, const ActionCatalogue& actions, QWidget* window)
+    : QObject(window), bridge_(bridge), actions_(actions), bar_(new ReplayBar(actions, window)) {
+  bar_->hide();
+  timer_.setInterval(kTickMilliseconds);
+  connect(&timer_, &QTimer::timeout, this, &ReplayController::tick);
+  connect(bar_, &ReplayBar::stepChosen, this, &ReplayController::seek);
+  connect(&runner_, &ReplayRunner::progressed, this, &ReplayController::take);
+  connect(&runner_, &ReplayRunner::failed, this, [this](const Diagnostic& why) {
+    close();
+    emit failed(why);
+  });
+  connect(&bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
+    const bool known = recorder_.trouble().has_value();
+    if (recorder_.follow(*snapshot)) opened_.reset();
+    if (!known && recorder_.trouble()) emit notJournalled(*recorder_.trouble());
+    enableActions();
+  });
+  connectActions();
+  enableActions();
+}
+
+void ReplayController::connectActions() {
+  const auto on = [this](const char* id, auto handler) {
+    connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
+  };
+  on("replay.last", [this] { replayLast(); });
+  on("replay.again", [this] { replayWithCurrentParameters(); });
+  on("replay.close", [this] { close(); });
+  on("replay.to-start", [this] { seek(0); });
+  on("replay.step", [this] { seek(step_ + (progress_.track ? progress_.track->stride() : 1)); });
+  on("replay.step-back", [this] {
+    const std::uint64_t stride = progress_.track ? progress_.track->stride() : 1;
+    seek(step_ - std::min(step_, stride));
+  });
+  connect(actions_[QStringLiteral("replay.play")], &QAction::toggled, this, &ReplayController::play);
+}
+
+void ReplayController::enableActions() {
+  const auto enable = [this](const char* id, bool enabled) { actions_[QLatin1String(id)]->setEnabled(enabled); };
+  const SnapshotPtr live = bridge_.snapshot();
+  const bool running = live && isRunning(*live);
+  const bool recorded = recorder_.hasRecording() || opened_;
+  enable("file.save-recording", recorder_.hasRecording() && !isActive());
+  enable("file.open-recording", !running);
+  enable("replay.last", recorded && !running);
+  enable("replay.again", recorded && !running);
+  for (const char* id : {"replay.play", "replay.step", "replay.step-back", "replay.to-start", "replay.close"}) {
+    enable(id, isActive());
+  }
+}
+
+void ReplayController::openScenario(const ScenarioPtr& scenario) {
+  close();
+  opened_.reset();
+  scenario_ = scenario;
+  recorder_.open(scenario);
+  enableActions();
+}
+
+std::optional<Diagnostic> ReplayController::open(
+    const QString& file, const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
+  const auto record = readRunRecord(file.toStdString());
+  if (!record) return record.error();
+  const ScenarioPtr before = scenario_;
+  if (!isOf(*record, scenario_)) {
+    if (auto why = openOther(QString::fromStdString(record->scenario))) return why;
+    if (scenario_ == before) return std::nullopt;  // the user wants to stay where he is
+  }
+  auto log = replayLog(*record, *scenario_, file.toStdString());
+  if (!log) return log.error();
+  opened_ = *log;
+  start(std::move(*log), ReplayEnd::WithTheLog);
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> ReplayController::save(const QString& file) {
+  if (!recorder_.hasRecording()) {
+    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no run to save", "Start one first."};
+  }
+  const auto record = recorder_.record();
+  if (!record) return record.error();
+  const Outcome written = writeRunRecord(*record, file.toStdString());
+  if (!written) return written.error();
+  return std::nullopt;
+}
+
+Result<RunLog> ReplayController::lastLog() {
+  if (opened_) return *opened_;
+  auto record = recorder_.record();
+  if (!record) return record.error();
+  return replayLog(*record, *scenario_, "");
+}
+
+void ReplayController::replayLast() {
+  auto log = lastLog();
+  if (log) {
+    start(std::move(*log), ReplayEnd::WithTheLog);
+  } else {
+    emit failed(log.error());
+  }
+}
+
+void ReplayController::replayWithCurrentParameters() {
+  auto log = lastLog();
+  if (!log) {
+    emit failed(log.error());
+    return;
+  }
+  const SnapshotPtr live = bridge_.snapshot();
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (spec.live) overrideParameter(spec.id, live->parameters[spec.id], *log);
+  }
+  if (log->start.parameters[ParameterId::MaxSteps] == 0.0) {
+    const std::uint64_t steps = std::max(kLeastSteps, kPatience * (log->end ? log->end->step : 0));
+    overrideParameter(ParameterId::MaxSteps, std::min(1e9, static_cast<double>(steps)), *log);
+  }
+  start(std::move(*log), ReplayEnd::GoOn);
+}
+
+void ReplayController::start(RunLog log, ReplayEnd end) {
+  const bool first = !isActive();
+  play(false);
+  log_ = std::make_shared<const RunLog>(std::move(log));
+  end_ = end;
+  progress_ = {};
+  view_.reset();
+  ++number_;
+  step_ = 0;
+  seconds_ = 0.0;
+  say("", tr("replaying..."), tr("The run is being replayed"));
+  bar_->show();
+  if (first) emit activeChanged(true);
+  enableActions();
+  runner_.run(scenario_->problem, log_, end, bridge_.clock() == SessionClock::Lockstep);
+}
+
+void ReplayController::close() {
+  if (!isActive()) return;
+  runner_.cancel();
+  play(false);
+  log_.reset();
+  view_.reset();
+  progress_ = {};
+  bar_->hide();
+  enableActions();
+  emit activeChanged(false);
+}
+
+std::uint64_t ReplayController::steps() const {
+  const std::uint64_t replayed = progress_.track ? progress_.track->lastStep() : 0;
+  const bool known = end_ == ReplayEnd::WithTheLog && log_->end && !progress_.ended;
+  return known ? std::max(log_->end->step, replayed) : replayed;
+}
+
+void ReplayController::take(const ReplayProgress& progress) {
+  if (!isActive()) return;
+  progress_ = progress;
+  if (!view_) view_ = std::make_unique<ReplayView>(scenario_->problem, log_, progress.track, number_);
+  if (progress.ended) {
+    judge();
+  } else if (steps() > 0) {
+    const std::uint64_t percent = 100 * progress_.track->lastStep() / steps();
+    say("", tr("replaying... %1 %").arg(percent), tr("The run is being replayed"));
+  }
+  show();
+}
+
+void ReplayController::judge() {
+  const RunLogParts& parts = progress_.latest->log;
+  const RunLog again = parts.empty() ? RunLog() : joined(parts);
+  const std::uint64_t nodes = progress_.latest->counts.nodes;
+  const RunCheckpoint recorded = log_->end.value_or(RunCheckpoint{});
+  if (end_ == ReplayEnd::GoOn) {
+    const bool solved = progress_.latest->state == SessionState::Solved;
+    say("another", tr("other parameters"),
+        (solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")
+                : tr("Other parameters: no path, %1 nodes (recorded: %2)"))
+            .arg(count(nodes), count(recorded.nodes)));
+  } else if (const auto difference = firstDifference(*log_, again)) {
+    say("different", tr("≠ recorded"),
+        tr("Differs from the recording: the same until step %1, not at step %2")
+            .arg(count(difference->same), count(difference->recorded.step)));
+  } else {
+    say("same", tr("✓ as recorded"), tr("Same roadmap as recorded: %1 nodes").arg(count(recorded.nodes)));
+  }
+}
+
+void ReplayController::say(const std::string& verdict, const QString& inShort, const QString& inWords) {
+  verdict_ = verdict;
+  statusText_ = tr("Replay. %1").arg(inWords);
+  bar_->setVerdict(inShort, inWords, verdict == "different");
+}
+
+void ReplayController::seek(std::uint64_t step) {
+  if (!isActive()) return;
+  step_ = std::min(step, progress_.track ? progress_.track->lastStep() : 0);
+  seconds_ = secondsAt(*log_, step_);
+  show();
+}
+
+void ReplayController::play(bool playing) {
+  actions_[QStringLiteral("replay.play")]->setChecked(playing);
+  if (!playing) {
+    timer_.stop();
+    return;
+  }
+  if (progress_.ended && step_ >= steps()) seek(0);
+  sinceTick_.start();
+  timer_.start();
+}
+
+void ReplayController::tick() {
+  const double passed = static_cast<double>(sinceTick_.restart()) / 1000.0;
+  if (!progress_.track) return;
+  std::uint64_t wanted = step_ + std::max<std::uint64_t>(1, steps() / kTicksOfAWholeRun);
+  if (bar_->speed() > 0.0) {
+    seconds_ += passed * bar_->speed();
+    wanted = stepAt(*log_, seconds_);
+  }
+  const std::uint64_t before = step_;
+  step_ = std::min(wanted, progress_.track->lastStep());
+  if (step_ < wanted || bar_->speed() == 0.0) seconds_ = secondsAt(*log_, step_);
+  if (step_ != before) show();
+  if (progress_.ended && step_ >= steps()) play(false);
+}
+
+void ReplayController::show() {
+  bar_->setPlace(step_, steps(), secondsAt(*log_, step_));
+  if (!view_) return;
+  const bool end = progress_.ended && step_ >= progress_.track->lastStep();
+  emit shown(view_->at(step_, *progress_.latest, end));
+}
+
+}  // namespace glissade

@@ -1,0 +1,234 @@
+#include "engine/collision/kernel/kernel_query.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/collision/kernel/motion_search.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
+constexpr BoxPair kRoots{};
+
+void addTriangles(const TriangleMesh& mesh, int body, std::vector<OwnedTriangle>& triangles) {
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, body});
+  }
+}
+
+std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles) {
+  std::vector<OwnedTriangle> triangles;
+  for (std::size_t body = 0; body < obstacles.size(); ++body) {
+    addTriangles(transformed(*obstacles[body].mesh, obstacles[body].X_WB), static_cast<int>(body), triangles);
+  }
+  return triangles;
+}
+
+std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& object) {
+  std::vector<OwnedTriangle> triangles;
+  addTriangles(object, 0, triangles);
+  return triangles;
+}
+
+/// A float bound that rules nothing out that the double would keep.
+float roundedUp(double value) {
+  return value < std::numeric_limits<float>::max() ? static_cast<float>(value) * 1.000001F + 1e-37F
+                                                   : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace
+
+KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
+    : obstacles(trianglesOf(obstacleBodies)), object(trianglesOf(objectMesh)) {}
+
+KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
+    : geometry_(std::move(geometry)),
+      functions_(functions),
+      traversal_(geometry_->obstacles, geometry_->object, functions) {}
+
+bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
+  if (geometry_->obstacles.empty() || geometry_->object.empty()) return false;
+  traversal_.placed.moveTo(X_WB);
+  return traversal_.placed.sphereGap() <= bound;
+}
+
+/// Two leaves meet in an obstacle below `bodiesBelow`: which is the lowest.
+bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) {
+  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
+  bool found = false;
+  for (unsigned mask = traversal_.mayMeet(leaves); mask != 0; mask &= mask - 1) {
+    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
+    const OwnedTriangle& obstacle = traversal_.obstacles.triangles[firstObstacle + bit % lanes::kLeafTriangles];
+    if (obstacle.body >= bodiesBelow) continue;
+    if (!trianglesMeet(obstacle.corners, traversal_.placed.triangle(firstObject + bit / lanes::kLeafTriangles))) {
+      continue;
+    }
+    body = bodiesBelow = obstacle.body;
+    found = true;
+  }
+  return found;
+}
+
+bool KernelQuery::touches(const Pose& X_WB) {
+  if (!moveTo(X_WB, 0.0)) return false;
+  int body = 0;
+  stack_.assign(1, kRoots);
+  while (!stack_.empty()) {
+    const BoxPair pair = stack_.back();
+    stack_.pop_back();
+    if (traversal_.bothLeaves(pair)) {
+      if (leavesMeet(pair, std::numeric_limits<int>::max(), body)) return true;
+      continue;
+    }
+    const auto opened = traversal_.open(pair);
+    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
+      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
+    }
+  }
+  return false;
+}
+
+std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
+  if (!moveTo(X_WB, 0.0)) return std::nullopt;
+  int lowest = std::numeric_limits<int>::max();
+  stack_.assign(1, kRoots);
+  while (!stack_.empty()) {
+    const BoxPair pair = stack_.back();
+    stack_.pop_back();
+    if (traversal_.obstacles.lowestBody[pair.obstacle] >= lowest) continue;
+    if (traversal_.bothLeaves(pair)) {
+      leavesMeet(pair, lowest, lowest);
+      continue;
+    }
+    const auto opened = traversal_.open(pair);
+    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
+      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
+    }
+  }
+  return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
+}
+
+/// The opened pairs that may still matter, the nearest on top.
+void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
+  alignas(32) std::array<float, lanes::kWidth> squared;
+  traversal_.distances(opened, squared.data());
+  const std::size_t begin = candidates_.size();
+  for (unsigned lane = 0; lane < opened.lanes; ++lane) {
+    if (squared[lane] > bound) continue;
+    const Candidate candidate{opened[lane], squared[lane]};
+    std::size_t at = candidates_.size();
+    candidates_.push_back(candidate);
+    for (; at > begin && candidates_[at - 1].squared < candidate.squared; --at) candidates_[at] = candidates_[at - 1];
+    candidates_[at] = candidate;
+  }
+}
+
+/// Gathers in `triangles_` every pair of triangles that may be the nearest or as near as `bound`
+/// (squared). With estimates the bound shrinks on the way; returns what it came to.
+float KernelQuery::collect(float bound, bool byEstimates) {
+  triangles_.clear();
+  candidates_.assign(1, {kRoots, 0.0F});
+  while (!candidates_.empty()) {
+    const Candidate candidate = candidates_.back();
+    candidates_.pop_back();
+    if (candidate.squared > bound) continue;
+    if (!traversal_.bothLeaves(candidate.pair)) {
+      push(traversal_.open(candidate.pair), bound);
+      continue;
+    }
+    const auto leaves = traversal_.triangleDistances(candidate.pair);
+    if (byEstimates) bound = std::min(bound, *std::min_element(leaves.estimate.begin(), leaves.estimate.end()));
+    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
+      const float squared = leaves.squared[i];
+      if (squared <= bound && squared < kFloatInfinity) triangles_.push_back({leaves[i], squared});
+    }
+  }
+  return bound;
+}
+
+/// Improves `best` by what was gathered, in double precision.
+void KernelQuery::decide(Best& best) {
+  std::sort(triangles_.begin(), triangles_.end(),
+            [](const TriangleCandidate& a, const TriangleCandidate& b) { return a.squared < b.squared; });
+  std::array<TrianglePair, 4> pairs;
+  for (std::size_t i = 0; i < triangles_.size() && triangles_[i].squared <= roundedUp(best.squared);) {
+    std::size_t count = 0;
+    for (; count < pairs.size() && i < triangles_.size(); ++i) pairs[count++] = triangles_[i].pair;
+    const auto squared = traversal_.exactDistances(pairs.data(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const TrianglePair& pair = pairs[k];
+      const bool lower = std::pair(pair.obstacle, pair.object) < std::pair(best.pair.obstacle, best.pair.object);
+      if (squared[k] < best.squared || (squared[k] == best.squared && lower)) best = {squared[k], pair};
+    }
+  }
+}
+
+NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  NearestObstacle result;
+  result.distance = enough;
+  if (!moveTo(X_WB, enough)) return result;
+  Best best{enough * enough, {kNone, kNone}};
+  if (last_) {
+    triangles_.assign(1, {*last_, 0.0F});
+    decide(best);
+  }
+  const float left = collect(roundedUp(best.squared), true);
+  decide(best);
+  if (roundedUp(best.squared) > left) {
+    // Estimates are wrong for slivers: what was left out by them has to be looked at.
+    collect(roundedUp(best.squared), false);
+    decide(best);
+  }
+  if (best.pair.obstacle == kNone) return result;
+  last_ = best.pair;
+  const TriangleDistance distance =
+      triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
+  // Surfaces that do not touch are apart, by however little.
+  result.distance = std::max(std::sqrt(distance.squared), std::numeric_limits<double>::min());
+  result.body = traversal_.obstacles.triangles[best.pair.obstacle].body;
+  result.p_WPo = distance.onA;
+  result.p_WPn = distance.onB;
+  return result;
+}
+
+bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
+  if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
+  const double squared = bound * bound;
+  const float reach = roundedUp(squared);
+  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
+  candidates_.assign(1, {kRoots, 0.0F});
+  while (!candidates_.empty()) {
+    const Candidate candidate = candidates_.back();
+    candidates_.pop_back();
+    if (!traversal_.bothLeaves(candidate.pair)) {
+      push(traversal_.open(candidate.pair), reach);
+      continue;
+    }
+    const auto leaves = traversal_.triangleDistances(candidate.pair);
+    triangles_.clear();
+    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
+      if (leaves.squared[i] <= reach) triangles_.push_back({leaves[i], leaves.squared[i]});
+    }
+    Best best{kInfinity, {}};
+    decide(best);
+    if (best.squared > squared) continue;
+    last_ = best.pair;
+    return true;
+  }
+  return false;
+}
+
+std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
+                                                    const StopToken& stop) {
+  if (geometry_->obstacles.empty() || geometry_->object.empty())
+    return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
+  return MotionSearch(traversal_, from, to, required).run(stop);
+}
+
+}  // namespace glissade

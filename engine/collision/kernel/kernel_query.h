@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/collision/kernel/pair_traversal.h"
+#include "engine/collision/surface_query.h"
+
+namespace glissade {
+
+/// The geometry of a world as the kernel wants it. Immutable, shared by threads.
+struct KernelGeometry {
+  KernelGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+
+  BoxTree obstacles;  ///< world frame
+  BoxTree object;     ///< frame B
+};
+
+/// Our own kernel: wide hierarchies searched on vector units in single precision, which only ever rule
+/// pairs out; what remains is decided in double precision, yes/no by exact predicates. So every answer
+/// is a function of the pose alone: not of the instruction set, nor of what was asked before.
+class KernelQuery final : public SurfaceQuery {
+ public:
+  explicit KernelQuery(std::shared_ptr<const KernelGeometry> geometry,
+                       const lanes::LaneFunctions& functions = lanes::best());
+
+  bool touches(const Pose& X_WB) override;
+  std::optional<int> touchingBody(const Pose& X_WB) override;
+  NearestObstacle nearest(const Pose& X_WB, double enough) override;
+  bool isWithin(const Pose& X_WB, double bound) override;
+  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+                                         const StopToken& stop) override;
+
+ private:
+  struct Candidate {
+    BoxPair pair;
+    float squared;  ///< lower bound
+  };
+  struct TriangleCandidate {
+    TrianglePair pair;
+    float squared;  ///< lower bound
+  };
+  /// The nearest pair of triangles so far; of equal ones the lowest.
+  struct Best {
+    double squared;
+    TrianglePair pair;
+  };
+
+  /// False where there is nothing, or spheres around all are farther apart than `bound`.
+  bool moveTo(const Pose& X_WB, double bound);
+  bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
+  void push(const PairTraversal::Opened& opened, float bound);
+  float collect(float bound, bool byEstimates);
+  void decide(Best& best);
+
+  std::shared_ptr<const KernelGeometry> geometry_;
+  const lanes::LaneFunctions& functions_;
+  PairTraversal traversal_;
+  std::vector<BoxPair> stack_;
+  std::vector<Candidate> candidates_;
+  std::vector<TriangleCandidate> triangles_;
+  std::optional<TrianglePair> last_;  ///< nearest triangles of the last search
+};
+
+}  // namespace glissade

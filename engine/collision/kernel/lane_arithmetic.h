@@ -1,0 +1,354 @@
+#pragma once
+
+#include "engine/collision/kernel/lanes.h"
+
+/// What LaneFunctions promise, over a vector of eight floats `F` (`F::tiny()` is below any squared area
+/// or product of squared lengths met, and keeps divisions defined). Each instruction set instantiates
+/// this with a type of its own, so that no two files share a symbol.
+namespace glissade::lanes {
+
+/// Upper bound on the error of a squared distance of triangles per squared length of what enters it
+/// (edges and gap), for nearly parallel edges and slivers too: there the point found may be a poor
+/// one, but the function is so flat that it costs no more than the rounding of its coefficients. The
+/// largest met in 6.4 million nasty pairs was 2.3e-6.
+inline constexpr float kSquaredDistanceError = 1.6e-5F;
+/// More than any squared length, and still finite when multiplied.
+inline constexpr float kALot = 1e30F;
+/// Squared sine below which two edges count as nearly parallel.
+inline constexpr float kNearlyParallel = 1e-8F;
+/// Takes the rounding of a few products away.
+inline constexpr float kRoundedDown = 0.999999F;
+
+template <class F>
+struct Vec3 {
+  F x, y, z;
+
+  static Vec3 load(const float (&rows)[3][kWidth]) { return {F::load(rows[0]), F::load(rows[1]), F::load(rows[2])}; }
+  static Vec3 broadcast(const float (&rows)[3][kWidth], std::size_t lane) {
+    return {F::all(rows[0][lane]), F::all(rows[1][lane]), F::all(rows[2][lane])};
+  }
+  void store(float (&rows)[3][kWidth]) const {
+    x.store(rows[0]);
+    y.store(rows[1]);
+    z.store(rows[2]);
+  }
+
+  friend Vec3 operator-(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator*(F s, const Vec3& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend F dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+  friend Vec3 cross(const Vec3& a, const Vec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+  friend F sumOfAbsolutes(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
+};
+
+template <class F>
+struct Arithmetic {
+  using V = Vec3<F>;
+
+  static V rotated(const FloatPose& X, const V& p) {
+    const auto row = [&](int i) {
+      return F::all(X.rotation[i][0]) * p.x + F::all(X.rotation[i][1]) * p.y + F::all(X.rotation[i][2]) * p.z;
+    };
+    return {row(0), row(1), row(2)};
+  }
+
+  static V transformed(const FloatPose& X, const V& p) {
+    return rotated(X, p) + V{F::all(X.translation[0]), F::all(X.translation[1]), F::all(X.translation[2])};
+  }
+
+  static void placeBoxes(const BoxLanes& boxes, const FloatPose& X, BoxLanes& placed) {
+    transformed(X, V::load(boxes.centre)).store(placed.centre);
+    for (int k = 0; k < 3; ++k) {
+      rotated(X, V::load(boxes.axis[k])).store(placed.axis[k]);
+      F::load(boxes.half[k]).store(placed.half[k]);
+    }
+  }
+
+  static void placeTriangles(const TriangleLanes& triangles, const FloatPose& X, TriangleLanes& placed) {
+    for (std::size_t half = 0; half < 16; half += kWidth) {
+      const V p = transformed(X, {F::load(triangles.coordinate[0] + half), F::load(triangles.coordinate[1] + half),
+                                  F::load(triangles.coordinate[2] + half)});
+      p.x.store(placed.coordinate[0] + half);
+      p.y.store(placed.coordinate[1] + half);
+      p.z.store(placed.coordinate[2] + half);
+    }
+  }
+
+  static F largest(const V& v) { return max(max(v.x, v.y), v.z); }
+
+  /// Eight boxes against one: what all separating axes need.
+  struct BoxPairs {
+    V halfA, halfB;
+    V gapA, gapB;  ///< between the centres, along the axes of each
+    V axes[3];     ///< axes[k]: axis k of each of the eight in terms of the one's axes
+    V absolute[3];
+
+    BoxPairs(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane)
+        : halfA(V::load(boxes.half)), halfB(V::broadcast(other.half, lane)) {
+      const V gap = V::broadcast(other.centre, lane) - V::load(boxes.centre);
+      const V b0 = V::broadcast(other.axis[0], lane);
+      const V b1 = V::broadcast(other.axis[1], lane);
+      const V b2 = V::broadcast(other.axis[2], lane);
+      gapB = {dot(gap, b0), dot(gap, b1), dot(gap, b2)};
+      const auto along = [&](int k) {
+        const V axis = V::load(boxes.axis[k]);
+        axes[k] = {dot(axis, b0), dot(axis, b1), dot(axis, b2)};
+        absolute[k] = {abs(axes[k].x), abs(axes[k].y), abs(axes[k].z)};
+        return dot(gap, axis);
+      };
+      gapA.x = along(0);
+      gapA.y = along(1);
+      gapA.z = along(2);
+    }
+
+    /// Separations along the axes of the eight; negative where they overlap.
+    V separationA() const {
+      return {abs(gapA.x) - halfA.x - dot(absolute[0], halfB), abs(gapA.y) - halfA.y - dot(absolute[1], halfB),
+              abs(gapA.z) - halfA.z - dot(absolute[2], halfB)};
+    }
+    V separationB() const {
+      const V reach = halfA.x * absolute[0] + halfA.y * absolute[1] + halfA.z * absolute[2];
+      return {abs(gapB.x) - halfB.x - reach.x, abs(gapB.y) - halfB.y - reach.y, abs(gapB.z) - halfB.z - reach.z};
+    }
+    /// Lower bounds on squared distances along the products of axis k of the eight and the one's axes:
+    /// separations over the length of these axes, the squared sine of their angles.
+    F squaredByEdges(int k, F slack) const {
+      const F zero = F::all(0.0F);
+      const F almostOne = F::all(1.000001F);
+      const V gap = separationByEdges(k);
+      const auto squared = [&](F separation, F cosine) {
+        const F left = max(separation - slack, zero);
+        return left * left / (almostOne - cosine * cosine);
+      };
+      return max(max(squared(gap.x, axes[k].x), squared(gap.y, axes[k].y)), squared(gap.z, axes[k].z));
+    }
+    /// Bits of the pairs that some product of axis k of the eight and an axis of the one separates.
+    /// These axes are shorter than one: so is the slack along them.
+    unsigned separatedByEdges(int k, F limit) const { return bits(less(limit, largest(separationByEdges(k)))); }
+    V separationByEdges(int k) const {
+      const int k1 = (k + 1) % 3;
+      const int k2 = (k + 2) % 3;
+      const F gap1 = k == 0 ? gapA.y : k == 1 ? gapA.z : gapA.x;
+      const F gap2 = k == 0 ? gapA.z : k == 1 ? gapA.x : gapA.y;
+      const F half1 = k == 0 ? halfA.y : k == 1 ? halfA.z : halfA.x;
+      const F half2 = k == 0 ? halfA.z : k == 1 ? halfA.x : halfA.y;
+      const auto separation = [&](F c1, F c2, F a1, F a2, F r1, F h1, F r2, F h2) {
+        return abs(gap2 * c1 - gap1 * c2) - (half1 * a2 + half2 * a1 + h1 * r2 + h2 * r1);
+      };
+      const V& c1 = axes[k1];
+      const V& c2 = axes[k2];
+      const V& a1 = absolute[k1];
+      const V& a2 = absolute[k2];
+      const V& a0 = absolute[k];
+      return {separation(c1.x, c2.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
+              separation(c1.y, c2.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
+              separation(c1.z, c2.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
+    }
+  };
+
+  static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack,
+                              float reach) {
+    const BoxPairs pairs(boxes, other, lane);
+    const F limit = F::all(slack + reach);
+    unsigned separated = bits(less(limit, max(largest(pairs.separationA()), largest(pairs.separationB()))));
+    for (int k = 0; k < 3 && separated != 0xFFU; ++k) separated |= pairs.separatedByEdges(k, limit);
+    return ~separated & 0xFFU;
+  }
+
+  /// Squared length of what is left of a separation along three perpendicular axes.
+  static F squaredGap(const V& separation, F slack) {
+    const F zero = F::all(0.0F);
+    const V gap{max(separation.x - slack, zero), max(separation.y - slack, zero), max(separation.z - slack, zero)};
+    return dot(gap, gap);
+  }
+
+  static void boxDistances(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack,
+                           float* squared) {
+    const BoxPairs pairs(boxes, other, lane);
+    const F s = F::all(slack);
+    F bound = max(squaredGap(pairs.separationA(), s), squaredGap(pairs.separationB(), s));
+    for (int k = 0; k < 3; ++k) bound = max(bound, pairs.squaredByEdges(k, s));
+    (bound * F::all(kRoundedDown)).store(squared);
+  }
+
+  /// Pairs of triangles, one in each lane.
+  struct TrianglePairs {
+    V a[3], b[3];    ///< corners
+    V ea[3], eb[3];  ///< edges from corner i to corner i + 1
+
+    /// The four of `la` with triangle `first` of `lb`, and with the next.
+    static TrianglePairs ofLeaves(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first) {
+      TrianglePairs pairs;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t at = corner * kLeafTriangles;
+        pairs.a[corner] = {F::twice(la.coordinate[0] + at), F::twice(la.coordinate[1] + at),
+                           F::twice(la.coordinate[2] + at)};
+        pairs.b[corner] = {F::halves(lb.coordinate[0] + at + first), F::halves(lb.coordinate[1] + at + first),
+                           F::halves(lb.coordinate[2] + at + first)};
+      }
+      pairs.takeEdges();
+      return pairs;
+    }
+
+    void takeEdges() {
+      for (int i = 0; i < 3; ++i) {
+        ea[i] = a[(i + 1) % 3] - a[i];
+        eb[i] = b[(i + 1) % 3] - b[i];
+      }
+    }
+
+    F gapAlong(const V& axis) const {
+      const F zero = F::all(0.0F);
+      const F a1 = dot(ea[0], axis);
+      const F a2 = a1 + dot(ea[1], axis);
+      const F lowA = min(min(a1, a2), zero);
+      const F highA = max(max(a1, a2), zero);
+      const F b0 = dot(b[0] - a[0], axis);
+      const F b1 = b0 + dot(eb[0], axis);
+      const F b2 = b1 + dot(eb[1], axis);
+      const F lowB = min(min(b0, b1), b2);
+      const F highB = max(max(b0, b1), b2);
+      return max(lowB - highA, lowA - highB);
+    }
+    /// Bits of the pairs that this axis separates: any axis is right, whatever its own rounding.
+    unsigned separatedBy(const V& axis, F slack) const {
+      return bits(less(slack * sumOfAbsolutes(axis), gapAlong(axis)));
+    }
+  };
+
+  static unsigned mayMeet(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack) {
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
+    unsigned separated = pairs.separatedBy(cross(pairs.ea[0], pairs.ea[1]), slack);
+    if (separated == 0xFFU) return 0;
+    separated |= pairs.separatedBy(cross(pairs.eb[0], pairs.eb[1]), slack);
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        if (separated == 0xFFU) return 0;
+        separated |= pairs.separatedBy(cross(pairs.ea[i], pairs.eb[k]), slack);
+      }
+    }
+    return ~separated & 0xFFU;
+  }
+
+  static unsigned trianglesMayMeet(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack) {
+    const F s = F::all(slack);
+    return mayMeet(a, b, 0, s) | (count > 2 ? mayMeet(a, b, 2, s) << kWidth : 0U);
+  }
+
+  static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
+
+  /// Two segments p + s u and r + t v, by Ericson 2005, 5.1.9, without branches.
+  struct Segments {
+    V u, v, w;
+    F a, b, c, d, e;
+
+    Segments(const V& p, const V& u_, F a_, const V& r, const V& v_, F c_)
+        : u(u_), v(v_), w(p - r), a(a_), b(dot(u, v)), c(c_), d(dot(u, w)), e(dot(v, w)) {}
+
+    F determinant() const { return a * c - b * b; }
+    F squaredFrom(F s0) const {
+      const F tiny = F::tiny();
+      const F t = clamped((b * s0 + e) / max(c, tiny));
+      const F s = clamped((b * t - d) / max(a, tiny));
+      const V gap = w + s * u - t * v;
+      return dot(gap, gap);
+    }
+    F squared() const { return squaredFrom(clamped((b * e - c * d) / max(determinant(), F::tiny()))); }
+    /// Where some are nearly parallel the ends of the first are tried besides.
+    F squaredRefined() const {
+      const F found = squared();
+      if (bits(less(F::all(kNearlyParallel) * a * c, determinant())) == F::kAllBits) return found;
+      return min(found, min(squaredFrom(F::all(0.0F)), squaredFrom(F::all(1.0F))));
+    }
+  };
+
+  /// Squared distance of p from the face where its foot lies on it, else a lot.
+  static F faceSquared(const V& p, const V (&corners)[3], const V (&edges)[3], const V& n, F inverseArea, F faceless) {
+    const F zero = F::all(0.0F);
+    const auto inner = [&](int i) { return dot(n, cross(edges[i], p - corners[i])); };
+    const F least = min(min(inner(0), inner(1)), inner(2));
+    const F height = dot(n, p - corners[0]);
+    return select(less(least, zero), F::all(kALot), height * height * inverseArea + faceless);
+  }
+
+  /// Squared distances, and the squared lengths that their errors grow with.
+  struct SquaredDistances {
+    F squared;
+    F scale;
+  };
+
+  template <bool kRefined>
+  static SquaredDistances squaredDistances(const TrianglePairs& pairs) {
+    F lengthA[3], lengthB[3];
+    for (int i = 0; i < 3; ++i) {
+      lengthA[i] = dot(pairs.ea[i], pairs.ea[i]);
+      lengthB[i] = dot(pairs.eb[i], pairs.eb[i]);
+    }
+    const V na = cross(pairs.ea[0], pairs.ea[1]);
+    const V nb = cross(pairs.eb[0], pairs.eb[1]);
+    const F areaA = dot(na, na);
+    const F areaB = dot(nb, nb);
+    const F tiny = F::tiny();
+    const F inverseA = F::all(1.0F) / max(areaA, tiny);
+    const F inverseB = F::all(1.0F) / max(areaB, tiny);
+    const F facelessA = select(less(tiny, areaA), F::all(0.0F), F::all(kALot));
+    const F facelessB = select(less(tiny, areaB), F::all(0.0F), F::all(kALot));
+    F best = F::all(kALot);
+    for (int i = 0; i < 3; ++i) {
+      best = min(best, faceSquared(pairs.a[i], pairs.b, pairs.eb, nb, inverseB, facelessB));
+      best = min(best, faceSquared(pairs.b[i], pairs.a, pairs.ea, na, inverseA, facelessA));
+      for (int k = 0; k < 3; ++k) {
+        const Segments segments(pairs.a[i], pairs.ea[i], lengthA[i], pairs.b[k], pairs.eb[k], lengthB[k]);
+        best = min(best, kRefined ? segments.squaredRefined() : segments.squared());
+      }
+    }
+    const V gap = pairs.b[0] - pairs.a[0];
+    return {best, dot(gap, gap) + lengthA[0] + lengthA[2] + lengthB[0] + lengthB[2]};
+  }
+
+  static void distances(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, float* squared,
+                        float* estimate) {
+    const auto [found, scale] = squaredDistances<false>(TrianglePairs::ofLeaves(la, lb, first));
+    const F zero = F::all(0.0F);
+    const F error = F::all(kSquaredDistanceError) * scale;
+    const F least = max(sqrt(max(found - error, zero)) - slack, zero);
+    (least * least * F::all(kRoundedDown)).store(squared);
+    const F most = sqrt(found + error) + slack;
+    (most * most).store(estimate);
+  }
+
+  static void triangleDistances(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack,
+                                float* squared, float* estimate) {
+    distances(a, b, 0, F::all(slack), squared, estimate);
+    if (count > 2) distances(a, b, 2, F::all(slack), squared + kWidth, estimate + kWidth);
+  }
+};
+
+/// The one question asked in double precision: `D` holds four.
+template <class D>
+void exactDistances(const TrianglePairLanes& lanes, double* squared) {
+  typename Arithmetic<D>::TrianglePairs pairs;
+  for (int corner = 0; corner < 3; ++corner) {
+    pairs.a[corner] = {D::load(lanes.a[corner][0]), D::load(lanes.a[corner][1]), D::load(lanes.a[corner][2])};
+    pairs.b[corner] = {D::load(lanes.b[corner][0]), D::load(lanes.b[corner][1]), D::load(lanes.b[corner][2])};
+  }
+  pairs.takeEdges();
+  Arithmetic<D>::template squaredDistances<true>(pairs).squared.store(squared);
+}
+
+template <class F, class D>
+constexpr LaneFunctions table(std::string_view name) {
+  using A = Arithmetic<F>;
+  return {name,
+          A::placeBoxes,
+          A::placeTriangles,
+          A::boxesWithin,
+          A::boxDistances,
+          A::trianglesMayMeet,
+          A::triangleDistances,
+          exactDistances<D>};
+}
+
+}  // namespace glissade::lanes

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/collision/kernel/lanes.h"
+
+namespace glissade::lanes {
+
+/// One file each. Those of an instruction set may only be called where the machine has it.
+const LaneFunctions& portable();
+const LaneFunctions& sse2();
+const LaneFunctions& avx2();
+
+}  // namespace glissade::lanes

@@ -1,0 +1,84 @@
+#include "engine/collision/kernel/pair_traversal.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace glissade {
+
+PairTraversal::Opened PairTraversal::open(const BoxPair& pair) const {
+  const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
+                        (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
+  if (obstacle) {
+    const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
+    return {{static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, obstacles.counts[node]};
+  }
+  const std::uint32_t node = object.nodeOf(pair.object);
+  return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, object.counts[node]};
+}
+
+unsigned PairTraversal::within(const Opened& opened, float reach) {
+  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
+  const unsigned near =
+      opened.obstacle
+          ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object), placed.slack(), reach)
+          : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle), placed.slack(), reach);
+  return near & ((1U << opened.lanes) - 1U);
+}
+
+void PairTraversal::distances(const Opened& opened, float* squared) {
+  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
+  if (opened.obstacle) {
+    functions_.boxDistances(obstacle, moved, BoxTree::laneOf(opened.first.object), placed.slack(), squared);
+  } else {
+    functions_.boxDistances(moved, obstacle, BoxTree::laneOf(opened.first.obstacle), placed.slack(), squared);
+  }
+}
+
+unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
+  const BoxTree::Leaf& obstacle = obstacles.leafOf(leaves.obstacle);
+  lanes::TriangleLanes moved;
+  placed.leaf(leaves.object, moved);
+  const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
+  const unsigned columns = ((1U << obstacle.count) - 1U) * 0x1111U;
+  return functions_.trianglesMayMeet(obstacle.lanes, moved, object.leafOf(leaves.object).count, placed.slack()) & rows &
+         columns;
+}
+
+PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {
+  const BoxTree::Leaf& obstacle = obstacles.leafOf(leaves.obstacle);
+  const BoxTree::Leaf& moved = object.leafOf(leaves.object);
+  lanes::TriangleLanes lanesOfMoved;
+  placed.leaf(leaves.object, lanesOfMoved);
+  LeafDistances result;
+  result.firstObstacle = obstacle.first;
+  result.firstObject = moved.first;
+  functions_.triangleDistances(obstacle.lanes, lanesOfMoved, moved.count, placed.slack(), result.squared.data(),
+                               result.estimate.data());
+  for (std::size_t i = 0; i < LeafDistances::kPairs; ++i) {
+    if (i % lanes::kLeafTriangles < obstacle.count && i / lanes::kLeafTriangles < moved.count) continue;
+    result.squared[i] = result.estimate[i] = std::numeric_limits<float>::infinity();
+  }
+  return result;
+}
+
+std::array<double, 4> PairTraversal::exactDistances(const TrianglePair* pairs, std::size_t count) {
+  lanes::TrianglePairLanes lanes;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const TrianglePair& pair = pairs[std::min(lane, count - 1)];
+    const Triangle& a = obstacleTriangle(pair.obstacle);
+    const Triangle b = placed.triangle(pair.object);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (int i = 0; i < 3; ++i) {
+        lanes.a[corner][i][lane] = a[corner][i];
+        lanes.b[corner][i][lane] = b[corner][i];
+      }
+    }
+  }
+  std::array<double, 4> squared;
+  functions_.exactDistances(lanes, squared.data());
+  return squared;
+}
+
+}  // namespace glissade

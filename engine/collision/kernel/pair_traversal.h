@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/collision/kernel/placed_object.h"
+
+namespace glissade {
+
+/// A box of the obstacles and a box of the object that may be near each other.
+struct BoxPair {
+  BoxTree::Box obstacle = 0;
+  BoxTree::Box object = 0;
+};
+
+/// Places in the trees' lists of triangles.
+struct TrianglePair {
+  std::uint32_t obstacle = 0;
+  std::uint32_t object = 0;
+};
+
+/// One thread's view of two trees at one pose, and the steps that every query is made of. A pair of
+/// boxes that are not both leaves is opened on the side of the larger one.
+class PairTraversal {
+ public:
+  PairTraversal(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions)
+      : obstacles(obstacles), object(object), placed(obstacles, object, functions), functions_(functions) {}
+
+  bool bothLeaves(const BoxPair& pair) const { return obstacles.isLeaf(pair.obstacle) && object.isLeaf(pair.object); }
+
+  /// The eight pairs below one that is opened; `lanes` of them count.
+  struct Opened {
+    BoxPair first;
+    bool obstacle;  ///< the lane is added to this side
+    unsigned lanes;
+
+    BoxPair operator[](unsigned lane) const {
+      return obstacle ? BoxPair{first.obstacle + lane, first.object} : BoxPair{first.obstacle, first.object + lane};
+    }
+  };
+  Opened open(const BoxPair& pair) const;
+
+  /// Bits of the opened pairs that may be nearer than `reach`.
+  unsigned within(const Opened& opened, float reach);
+  /// Lower bounds on the squared distances of the opened pairs.
+  void distances(const Opened& opened, float* squared);
+
+  /// Bits 4 k + i of the pairs of triangles of two leaves that may meet.
+  unsigned mayMeet(const BoxPair& leaves);
+  /// Lower bounds on their squared distances, and estimates (LaneFunctions); unused places hold
+  /// +infinity.
+  struct LeafDistances {
+    static constexpr std::size_t kPairs = lanes::kLeafTriangles * lanes::kLeafTriangles;
+    alignas(32) std::array<float, kPairs> squared;
+    alignas(32) std::array<float, kPairs> estimate;
+    std::uint32_t firstObstacle;
+    std::uint32_t firstObject;
+
+    TrianglePair operator[](std::size_t i) const {
+      const auto at = static_cast<std::uint32_t>(i);
+      return {firstObstacle + at % lanes::kLeafTriangles, firstObject + at / lanes::kLeafTriangles};
+    }
+  };
+  LeafDistances triangleDistances(const BoxPair& leaves);
+  /// Squared distances of up to four pairs of triangles, as triangleDistance finds them.
+  std::array<double, 4> exactDistances(const TrianglePair* pairs, std::size_t count);
+
+  const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles.triangles[index].corners; }
+
+  const BoxTree& obstacles;
+  const BoxTree& object;
+  PlacedObject placed;
+
+ private:
+  const lanes::LaneFunctions& functions_;
+};
+
+}  // namespace glissade

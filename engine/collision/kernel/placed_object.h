@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/collision/kernel/box_tree.h"
+
+namespace glissade {
+
+/// The object's tree at one pose, in the frame of the obstacles' tree. Boxes are placed when they are
+/// first asked for and kept until the next pose. One per thread.
+class PlacedObject {
+ public:
+  PlacedObject(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions);
+
+  void moveTo(const Pose& X_WB);
+
+  /// Bound on the rounding of any length computed in single precision at this pose, metres.
+  float slack() const { return slack_; }
+  /// At most the distance between the object and the obstacles: that of spheres around all.
+  double sphereGap() const { return sphereGap_; }
+
+  const lanes::BoxLanes& node(std::uint32_t index);
+  void leaf(BoxTree::Box box, lanes::TriangleLanes& placed) const;
+  /// In the world frame, as `X_WB * vertex` rounds.
+  Triangle triangle(std::uint32_t index) const;
+
+ private:
+  const BoxTree& obstacles_;
+  const BoxTree& object_;
+  const lanes::LaneFunctions& functions_;
+  Pose X_WB_;
+  lanes::FloatPose X_{};
+  float slack_ = 0.0F;
+  double sphereGap_ = 0.0;
+  std::uint32_t current_ = 0;
+  std::vector<std::uint32_t> placedAt_;  ///< `current_` when the node was placed
+  std::vector<lanes::BoxLanes> placed_;
+};
+
+}  // namespace glissade

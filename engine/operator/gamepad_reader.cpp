@@ -1,0 +1,132 @@
+#include "engine/operator/gamepad_reader.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace glissade {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// The pace while a gamepad is there (125 Hz), and that of looking for one.
+constexpr milliseconds kTick{8};
+constexpr milliseconds kLook{250};
+
+/// SDL's controllers, without a window: signals stay the program's, and events come without focus (the
+/// window's focus is watched elsewhere).
+class Sdl {
+ public:
+  Sdl() {
+    SDL_SetMainReady();
+    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    works_ = SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0;
+  }
+  ~Sdl() {
+    if (works_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+  }
+  Sdl(const Sdl&) = delete;
+  Sdl& operator=(const Sdl&) = delete;
+
+  bool works() const { return works_; }
+
+ private:
+  bool works_ = false;
+};
+
+/// One gamepad, or none.
+class Pad {
+ public:
+  explicit Pad(InputMailbox& mailbox) : mailbox_(mailbox) {}
+  ~Pad() { close(); }
+  Pad(const Pad&) = delete;
+  Pad& operator=(const Pad&) = delete;
+
+  bool isOpen() const { return controller_ != nullptr; }
+
+  void handleEvents() {
+    SDL_Event event{};
+    while (SDL_PollEvent(&event) != 0) {
+      if (!isOpen()) continue;
+      const bool ours = event.cdevice.which == id_;
+      if (event.type == SDL_CONTROLLERDEVICEREMOVED && ours) close();
+      if (event.type == SDL_CONTROLLERBUTTONDOWN && event.cbutton.which == id_) mailbox_.press(event.cbutton.button);
+    }
+    if (!isOpen()) openFirst();
+  }
+
+  void publishAxes() {
+    const RawAxes axes{axis(SDL_CONTROLLER_AXIS_LEFTX),
+                       -axis(SDL_CONTROLLER_AXIS_LEFTY),
+                       axis(SDL_CONTROLLER_AXIS_TRIGGERLEFT) - axis(SDL_CONTROLLER_AXIS_TRIGGERRIGHT),
+                       axis(SDL_CONTROLLER_AXIS_RIGHTY),
+                       axis(SDL_CONTROLLER_AXIS_RIGHTX),
+                       button(SDL_CONTROLLER_BUTTON_LEFTSHOULDER) - button(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
+    if (axes == last_) return;
+    last_ = axes;
+    mailbox_.setAxes(axes);
+  }
+
+ private:
+  void openFirst() {
+    for (int i = 0; i < SDL_NumJoysticks() && !isOpen(); ++i) {
+      if (SDL_IsGameController(i) == SDL_TRUE) controller_ = SDL_GameControllerOpen(i);
+    }
+    if (!isOpen()) return;
+    id_ = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(controller_));
+    last_ = RawAxes{};
+    const char* name = SDL_GameControllerName(controller_);
+    mailbox_.connect(name != nullptr && name[0] != '\0' ? name : "Gamepad");
+  }
+
+  void close() {
+    if (!isOpen()) return;
+    SDL_GameControllerClose(controller_);
+    controller_ = nullptr;
+    mailbox_.disconnect();
+  }
+
+  double axis(SDL_GameControllerAxis which) const {
+    return std::max(-1.0, SDL_GameControllerGetAxis(controller_, which) / 32767.0);
+  }
+  double button(SDL_GameControllerButton which) const { return SDL_GameControllerGetButton(controller_, which); }
+
+  InputMailbox& mailbox_;
+  SDL_GameController* controller_ = nullptr;
+  SDL_JoystickID id_ = -1;
+  RawAxes last_{};
+};
+
+}  // namespace
+
+GamepadReader::GamepadReader(HandInputsPtr hand) : hand_(std::move(hand)) {
+  thread_ = std::thread([this] { run(); });
+}
+
+GamepadReader::~GamepadReader() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  quitWanted_.notify_all();
+  thread_.join();
+}
+
+void GamepadReader::run() {
+  const Sdl sdl;
+  if (!sdl.works()) return;
+  Pad pad(hand_->gamepad.mailbox);
+  std::unique_lock lock(mutex_);
+  while (!quit_) {
+    lock.unlock();
+    ++wakeUps_;
+    pad.handleEvents();
+    if (pad.isOpen()) pad.publishAxes();
+    lock.lock();
+    quitWanted_.wait_for(lock, pad.isOpen() ? kTick : kLook, [this] { return quit_; });
+  }
+}
+
+}  // namespace glissade

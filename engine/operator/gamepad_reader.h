@@ -1,0 +1,41 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+
+#include "engine/operator/hand_inputs.h"
+
+namespace glissade {
+
+/// Reads a game controller (SDL2) on a thread of its own, into the gamepad of `hand`: the first one that
+/// is plugged in, and the next one when it is pulled out.
+///
+///   left stick  right, up      triggers   left nearer, right away
+///   right stick turn, tip      shoulders  roll
+///
+/// SDL keeps its state per process: make at most one of these at a time.
+class GamepadReader {
+ public:
+  explicit GamepadReader(HandInputsPtr hand);
+  ~GamepadReader();
+  GamepadReader(const GamepadReader&) = delete;
+  GamepadReader& operator=(const GamepadReader&) = delete;
+
+  /// So often the thread has woken up: it sleeps in between.
+  std::uint64_t wakeUps() const { return wakeUps_; }
+
+ private:
+  void run();
+
+  HandInputsPtr hand_;
+  std::atomic<std::uint64_t> wakeUps_{0};
+  std::mutex mutex_;
+  std::condition_variable quitWanted_;
+  bool quit_ = false;
+  std::thread thread_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "engine/operator/input_mailbox.h"
+#include "engine/operator/shaping_presets.h"
+
+namespace glissade {
+
+/// The shaping in force: written by the calibration page, read by the operator thread; latest wins.
+class ShapingMailbox {
+ public:
+  explicit ShapingMailbox(const DeviceShaping& shaping) : shaping_(shaping) {}
+
+  void set(const DeviceShaping& shaping) {
+    const std::lock_guard lock(mutex_);
+    shaping_ = inRange(shaping);
+  }
+  DeviceShaping get() const {
+    const std::lock_guard lock(mutex_);
+    return shaping_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  DeviceShaping shaping_;
+};
+
+/// One device in a person's hand.
+struct HandInput {
+  HandInput(InputKind which, std::optional<std::chrono::milliseconds> silence)
+      : kind(which), mailbox(silence), shaping(standardShaping(which)) {}
+
+  const InputKind kind;
+  InputMailbox mailbox;
+  ShapingMailbox shaping;
+};
+
+/// What the hand's deflections move.
+enum class SteeringTarget { Object, Camera };
+
+/// All that a person can hold, for as long as the program runs: runs and scenarios come and go while the
+/// devices stay open. Shared by their readers, the operator thread and the window.
+struct HandInputs {
+  /// A 6D mouse repeats its deflection while it is held: half a second of silence is rest.
+  static constexpr std::chrono::milliseconds kSilence{500};
+
+  /// No silence: a script holds the mouse, in a time of its own.
+  explicit HandInputs(std::optional<std::chrono::milliseconds> silence = kSilence)
+      : mouse6d(InputKind::Mouse6D, silence) {
+    keyboard.mailbox.connect("Keyboard");
+  }
+
+  HandInput keyboard{InputKind::Keyboard, std::nullopt};
+  HandInput mouse6d;
+  HandInput gamepad{InputKind::Gamepad, std::nullopt};
+  std::atomic<SteeringTarget> target{SteeringTarget::Object};
+  std::atomic<bool> focused{true};  ///< false: another program has the window focus, all is at rest
+
+  std::array<HandInput*, 3> all() { return {&keyboard, &mouse6d, &gamepad}; }
+};
+using HandInputsPtr = std::shared_ptr<HandInputs>;
+
+}  // namespace glissade

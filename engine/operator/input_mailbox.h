@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "engine/operator/device_shaping.h"
+
+namespace glissade {
+
+/// Buttons that are counted; further ones of a device are left out.
+inline constexpr std::size_t kInputButtons = 16;
+
+/// What a device last said.
+struct InputReading {
+  bool connected = false;
+  std::string name;                                    ///< as the device calls itself; empty where none is connected
+  RawAxes axes{};                                      ///< all 0 after silence and while disconnected
+  std::array<std::uint32_t, kInputButtons> presses{};  ///< so often each button was pressed, ever
+
+  bool atRest() const { return axes == RawAxes{}; }
+};
+
+/// Between whoever reads a device and whoever uses it: latest wins for axes, presses are counted so that
+/// none is lost. All functions may be called from any thread and return at once.
+class InputMailbox {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Axes count as released when nothing was heard for `silence` (a daemon that hangs, a held puck
+  /// whose events go elsewhere); nothing: the last state holds, for devices that report changes only.
+  explicit InputMailbox(std::optional<std::chrono::milliseconds> silence = {}) : silence_(silence) {}
+
+  void connect(const std::string& name);
+  void disconnect();
+  void setAxes(const RawAxes& axes);
+  void press(std::size_t button);
+
+  InputReading reading() const;
+
+  /// Called after every change, on the thread that made it; must return at once. After
+  /// setListener({}) has returned no call is under way. The listener may read and must not write.
+  void setListener(std::function<void()> listener);
+
+ private:
+  void tell();
+
+  const std::optional<std::chrono::milliseconds> silence_;
+  mutable std::mutex mutex_;
+  InputReading reading_;
+  Clock::time_point heard_;
+
+  std::mutex listenerMutex_;
+  std::function<void()> listener_;
+};
+
+}  // namespace glissade

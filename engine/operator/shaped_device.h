@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/operator/hand_inputs.h"
+#include "engine/operator/operator_input.h"
+
+namespace glissade {
+
+/// The shaped deflection of a device in a person's hand, from moment to moment. Keys ramp up to full
+/// deflection smoothly, so that a tap is a small precise step; release is at once. Used by one thread.
+class HandShaper {
+ public:
+  explicit HandShaper(const HandInput& input) : input_(input) {}
+
+  /// After dt more seconds, with the shaping as it is now; at rest where nobody may steer.
+  Deflection deflection(double dt, const DeviceShaping& shaping, bool maySteer);
+  void restart();
+
+ private:
+  const HandInput& input_;
+  RawAxes ramped_{};
+  DominantAxis dominant_;
+};
+
+/// A device in a person's hand as an operator: its latest axes, shaped, move the object, integrated in
+/// our own clock. At rest while the camera is steered or the window has no focus.
+class ShapedDevice final : public OperatorDevice {
+ public:
+  /// `input` is one of `hand`'s.
+  ShapedDevice(HandInputsPtr hand, const HandInput& input);
+
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
+  void restart() override { shaper_.restart(); }
+  bool connected() const override { return input_.mailbox.reading().connected; }
+
+ private:
+  HandInputsPtr hand_;
+  const HandInput& input_;
+  HandShaper shaper_;
+};
+
+}  // namespace glissade

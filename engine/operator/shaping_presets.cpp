@@ -1,0 +1,66 @@
+#include "engine/operator/shaping_presets.h"
+
+namespace glissade {
+namespace {
+
+double deadZoneOf(InputKind kind) {
+  switch (kind) {
+    case InputKind::Keyboard: return 0.0;
+    case InputKind::Mouse6D: return 0.05;
+    case InputKind::Gamepad: return 0.15;
+  }
+  return 0.0;
+}
+
+DeviceShaping withCurve(DeviceShaping shaping, double exponent) {
+  for (AxisShaping& axis : shaping.axes) axis.exponent = exponent;
+  return shaping;
+}
+
+/// A part is placed exactly: fine about the centre.
+DeviceShaping cad(const DeviceShaping& standard) { return withCurve(standard, 2.0); }
+
+/// One axis at a time, slowly, and nothing from a trembling hand.
+DeviceShaping beginner(const DeviceShaping& standard) {
+  DeviceShaping shaping = withCurve(standard, 1.5);
+  for (AxisShaping& axis : shaping.axes) axis.deadZone *= 2.0;
+  shaping.dominantAxis = true;
+  shaping.linearSpeed = 0.5;
+  shaping.angularSpeed = 0.5;
+  return shaping;
+}
+
+/// Into narrow passages.
+DeviceShaping precise(const DeviceShaping& standard) {
+  DeviceShaping shaping = withCurve(standard, 2.5);
+  shaping.linearSpeed = 0.25;
+  shaping.angularSpeed = 0.4;
+  return shaping;
+}
+
+/// As a stick of an aeroplane: in the object's own axes, pushing forward goes down.
+DeviceShaping flight(const DeviceShaping& standard) {
+  DeviceShaping shaping = withCurve(standard, 1.5);
+  shaping.frame = MotionFrame::Object;
+  shaping.axes[3].inverted = true;
+  return shaping;
+}
+
+}  // namespace
+
+DeviceShaping standardShaping(InputKind kind) {
+  DeviceShaping shaping;
+  for (AxisShaping& axis : shaping.axes) axis.deadZone = deadZoneOf(kind);
+  return shaping;
+}
+
+std::vector<ShapingPreset> shapingPresets(InputKind kind) {
+  const DeviceShaping standard = standardShaping(kind);
+  return {{"standard", "Standard", standard},
+          {"cad", "As in CAD", cad(standard)},
+          {"beginner", "Beginner", beginner(standard)},
+          {"precise", "Precise", precise(standard)},
+          {"flight", "Flight", flight(standard)}};
+}
+
+}  // namespace glissade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+
+#include "engine/operator/hand_inputs.h"
+
+namespace glissade {
+
+/// Reads a 3Dconnexion mouse through the spacenavd daemon (libspnav) on a thread of its own, into the
+/// 6D mouse of `hand`. The daemon may be absent, die, fall silent, flood or send garbage: the reader
+/// reconnects with back-off, and neither the operator thread nor the window ever waits for it.
+/// libspnav holds one connection per process: make at most one of these at a time.
+class SpacenavReader {
+ public:
+  /// A daemon that is away is looked for after `firstBackOff`, then after twice as long, up to 4 s.
+  explicit SpacenavReader(HandInputsPtr hand, std::chrono::milliseconds firstBackOff = std::chrono::milliseconds(250));
+  ~SpacenavReader();
+  SpacenavReader(const SpacenavReader&) = delete;
+  SpacenavReader& operator=(const SpacenavReader&) = delete;
+
+  /// So often the thread has woken up: it sleeps in between.
+  std::uint64_t wakeUps() const;
+
+  struct Connection;
+
+ private:
+  std::shared_ptr<Connection> connection_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/planning/random_shooter.h"
+
+namespace glissade {
+
+/// Draws the configurations that trees grow towards.
+class ConfigurationSampler {
+ public:
+  virtual ~ConfigurationSampler() = default;
+  virtual Pose draw() = 0;
+};
+
+/// Uniform in the problem's region or bounds.
+class UniformSampler final : public ConfigurationSampler {
+ public:
+  UniformSampler(const Problem& problem, std::uint64_t seed) : shooter_(problem, seed) {}
+  Pose draw() override { return shooter_.shoot(); }
+
+ private:
+  RandomShooter shooter_;
+};
+
+}  // namespace glissade

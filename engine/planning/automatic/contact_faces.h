@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// The outward normals of the object's largest faces, in its frame, by falling area of all triangles
+/// that share them; at most `count`. What it lies on, and what disassembly directions come from.
+std::vector<Vector3> largestFaceNormals(const TriangleMesh& mesh, std::size_t count);
+
+}  // namespace glissade

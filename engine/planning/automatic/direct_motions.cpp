@@ -1,0 +1,138 @@
+#include "engine/planning/automatic/direct_motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/planning/automatic/contact_faces.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr std::size_t kFaces = 6;
+/// How far an object is lifted before it crosses, in its radii.
+constexpr double kLifts[] = {0.5, 2.0};
+/// A screw's turn on the way out, and in how many straight motions.
+constexpr double kTurn = 2.0 * kPi;
+constexpr int kScrewPieces = 16;
+
+/// Axes of the world and normals of the object's large faces at the start, both ways, no two alike.
+std::vector<Vector3> directionsOf(const Problem& problem) {
+  std::vector<Vector3> directions;
+  const auto add = [&](const Vector3& direction) {
+    const auto same = [&](const Vector3& other) { return other.dot(direction) > 0.999; };
+    if (std::none_of(directions.begin(), directions.end(), same)) directions.push_back(direction);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    add(Vector3::Unit(axis));
+    add(-Vector3::Unit(axis));
+  }
+  for (const Vector3& normal_B : largestFaceNormals(problem.world->object(), kFaces)) {
+    add(problem.start.orientation * normal_B);
+    add(-(problem.start.orientation * normal_B));
+  }
+  return directions;
+}
+
+/// How far until the object's ball is clear of the box.
+double wayOut(const Problem& problem, const Vector3& direction) {
+  const Box3& box = problem.world->obstaclesBox();
+  const double margin = problem.world->objectRadius() * (1.0 + 1e-9);
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < 1e-6) continue;
+    const double face = direction[axis] > 0.0 ? box.max()[axis] + margin : box.min()[axis] - margin;
+    least = std::min(least, (face - problem.start.position[axis]) / direction[axis]);
+  }
+  return std::max(0.0, least);
+}
+
+}  // namespace
+
+DirectMotions::DirectMotions(const Problem& problem) : problem_(problem), query_(problem.world->makeQuery()) {
+  nodes_.push_back({problem_.start, Author::Computer, TreeSide::Start});
+  counts_.nodes = 1;
+  const std::vector<Vector3> directions = directionsOf(problem_);
+  if (const Pose* goal = std::get_if<Pose>(&problem_.goal)) {
+    acrossIdeas(*goal, directions);
+  } else if (!problem_.world->obstaclesBox().isEmpty()) {
+    outIdeas(directions);
+  }
+}
+
+void DirectMotions::outIdeas(const std::vector<Vector3>& directions) {
+  for (const Vector3& direction : directions) {
+    Pose out = problem_.start;
+    out.position += wayOut(problem_, direction) * direction;
+    add({problem_.start, out});
+  }
+  for (const Vector3& direction : directions) {
+    for (const double turn : {kTurn, -kTurn}) {
+      std::vector<Pose> screw;
+      for (int piece = 0; piece <= kScrewPieces; ++piece) {
+        const double t = static_cast<double>(piece) / kScrewPieces;
+        Pose q = problem_.start;
+        q.position += t * wayOut(problem_, direction) * direction;
+        q.orientation = (Quaternion(Eigen::AngleAxisd(t * turn, direction)) * q.orientation).normalized();
+        screw.push_back(piece == 0 ? problem_.start : q);
+      }
+      add(std::move(screw));
+    }
+  }
+}
+
+void DirectMotions::acrossIdeas(const Pose& goal, const std::vector<Vector3>& directions) {
+  add({problem_.start, goal});
+  for (const double lift : kLifts) {
+    for (const Vector3& direction : directions) {
+      const Vector3 by = lift * problem_.world->objectRadius() * direction;
+      Pose above = problem_.start;
+      Pose beyond = goal;
+      above.position += by;
+      beyond.position += by;
+      add({problem_.start, above, beyond, goal});
+    }
+  }
+}
+
+void DirectMotions::add(std::vector<Pose> idea) {
+  const bool within =
+      std::all_of(idea.begin(), idea.end(), [&](const Pose& q) { return problem_.bounds.contains(q.position); });
+  if (within) ideas_.push_back(std::move(idea));
+}
+
+bool DirectMotions::solve(PlannerHost& host) {
+  while (!path_ && !failure_) {
+    ++counts_.iterations;
+    ++counts_.steps;
+    tryNext(host);
+    counts_.queries = query_->counts();
+    if (!host.afterStep()) break;
+  }
+  return path_.has_value();
+}
+
+void DirectMotions::tryNext(PlannerHost& host) {
+  if (next_ == ideas_.size()) {
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "", "no direct motion is free", "Choose a planner that searches."};
+    return;
+  }
+  const std::vector<Pose>& idea = ideas_[next_];
+  Path path;
+  for (const Pose& q : idea) path.points.push_back({q, Author::Computer});
+  path.certificate = certifyPath(*query_, idea, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  if (path.certificate.status != CertificateStatus::Certified) {
+    if (!host.stopToken().stopRequested()) ++next_;
+    return;
+  }
+  for (std::size_t i = 1; i < idea.size(); ++i) {
+    edges_.push_back({static_cast<std::uint32_t>(nodes_.size() - 1), static_cast<std::uint32_t>(nodes_.size())});
+    nodes_.push_back({idea[i], Author::Computer, TreeSide::Start});
+  }
+  counts_.nodes = nodes_.size();
+  counts_.edges = 2 * edges_.size();
+  path_ = std::move(path);
+}
+
+}  // namespace glissade

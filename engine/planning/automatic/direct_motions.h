@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+/// What an assembler tries first: the straight motion; straight out along an axis or along the normal
+/// of a contact face; the same while turning about it, as a screw; for a goal that is a configuration:
+/// lift along such a direction, cross, set down. Every motion is certified, one idea a step; gives up
+/// after the last.
+class DirectMotions final : public Planner {
+ public:
+  explicit DirectMotions(const Problem& problem);
+
+  bool solve(PlannerHost& host) override;
+
+  const std::vector<RoadmapNode>& nodes() const override { return nodes_; }
+  const std::vector<RoadmapEdge>& edges() const override { return edges_; }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return dropped_; }
+  const PlannerCounts& counts() const override { return counts_; }
+  const Path* path() const override { return path_ ? &*path_ : nullptr; }
+  Author authority() const override { return Author::Computer; }
+  bool inContactMode() const override { return false; }
+  std::optional<Diagnostic> failure() const override { return failure_; }
+
+  /// The ideas, in the order in which they are tried: configurations from start to goal.
+  const std::vector<std::vector<Pose>>& ideas() const { return ideas_; }
+
+ private:
+  void outIdeas(const std::vector<Vector3>& directions);
+  void acrossIdeas(const Pose& goal, const std::vector<Vector3>& directions);
+  void add(std::vector<Pose> idea);
+  void tryNext(PlannerHost& host);
+
+  Problem problem_;
+  std::unique_ptr<CollisionQuery> query_;
+  std::vector<std::vector<Pose>> ideas_;
+  std::size_t next_ = 0;
+  std::vector<RoadmapNode> nodes_;
+  std::vector<RoadmapEdge> edges_;
+  std::vector<std::uint32_t> dropped_;
+  PlannerCounts counts_;
+  std::optional<Path> path_;
+  std::optional<Diagnostic> failure_;
+};
+
+}  // namespace glissade

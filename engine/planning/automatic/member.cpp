@@ -1,0 +1,120 @@
+#include "engine/planning/automatic/member.h"
+
+#include <cmath>
+
+#include "engine/base/tolerances.h"
+#include "engine/planning/automatic/contact_slide_sampler.h"
+#include "engine/planning/automatic/direct_motions.h"
+#include "engine/planning/automatic/rrt_connect.h"
+#include "engine/planning/automatic/shrink_repair.h"
+#include "engine/planning/contact/interactive_contact_birrt.h"
+#include "engine/planning/fine/multi_layer_planner.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+using Worlds = std::shared_ptr<ErodedWorlds>;
+
+/// First lives, in work (AutomaticPlanner counts it): what most problems need that need a search at all.
+constexpr std::uint64_t kFirstLife = 400'000;
+constexpr std::uint64_t kLongFirstLife = 1'000'000;
+/// The environment model takes some seconds: it is only built where the quick ones have failed.
+constexpr std::uint64_t kModelEntry = 400'000;
+
+/// A share of the largest distance between two configurations of the problem, in the search's metric.
+double rangeOf(const Problem& problem, double share, double turnWeight = 1.0) {
+  return share * std::hypot(problem.bounds.diagonal().norm(), kPi * turnWeight * problem.world->objectRadius());
+}
+
+Member directMotions(const Problem& problem) {
+  return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
+            return std::make_unique<DirectMotions>(problem);
+          }};
+}
+
+Member birrt(const Problem& problem) {
+  return {"birrt", {1.0, kFirstLife, Restart::Luby, 0}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
+          }};
+}
+
+Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
+                  const RrtConnect::Options& options) {
+  return {std::move(name), contender, [problem, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<RrtConnect>(problem, seed, options,
+                                                std::make_unique<UniformSampler>(problem, seed));
+          }};
+}
+
+/// One tree from the start that turns far while it moves little: out of an assembly.
+Member turningRrt(const Problem& problem) {
+  constexpr double kTurnWeight = 0.1;
+  RrtConnect::Options options;
+  options.range = rangeOf(problem, 0.03, kTurnWeight);
+  options.turnWeight = kTurnWeight;
+  options.growth = RrtConnect::Growth::FromStart;
+  return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
+}
+
+Member dynamicDomain(const Problem& problem) {
+  RrtConnect::Options options;
+  options.range = rangeOf(problem, 0.01);
+  options.domain = 10.0;
+  return rrtConnect("dynamic-domain", {1.0, kLongFirstLife, Restart::Doubling, 0}, problem, options);
+}
+
+Member contactSlide(const Problem& problem, const Worlds& worlds) {
+  RrtConnect::Options options;
+  options.range = rangeOf(problem, 0.03);
+  return {"contact-slide",
+          {1.0, kFirstLife, Restart::Luby, 0},
+          [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            const double r = problem.world->objectRadius();
+            auto sampler =
+                std::make_unique<ContactSlideSampler>(problem, seed, *worlds, 0.05 * r, tolerance::kContactGap * r);
+            return std::make_unique<RrtConnect>(problem, seed, options, std::move(sampler));
+          }};
+}
+
+/// Ends its lives itself. How much is eroded is drawn anew in each.
+Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
+  constexpr double kShare = 3.0;
+  ShrinkRepair::Options options;
+  options.growth = tolerance::kContactGap * problem.world->objectRadius();
+  options.search.range = rangeOf(problem, 0.03);
+  return {"shrink-repair",
+          {kShare, 0, Restart::Luby, 0},
+          [problem, worlds, options](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
+            const bool deep = RandomStream(seed, "erosion").uniform() < 0.6;
+            options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
+            return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
+          }};
+}
+
+/// Guidance from the environment model, where somebody has built it already; else only late.
+Member multiLayer(const Problem& problem) {
+  const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry;
+  return {"gts", {1.0, 0, Restart::Never, entry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
+          }};
+}
+
+}  // namespace
+
+std::vector<Member> makeMembers(const Problem& problem) {
+  const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
+  RrtConnect::Options shortSteps;
+  shortSteps.range = rangeOf(problem, 0.03);
+  return {directMotions(problem),
+          birrt(problem),
+          rrtConnect("rrt-connect", {1.0, kLongFirstLife, Restart::Luby, 0}, problem, shortSteps),
+          dynamicDomain(problem),
+          turningRrt(problem),
+          contactSlide(problem, worlds),
+          shrinkRepair(problem, worlds),
+          multiLayer(problem)};
+}
+
+}  // namespace glissade

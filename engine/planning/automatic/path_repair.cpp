@@ -1,0 +1,151 @@
+#include "engine/planning/automatic/path_repair.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/planning/automatic/retraction.h"
+#include "engine/planning/automatic/tube_sampler.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kAttempts = 12;  // to free a configuration
+/// How far a configuration is moved at random for the last of them, in what the object has grown by.
+constexpr double kSpread = 1.5;
+/// Queries of a gap's first search; each of the next has twice as many.
+constexpr std::uint64_t kFirstGapWork = 1'000;
+/// Configurations by which a gap is widened on either side.
+constexpr std::size_t kWidening = 3;
+
+std::uint64_t queriesOf(const PlannerCounts& counts) { return counts.queries.collision + counts.queries.distance; }
+
+}  // namespace
+
+PathRepair::PathRepair(const Problem& problem, std::uint64_t seed, std::vector<Pose> way, Options options)
+    : problem_(problem),
+      options_(std::move(options)),
+      seed_(seed),
+      stream_(seed, "repair"),
+      query_(problem.world->makeQuery()),
+      smallerQuery_(options_.smaller->makeQuery()),
+      way_(std::move(way)) {}
+
+bool PathRepair::solve(PlannerHost& host) {
+  while (!path_ && !failure_) {
+    step(host);
+    updateCounts();
+    if (!path_ && queriesOf(counts_) > options_.work) {
+      failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
+                            "Start again with another seed."};
+    }
+    if (!host.afterStep()) break;
+  }
+  return path_.has_value();
+}
+
+void PathRepair::step(PlannerHost& host) {
+  ++counts_.iterations;
+  ++counts_.steps;
+  if (retracted_ + 1 < way_.size()) {
+    retractNext();
+  } else if (search_) {
+    searchGap(host);
+  } else if (linked_ + 1 < way_.size()) {
+    linkNext(host);
+  } else {
+    deliver(host);
+  }
+}
+
+/// The next configuration of the way is made free, or left out.
+void PathRepair::retractNext() {
+  const auto at = way_.begin() + static_cast<std::ptrdiff_t>(retracted_);
+  if (const auto q = freed(*at)) {
+    *at = *q;
+    ++retracted_;
+  } else {
+    way_.erase(at);
+  }
+}
+
+std::optional<Pose> PathRepair::freed(const Pose& q) {
+  if (options_.grownBy <= 0.0) return q;
+  const double radius = problem_.world->objectRadius();
+  Pose from = q;
+  for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+    const auto free = retracted(*smallerQuery_, from, options_.grownBy, radius);
+    if (free && problem_.bounds.contains(free->position) && !query_->collides(*free)) return free;
+    from = perturbed(q, kSpread * options_.grownBy * attempt / kAttempts, radius, problem_.bounds, stream_);
+  }
+  return std::nullopt;
+}
+
+void PathRepair::linkNext(PlannerHost& host) {
+  const MotionCertificate certificate = certifyMotion(
+      *query_, way_[linked_], way_[linked_ + 1], host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  if (certificate.status == CertificateStatus::Certified) {
+    ++linked_;
+  } else if (!host.stopToken().stopRequested()) {
+    first_ = linked_;
+    last_ = linked_ + 1;
+    gapWork_ = kFirstGapWork;
+    startGap();
+  }
+}
+
+void PathRepair::startGap() {
+  Problem part = problem_;
+  part.start = way_[first_];
+  part.goal = way_[last_];
+  const std::vector<Pose> around(way_.begin() + static_cast<std::ptrdiff_t>(first_),
+                                 way_.begin() + static_cast<std::ptrdiff_t>(last_) + 1);
+  const std::uint64_t seed = RandomStream(seed_, "gap " + std::to_string(++searches_)).bits();
+  const double deviation = std::max(options_.grownBy, 0.5 * part.metric().distance(part.start, way_[last_]));
+  auto sampler = std::make_unique<TubeSampler>(part, around, deviation, seed);
+  auto search = std::make_unique<RrtConnect>(part, seed, options_.search, std::move(sampler));
+  search_ = std::make_unique<SubPlanner>(std::move(search), std::numeric_limits<std::uint64_t>::max(), nullptr);
+}
+
+void PathRepair::searchGap(PlannerHost& host) {
+  const SubPlanner::State state = search_->step(host, gap_);
+  if (state == SubPlanner::State::Solved) {
+    const std::vector<Pose> bridge = search_->planner().path()->configurations();
+    const auto begin = way_.begin() + static_cast<std::ptrdiff_t>(first_);
+    way_.erase(begin, begin + static_cast<std::ptrdiff_t>(last_ - first_) + 1);
+    way_.insert(way_.begin() + static_cast<std::ptrdiff_t>(first_), bridge.begin(), bridge.end());
+    linked_ = first_ + bridge.size() - 1;
+    retracted_ = way_.size();
+    search_.reset();
+  } else if (queriesOf(search_->planner().counts()) > gapWork_) {
+    first_ -= std::min(first_, kWidening);
+    last_ = std::min(way_.size() - 1, last_ + kWidening);
+    gapWork_ *= 2;
+    startGap();
+  }
+}
+
+void PathRepair::deliver(PlannerHost& host) {
+  Path path;
+  for (const Pose& q : way_) path.points.push_back({q, Author::Computer});
+  path.certificate = certifyPath(*query_, way_, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  if (path.certificate.status != CertificateStatus::Certified) return;  // stopped: every motion was certified before
+  for (const Pose& q : way_) {
+    if (!nodes_.empty()) {
+      edges_.push_back({static_cast<std::uint32_t>(nodes_.size() - 1), static_cast<std::uint32_t>(nodes_.size())});
+    }
+    nodes_.push_back({q, Author::Computer, TreeSide::Start});
+  }
+  path_ = std::move(path);
+}
+
+void PathRepair::updateCounts() {
+  const QueryCounts& own = query_->counts();
+  const QueryCounts& smaller = smallerQuery_->counts();
+  counts_.queries.collision = own.collision + smaller.collision + gap_.counts.queries.collision;
+  counts_.queries.distance = own.distance + smaller.distance + gap_.counts.queries.distance;
+  counts_.randomConfigurations = gap_.counts.randomConfigurations;
+  counts_.nodes = nodes_.size();
+  counts_.edges = 2 * edges_.size();
+}
+
+}  // namespace glissade

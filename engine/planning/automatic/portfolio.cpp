@@ -1,0 +1,90 @@
+#include "engine/planning/automatic/portfolio.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glissade {
+namespace {
+
+/// What one earns counts this much less.
+constexpr double kBonus = 0.5;
+
+}  // namespace
+
+std::uint64_t lubyTerm(std::uint64_t i) {
+  for (;;) {
+    std::uint64_t power = 1;  // the least power of two above i
+    while (power <= i) power <<= 1U;
+    if (power == i + 1) return power >> 1U;
+    i -= (power >> 1U) - 1;
+  }
+}
+
+Portfolio::Portfolio(std::vector<Contender> contenders) {
+  for (const Contender& contender : contenders) states_.push_back({contender});
+}
+
+std::size_t Portfolio::next() const {
+  std::size_t best = kNobody;
+  std::size_t first = kNobody;  // to enter, if nobody else is there
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const State& state = states_[i];
+    if (state.retired) continue;
+    if (state.contender.entry > total_) {
+      if (first == kNobody || state.contender.entry < states_[first].contender.entry) first = i;
+    } else if (best == kNobody || state.virtualWork < states_[best].virtualWork) {
+      best = i;
+    }
+  }
+  return best != kNobody ? best : first;
+}
+
+/// Whoever comes late is dealt as much as the others from now on; what they have had is theirs.
+void Portfolio::enter(State& late) {
+  late.entered = true;
+  double least = std::numeric_limits<double>::infinity();
+  for (const State& state : states_) {
+    const bool present = !state.retired && (state.contender.entry == 0 || state.entered) && &state != &late;
+    if (present) least = std::min(least, state.virtualWork);
+  }
+  if (std::isfinite(least)) late.virtualWork = std::max(late.virtualWork, least);
+}
+
+void Portfolio::charge(std::size_t contender, std::uint64_t work) {
+  total_ += work;
+  for (State& state : states_) {
+    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= total_) enter(state);
+  }
+  State& state = states_[contender];
+  state.work += work;
+  state.lifeWork += work;
+  state.virtualWork += static_cast<double>(work) / state.contender.share;
+}
+
+void Portfolio::reward(std::size_t contender, std::uint64_t work) {
+  State& state = states_[contender];
+  state.virtualWork -= kBonus * static_cast<double>(work) / state.contender.share;
+}
+
+bool Portfolio::lifeIsOver(std::size_t contender) const {
+  const State& state = states_[contender];
+  std::uint64_t length = state.contender.firstLife;
+  if (length == 0) return false;
+  switch (state.contender.restart) {
+    case Restart::Never: return false;
+    case Restart::Luby: length *= lubyTerm(state.life); break;
+    case Restart::Doubling: length <<= std::min<std::uint64_t>(state.life - 1, 40); break;
+  }
+  return state.lifeWork >= length;
+}
+
+void Portfolio::restart(std::size_t contender) {
+  State& state = states_[contender];
+  ++state.life;
+  state.lifeWork = 0;
+}
+
+void Portfolio::retire(std::size_t contender) { states_[contender].retired = true; }
+
+}  // namespace glissade

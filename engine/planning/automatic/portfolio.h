@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace glissade {
+
+/// How long the lives of a contender are, in units of its first one.
+enum class Restart {
+  Never,    ///< one life without end
+  Luby,     ///< 1 1 2 1 1 2 4 ...: within a logarithm of the best fixed length, whatever the
+            ///< distribution (M. Luby, A. Sinclair, D. Zuckerman, "Optimal speedup of Las Vegas
+            ///< algorithms", 1993)
+  Doubling  ///< 1 2 4 8 ...
+};
+
+/// The i-th term (from 1) of Luby's sequence.
+std::uint64_t lubyTerm(std::uint64_t i);
+
+/// One who wants machine time.
+struct Contender {
+  double share = 1.0;           ///< of the work, relative to the others' shares; > 0
+  std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
+  Restart restart = Restart::Never;
+  std::uint64_t entry = 0;  ///< work of all before it first has a turn
+};
+
+/// Deals work out among contenders: the turn is the one's who has had least for his share. Those who
+/// earn have a larger one for as long as they do. A pure value: no clock, no randomness, so that the
+/// same charges give the same turns.
+class Portfolio {
+ public:
+  static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
+
+  explicit Portfolio(std::vector<Contender> contenders);
+
+  /// Whose turn it is, the first among equals; kNobody once all are retired.
+  std::size_t next() const;
+  /// What the turn has cost.
+  void charge(std::size_t contender, std::uint64_t work);
+  /// This much of its work has earned something: it counts half.
+  void reward(std::size_t contender, std::uint64_t work);
+  /// The work of its present life is used up.
+  bool lifeIsOver(std::size_t contender) const;
+  /// Begins the next life.
+  void restart(std::size_t contender);
+  /// No more turns.
+  void retire(std::size_t contender);
+
+  /// Lives begun, from 1.
+  std::uint64_t life(std::size_t contender) const { return states_[contender].life; }
+  std::uint64_t work(std::size_t contender) const { return states_[contender].work; }
+
+ private:
+  struct State {
+    Contender contender;
+    std::uint64_t work = 0;      ///< in all lives
+    std::uint64_t lifeWork = 0;  ///< in the present one
+    std::uint64_t life = 1;
+    double virtualWork = 0.0;  ///< work by share: the least has the turn
+    bool entered = false;      ///< of one with an entry
+    bool retired = false;
+  };
+
+  void enter(State& late);
+
+  std::vector<State> states_;
+  std::uint64_t total_ = 0;
+};
+
+}  // namespace glissade

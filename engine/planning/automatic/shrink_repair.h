@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/planning/automatic/eroded_worlds.h"
+#include "engine/planning/automatic/rrt_connect.h"
+#include "engine/planning/fine/sub_planner.h"
+
+namespace glissade {
+
+/// Shrink and repair: a path of the eroded object is found first, then found again near itself while
+/// the object grows back, a little beyond its size and back again (after D. Hsu, G. Sanchez-Ante,
+/// H. Cheng, J.-C. Latombe, "Multi-level free-space dilation for sampling narrow passages in PRM
+/// planning", 2006; here for single queries). Gives up where a level takes too long: the way of the
+/// smaller object may be none of the whole. Then a fresh seed may find another.
+///
+/// Nodes and edges are those of the level of the object itself; the eroded ones' are not free.
+class ShrinkRepair final : public Planner {
+ public:
+  struct Options {
+    double erosion = 0.0;  ///< of the first level, metres
+    double growth = 0.0;   ///< beyond the object's size, metres
+    RrtConnect::Options search;
+    std::uint64_t firstWork = 30'000;   ///< queries for the first level
+    std::uint64_t repairWork = 60'000;  ///< queries for each of the others
+  };
+
+  ShrinkRepair(const Problem& problem, std::uint64_t seed, const Options& options,
+               std::shared_ptr<ErodedWorlds> worlds);
+
+  bool solve(PlannerHost& host) override;
+
+  const std::vector<RoadmapNode>& nodes() const override { return own_.nodes; }
+  const std::vector<RoadmapEdge>& edges() const override { return own_.edges; }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return own_.droppedEdges; }
+  const PlannerCounts& counts() const override { return counts_; }
+  const Path* path() const override { return path_ ? &*path_ : nullptr; }
+  Author authority() const override { return Author::Computer; }
+  bool inContactMode() const override { return false; }
+  std::optional<Diagnostic> failure() const override { return failure_; }
+
+ private:
+  bool isLast() const { return level_ + 1 == depths_.size(); }
+  void step(PlannerHost& host);
+  void startLevel();
+  void endLevel();
+
+  Problem problem_;
+  std::uint64_t seed_;
+  Options options_;
+  std::shared_ptr<ErodedWorlds> worlds_;
+  std::vector<double> depths_;  ///< per level; the last is 0
+  std::size_t level_ = 0;
+  std::vector<Pose> way_;  ///< of the level before
+  double wayDepth_ = 0.0;  ///< of that level
+  std::unique_ptr<SubPlanner> search_;
+  SharedRoadmap eroded_;  ///< of the present level, while that is not the last
+  SharedRoadmap own_;     ///< of the last level
+  PlannerCounts counts_;
+  std::uint64_t levelWork_ = 0;  ///< queries when the level began
+  std::optional<Path> path_;
+  std::optional<Diagnostic> failure_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/run_record.h"
+
+namespace glissade {
+
+/// The record of a run while it goes on: each part is one more line of the file as soon as it is
+/// there, so that a killed program leaves all but the last second. readRunRecord reads it; a line that
+/// was cut off is left out. The file is locked as long as its writer lives.
+class RunJournal {
+ public:
+  /// A new file in the folder, which is made where it is missing. Begins with the record's head.
+  static Result<std::unique_ptr<RunJournal>> begin(const RunRecord& record, const std::string& folder);
+  ~RunJournal();
+  RunJournal(const RunJournal&) = delete;
+  RunJournal& operator=(const RunJournal&) = delete;
+
+  Outcome append(const RunLog& part);
+  /// Nobody needs it any more.
+  void discard();
+  const std::string& file() const { return file_; }
+
+ private:
+  RunJournal(int descriptor, std::string file) : descriptor_(descriptor), file_(std::move(file)) {}
+  Outcome write(const std::string& line);
+
+  int descriptor_;
+  std::string file_;
+};
+
+/// Journals whose writers are gone, the oldest first.
+std::vector<std::string> abandonedJournals(const std::string& folder);
+
+}  // namespace glissade

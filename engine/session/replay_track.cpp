@@ -1,0 +1,44 @@
+#include "engine/session/replay_track.h"
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+/// Rows kept at most, some 200 bytes each.
+constexpr std::size_t kMostRows = 1U << 17;
+
+}  // namespace
+
+void ReplayTrack::add(std::uint64_t step, const Planner& planner) {
+  const std::lock_guard lock(mutex_);
+  lastStep_ = step;
+  if (step % stride_ != 0) return;
+  if (rows_.size() == kMostRows) {
+    stride_ *= 2;
+    const auto odd = [this](const Row& row) { return row.step % stride_ != 0; };
+    rows_.erase(std::remove_if(rows_.begin(), rows_.end(), odd), rows_.end());
+    if (step % stride_ != 0) return;
+  }
+  rows_.push_back({step, planner.nodes().size(), planner.edges().size(), planner.droppedEdges().size(),
+                   planner.counts(), planner.authority(), planner.inContactMode(), planner.coarsePlan()});
+}
+
+ReplayTrack::Row ReplayTrack::at(std::uint64_t step) const {
+  const std::lock_guard lock(mutex_);
+  const auto after = std::upper_bound(rows_.begin(), rows_.end(), step,
+                                      [](std::uint64_t wanted, const Row& row) { return wanted < row.step; });
+  return after == rows_.begin() ? Row() : *std::prev(after);
+}
+
+std::uint64_t ReplayTrack::lastStep() const {
+  const std::lock_guard lock(mutex_);
+  return lastStep_;
+}
+
+std::uint64_t ReplayTrack::stride() const {
+  const std::lock_guard lock(mutex_);
+  return stride_;
+}
+
+}  // namespace glissade

@@ -1,0 +1,49 @@
+// A script holds the devices: what moves, buttons, the calibration page.
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using namespace glissade::test;
+
+class DeviceWindow : public WindowTest {
+ protected:
+  QString picture(const char* name) const { return folder.filePath(QLatin1String(name)); }
+  double changed(const char* a, const char* b) const { return difference(QImage(picture(a)), QImage(picture(b))).mean; }
+};
+
+TEST_F(DeviceWindow, AMouseMovesTheObjectAndAButtonGivesItTheCamera) {
+  const RunResult outcome = run(QStringLiteral("sliding-plane"),
+                                QStringLiteral("screenshot %1/none.png\nplug mouse6d SpaceNavigator\n"
+                                               "expect-steering object\ndeflect mouse6d 0 1 0 0 0 0\nsteps 60\n"
+                                               "deflect mouse6d 0 0 0 0 0 0\nscreenshot %1/object.png\n"
+                                               "press mouse6d 0\nexpect-steering camera\nscreenshot %1/camera.png\n"
+                                               "deflect mouse6d 0 0 1 0 1 0\nsteps 60\nscreenshot %1/moved.png\n"
+                                               "deflect mouse6d 0 0 0 0 0 0\npress mouse6d 1\nsteps 60\n"
+                                               "action operator.camera\nexpect-steering object\n")
+                                    .arg(folder.path()));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  EXPECT_GT(changed("none.png", "object.png"), 0.2);
+  EXPECT_GT(changed("object.png", "camera.png"), 0.0);  // what moves is shown
+  EXPECT_GT(changed("camera.png", "moved.png"), 1.0);
+}
+
+TEST_F(DeviceWindow, TheCalibrationPageShowsTheAxesLive) {
+  const RunResult outcome = run(QStringLiteral("environment-1"),
+                                QStringLiteral("plug mouse6d SpaceNavigator\naction operator.devices\n"
+                                               "screenshot %1/rest.png\ndeflect mouse6d 0.6 -0.3 0.9 0.03 0.2 -1\n"
+                                               "screenshot %1/live.png\nunplug mouse6d\nscreenshot %1/gone.png\n")
+                                    .arg(folder.path()));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  EXPECT_GT(changed("rest.png", "live.png"), 0.2);
+  EXPECT_GT(changed("live.png", "gone.png"), 0.2);
+  expectLike(picture("live.png"), QStringLiteral("devices"));
+}
+
+TEST_F(DeviceWindow, ScriptsAboutDevicesSayWhereTheyGoWrong) {
+  for (const char* line : {"plug telepathy X", "deflect mouse6d 1 2 3 4 5 six", "press gamepad 99"}) {
+    EXPECT_EQ(run(QStringLiteral("sliding-plane"), QString::fromLatin1(line)).exitCode, 3) << line;
+  }
+  EXPECT_EQ(run(QStringLiteral("sliding-plane"), QStringLiteral("expect-steering camera")).exitCode, 1);
+}
+
+}  // namespace

@@ -1,0 +1,77 @@
+#include "widgets/bridge/run_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <functional>
+
+#include "engine/scenario/scenario_io.h"
+#include "engine/session/run_comparison.h"
+#include "widgets/bridge/replay_runner.h"
+
+namespace glissade {
+namespace {
+
+ScenarioPtr closedScenario() {
+  auto loaded = loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/environment-2/scenario.json");
+  return std::make_shared<const LoadedScenario>(std::move(*loaded));
+}
+
+/// Lets the program live until the condition holds, or for half a minute.
+bool until(const std::function<bool()>& condition) {
+  QElapsedTimer timer;
+  timer.start();
+  while (!condition() && timer.elapsed() < 30000) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  return condition();
+}
+
+TEST(RunRecorder, AKilledProgramLeavesAJournalThatReplays) {
+  const QTemporaryDir folder;
+  const std::string recordings = folder.filePath(QStringLiteral("recordings")).toStdString();
+  const ScenarioPtr scenario = closedScenario();
+  std::string kept;
+  {
+    SessionBridge bridge(SessionClock::RealTime);
+    RunRecorder recorder;
+    recorder.keepJournals(recordings);
+    QObject::connect(&bridge, &SessionBridge::snapshotChanged,
+                     [&](const SnapshotPtr& snapshot) { recorder.follow(*snapshot); });
+    recorder.open(scenario);
+    bridge.open(scenario);
+    bridge.setDevice("novice");
+    bridge.post(command::Start{});
+    // Two parts of the log: more than a second of it is on disk.
+    ASSERT_TRUE(until([&] { return bridge.snapshot()->log.size() > 2; }));
+    ASSERT_FALSE(recorder.trouble());
+    EXPECT_TRUE(abandonedJournals(recordings).empty());
+    // What a killed program leaves is the file as it is now.
+    const QStringList files = QDir(QString::fromStdString(recordings)).entryList(QDir::Files);
+    ASSERT_EQ(files.size(), 1);
+    kept = folder.filePath(QStringLiteral("kept.journal")).toStdString();
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(recordings) + QLatin1Char('/') + files.front(),
+                            QString::fromStdString(kept)));
+  }
+  EXPECT_TRUE(QDir(QString::fromStdString(recordings)).entryList(QDir::Files).isEmpty());  // a clean end
+
+  const auto record = readRunRecord(kept);
+  ASSERT_TRUE(record.ok()) << toString(record.error());
+  const auto log = replayLog(*record, *scenario, kept);
+  ASSERT_TRUE(log.ok()) << toString(log.error());
+  ASSERT_TRUE(log->end);
+  EXPECT_FALSE(log->operatorStream.empty());
+  ReplayRunner runner;
+  ReplayProgress last;
+  QObject::connect(&runner, &ReplayRunner::progressed, [&](const ReplayProgress& progress) { last = progress; });
+  runner.run(scenario->problem, std::make_shared<const RunLog>(*log), ReplayEnd::WithTheLog, false);
+  ASSERT_TRUE(until([&] { return last.ended; }));
+  EXPECT_EQ(last.track->lastStep(), log->end->step);
+  EXPECT_FALSE(firstDifference(*log, joined(last.latest->log)));
+}
+
+}  // namespace
+}  // namespace glissade

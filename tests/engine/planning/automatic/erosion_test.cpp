@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "engine/planning/automatic/eroded_mesh.h"
+#include "engine/planning/automatic/eroded_worlds.h"
+#include "engine/planning/automatic/retraction.h"
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+TEST(ErodedMesh, ABoxShrinksAndGrowsByTheDepthOnEverySide) {
+  const TriangleMesh box = makeBox({0.4, 0.6, 1.0});
+  for (const double depth : {0.05, -0.05}) {
+    const Box3 result = boundingBox(eroded(box, depth));
+    EXPECT_TRUE(result.sizes().isApprox(Vector3(0.4, 0.6, 1.0) - Vector3::Constant(2.0 * depth), 1e-9)) << depth;
+  }
+}
+
+TEST(ErodedMesh, AThinPlateKeepsAFifthOfItsThickness) {
+  const Box3 result = boundingBox(eroded(makeBox({1.0, 1.0, 0.02}), 0.05));
+  EXPECT_NEAR(result.sizes().z(), 0.2 * 0.02, 1e-9);
+  EXPECT_NEAR(result.sizes().x(), 0.9, 1e-9);
+}
+
+TEST(ErodedMesh, ASphereStaysInsideItself) {
+  const TriangleMesh sphere = makeSphere(1.0);
+  EXPECT_NEAR(radiusAboutOrigin(eroded(sphere, 0.1)), radiusAboutOrigin(sphere) - 0.1, 5e-3);
+}
+
+TEST(ErodedWorlds, BuildsEachDepthOnceAndLeavesTheObjectAlone) {
+  const Problem problem = windowProblem();
+  ErodedWorlds worlds(problem.world);
+  EXPECT_EQ(worlds.at(0.0), problem.world);
+  const CollisionWorldPtr smaller = worlds.at(0.05);
+  EXPECT_EQ(worlds.at(0.05), smaller);
+  // Touching the wall by 0.04: only the smaller object is free.
+  const Pose q = Pose::translation({-0.26, 1.0, 0.0});
+  EXPECT_TRUE(problem.world->makeQuery()->collides(q));
+  EXPECT_NEAR(smaller->makeQuery()->nearestObstacle(q).distance, 0.01, 1e-9);
+}
+
+TEST(Retraction, TakesACollidingConfigurationToTheSurface) {
+  const Problem problem = windowProblem();
+  ErodedWorlds worlds(problem.world);
+  const auto smaller = worlds.at(0.05)->makeQuery();
+  const auto query = problem.world->makeQuery();
+  const auto q = retracted(*smaller, Pose::translation({-0.26, 1.0, 0.0}), 0.051, problem.world->objectRadius());
+  ASSERT_TRUE(q);
+  EXPECT_FALSE(query->collides(*q));
+  EXPECT_LT(query->nearestObstacle(*q).distance, 0.02);
+}
+
+TEST(Retraction, EndsUpBetweenOppositeContactsWhereThereIsRoom) {
+  const Problem problem = windowProblem();  // the window is 1 m wide, the cube 0.4 m
+  const auto query = problem.world->makeQuery();
+  const auto q = retracted(*query, Pose::translation({0.0, 0.29, 0.0}), 0.25, problem.world->objectRadius());
+  ASSERT_TRUE(q);
+  EXPECT_GE(query->nearestObstacle(*q).distance, 0.25);
+}
+
+TEST(Retraction, GivesUpInsideAnObstacle) {
+  const Problem problem = windowProblem();
+  const auto query = problem.world->makeQuery();
+  EXPECT_FALSE(retracted(*query, Pose::translation({0.0, 1.5, 0.0}), 0.01, problem.world->objectRadius()));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "engine/planning/automatic/contact_faces.h"
+#include "engine/planning/automatic/contact_slide_sampler.h"
+#include "engine/planning/automatic/direct_motions.h"
+#include "engine/planning/automatic/member.h"
+#include "engine/planning/automatic/shrink_repair.h"
+#include "tests/engine/support/test_host.h"
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+TEST(Members, HaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  const auto members = makeMembers(windowProblem());
+  for (const Member& member : members) names.insert(member.name);
+  EXPECT_EQ(names.size(), members.size());
+}
+
+TEST(ContactFaces, ABoxHasSixTheLargestFirst) {
+  const auto normals = largestFaceNormals(makeBox({1.0, 2.0, 3.0}), 12);
+  ASSERT_EQ(normals.size(), 6U);
+  EXPECT_NEAR(std::abs(normals[0].x()), 1.0, 1e-12);
+  EXPECT_NEAR(std::abs(normals[5].z()), 1.0, 1e-12);
+}
+
+class ContactSlide : public testing::Test {
+ protected:
+  Problem problem = windowProblem();
+  ErodedWorlds worlds{problem.world};
+  ContactSlideSampler sampler{problem, 1, worlds, 0.05, 1e-3};
+  std::unique_ptr<CollisionQuery> query = problem.world->makeQuery();
+};
+
+TEST_F(ContactSlide, GoesUpToASurfaceAndKeepsTheGap) {
+  const auto q = sampler.toSurface(Pose::translation({-0.4, 1.2, 0.0}));
+  ASSERT_TRUE(q);
+  EXPECT_NEAR(query->nearestObstacle(*q).distance, 1e-3, 1e-6);
+}
+
+TEST_F(ContactSlide, LaysAFaceOnThePlane) {
+  Pose tilted = Pose::translation({-0.5, 1.2, 0.0});
+  tilted.orientation = Quaternion(Eigen::AngleAxisd(0.3, Vector3(0.2, 0.5, 0.8).normalized()));
+  const Pose q = sampler.aligned(tilted, -Vector3::UnitX());
+  double best = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    best = std::max(best, std::abs((q.orientation * Vector3(Vector3::Unit(axis))).x()));
+  }
+  EXPECT_NEAR(best, 1.0, 1e-9);
+}
+
+TEST_F(ContactSlide, SlidesFreeAndOnThePlaneOfTheWall) {
+  const Pose contact = Pose::translation({-0.301, 1.2, 0.0});
+  for (int i = 0; i < 20; ++i) {
+    const Pose q = sampler.slid(contact);
+    EXPECT_FALSE(query->collides(q));
+    EXPECT_NEAR(q.position.x(), contact.position.x(), 1e-9);
+  }
+}
+
+TEST(DirectMotions, LeavesStraightWhereTheWayOutIsFree) {
+  Problem problem = windowProblem();
+  problem.goal = GoalOut{};
+  problem.bounds = Box3(Vector3::Constant(-5.0), Vector3::Constant(5.0));
+  TestHost host(problem);
+  DirectMotions planner(problem);
+  ASSERT_TRUE(planner.solve(host));
+  EXPECT_EQ(planner.path()->certificate.status, CertificateStatus::Certified);
+  EXPECT_GE(problem.world->obstaclesBox().exteriorDistance(planner.path()->points.back().q.position),
+            problem.world->objectRadius() - 1e-9);
+}
+
+TEST(DirectMotions, GivesUpInFrontOfAWallWithoutAWindow) {
+  const Problem problem = closedProblem();
+  TestHost host(problem);
+  DirectMotions planner(problem);
+  EXPECT_FALSE(planner.solve(host));
+  EXPECT_TRUE(planner.failure());
+}
+
+TEST(ShrinkRepair, GrowsBackThroughAWindowThatJustFits) {
+  Problem problem = windowProblem();
+  // The cube of 0.96 m in the window of 1 m.
+  problem.world = CollisionWorld::build(problem.world->obstacles(),
+                                        std::make_shared<const TriangleMesh>(makeBox({0.96, 0.96, 0.96})));
+  problem.goal = Pose::translation({1.5, 0.0, 0.0});
+  const double r = problem.world->objectRadius();
+  ShrinkRepair::Options options;
+  options.erosion = 0.1 * r;
+  options.growth = 1e-3 * r;
+  options.search.range = 0.2;
+  const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
+  int solved = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    TestHost host(problem);
+    ShrinkRepair planner(problem, seed, options, worlds);
+    if (!planner.solve(host)) {
+      EXPECT_TRUE(planner.failure());
+      continue;
+    }
+    ++solved;
+    EXPECT_EQ(planner.path()->points.front().q, problem.start);
+    const auto query = problem.world->makeQuery();
+    EXPECT_EQ(certifyPath(*query, planner.path()->configurations(),
+                          host.values[ParameterId::RequiredClearance])
+                  .status,
+              CertificateStatus::Certified);
+  }
+  EXPECT_GE(solved, 2);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <list>
+#include <thread>
+
+#include "engine/session/replay_session.h"
+
+namespace glissade {
+
+/// How far a replay has come. The roadmap only grows, so any step replayed so far can be shown.
+struct ReplayProgress {
+  SnapshotPtr latest;
+  std::shared_ptr<const ReplayTrack> track;
+  bool ended = false;
+};
+
+/// Replays a recorded run in a thread of its own, or at once where time is not real. A new request or
+/// cancel() asks the one under way to stop and forgets it; the end of this object waits.
+class ReplayRunner final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ReplayRunner(QObject* parent = nullptr) : QObject(parent) {}
+  ~ReplayRunner() override;
+
+  /// `atOnce`: ended before this returns.
+  void run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce);
+  void cancel();
+
+ signals:
+  /// Some twenty times a second, and at the end.
+  void progressed(const glissade::ReplayProgress& progress);
+  void failed(const glissade::Diagnostic& why);
+
+ private:
+  struct Worker {
+    std::thread thread;
+    std::atomic<bool> done{false};
+  };
+  void joinFinished();
+
+  std::list<Worker> workers_;
+  StopSource stop_;
+  std::uint64_t request_ = 0;
+};
+
+}  // namespace glissade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/scenario/run_journal.h"
+#include "widgets/bridge/session_bridge.h"
+
+namespace glissade {
+
+/// Keeps the recording of the last run: what the session publishes of it anyway. While journals are
+/// kept, a killed program leaves it on disk. Used on the GUI thread only.
+class RunRecorder {
+ public:
+  ~RunRecorder();
+
+  /// From now on runs are journalled in this folder.
+  void keepJournals(const std::string& folder) { folder_ = folder; }
+  void open(const ScenarioPtr& scenario);
+  /// True where another run has begun.
+  bool follow(const SessionSnapshot& snapshot);
+
+  /// Nothing until a run has begun.
+  bool hasRecording() const { return !parts_.empty(); }
+  /// The recording so far. Precondition: hasRecording(). Errors: an asset can no longer be read.
+  Result<RunRecord> record();
+  /// Why the disk holds no journal, where one is wanted.
+  const std::optional<Diagnostic>& trouble() const { return trouble_; }
+
+ private:
+  void beginJournal();
+  void journal();
+  void discardJournal();
+
+  std::string folder_;
+  ScenarioPtr scenario_;
+  std::optional<RunRecord> head_;  ///< of this scenario's records; hashing its assets takes time
+  RunLogParts parts_;
+  std::unique_ptr<RunJournal> journal_;
+  std::size_t journalled_ = 0;
+  std::optional<Diagnostic> trouble_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QTimer>
+
+#include <vector>
+
+#include "engine/operator/hand_inputs.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/devices/axis_row.h"
+#include "widgets/devices/device_settings.h"
+#include "widgets/devices/response_curve.h"
+
+namespace glissade {
+
+/// The calibration page: the six axes of a device live, raw and shaped, and everything that shapes them.
+/// A change counts at once and is kept for the device of that name.
+class CalibrationDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  CalibrationDialog(HandInputsPtr hand, DeviceSettings& settings, const ActionCatalogue& actions, QWidget* parent);
+
+  /// Shows the devices as they are now.
+  void refresh();
+  /// A button was pressed: shows what it does.
+  void showButton(const HandInput& input, std::size_t button);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QLayout* makeHeader();
+  QLayout* makeAxes();
+  QWidget* makeMotion();
+  QWidget* makeButtons();
+  void chooseDevice(int index);
+  void choosePreset(int index);
+  void resetDevice();
+  /// The editors' values count and are kept.
+  void apply();
+  void showShaping(const DeviceShaping& shaping);
+  void showAction();
+  HandInput& input() const { return *hand_->all()[static_cast<std::size_t>(device_->currentIndex())]; }
+
+  HandInputsPtr hand_;
+  DeviceSettings& settings_;
+  const ActionCatalogue& actions_;
+  DeviceShaping shown_;
+  DominantAxis dominant_;
+  int current_ = 0;  ///< the axis whose curve is drawn
+  QTimer timer_;
+
+  QComboBox* device_;
+  QLabel* state_;
+  QComboBox* preset_;
+  std::vector<AxisRow*> rows_;
+  ResponseCurve* curve_;
+  QCheckBox* dominantAxis_;
+  QCheckBox* translationLocked_;
+  QCheckBox* rotationLocked_;
+  QComboBox* frame_;
+  ValueSlider* linearSpeed_;
+  ValueSlider* angularSpeed_;
+  QComboBox* button_;
+  QComboBox* action_;
+  QLabel* trouble_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "engine/operator/operator_input.h"
+
+namespace glissade {
+
+class CameraController;
+
+/// Moves the camera by a deflection for dt seconds, as if the scene were in the hand: to the right moves
+/// the scene to the right, towards you brings it nearer. The horizon stays level: there is no roll.
+/// `factors` scale the pace at full deflection.
+void steerCamera(CameraController& camera, const Deflection& deflection, const OperatorSpeed& factors, double dt);
+
+}  // namespace glissade
