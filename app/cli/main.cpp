@@ -103,6 +103,14 @@ CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
   return merge;
 }
 
+CLI::App* addReport(CLI::App& app, ReportOptions& options) {
+  CLI::App* report =
+      app.add_subcommand("report", "Write the report of a study: tables, plots, findings, one HTML page");
+  report->add_option("DIR", options.folder, "Folder of results")->required();
+  report->add_option("--out", options.out, "Folder of report.html (default: DIR)");
+  return report;
+}
+
 CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
   CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
   replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was cut off")->required();
@@ -122,12 +130,14 @@ int run(int argc, char** argv) {
   ConvertOptions convert;
   StudyOptions study;
   MergeOptions merge;
+  ReportOptions report;
   const CLI::App* planCommand = addPlan(app, plan);
   const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
+  const CLI::App* reportCommand = addReport(app, report);
   addConvert(app, convert);
   try {
     app.parse(argc, argv);
@@ -140,6 +150,7 @@ int run(int argc, char** argv) {
   if (infoCommand->parsed()) return runInfo(info);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
+  if (reportCommand->parsed()) return runReport(report);
   return runConvert(convert);
 }
 

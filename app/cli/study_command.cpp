@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/study_report.h"
 #include "engine/base/file.h"
+#include "engine/study/study_report.h"
 #include "engine/study/study_runner.h"
 #include "engine/study/study_tables.h"
 
@@ -53,11 +54,19 @@ int describe(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   return 0;
 }
 
+/// Tables and report of what is there.
+Outcome writeResults(const StudyFolder& folder, Warnings& warnings) {
+  const Outcome written = writeTables(folder, warnings);
+  return written ? writeReport(folder, folder.path(), warnings) : written;
+}
+
 int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& shard, const Interrupt& interrupt) {
   const auto text = readFile(options.study, kMostStudyBytes);
   if (!text) return reportError(text.error(), Format::Text);
   const auto folder = StudyFolder::begin(options.out, plan, *text);
   if (!folder) return reportError(folder.error(), Format::Text);
+  const Outcome noted = folder->noteStudyFile(options.study);
+  if (!noted) return reportError(noted.error(), Format::Text);
   Warnings warnings;
   ProgressLine line;
   const RunnerOptions runner{std::filesystem::read_symlink("/proc/self/exe").string(), options.study, options.jobs,
@@ -67,7 +76,7 @@ int carryOut(const StudyOptions& options, const StudyPlan& plan, const Shard& sh
   line.end();
   reportWarnings(warnings);
   if (!ran && ran.error().kind != ErrorKind::Interrupted) return reportError(ran.error(), Format::Text);
-  const Outcome written = writeTables(*folder, warnings);
+  const Outcome written = writeResults(*folder, warnings);
   if (!written) return reportError(written.error(), Format::Text);
   if (!ran) return reportError(ran.error(), Format::Text);
   printSummary(*folder, warnings);
@@ -92,7 +101,21 @@ int runMerge(const MergeOptions& options) {
   const auto merged = mergeStudies(options.folders, options.out, warnings);
   reportWarnings(warnings);
   if (!merged) return reportError(merged.error(), Format::Text);
+  const Outcome written = writeReport(*merged, merged->path(), warnings);
+  if (!written) return reportError(written.error(), Format::Text);
   printSummary(*merged, warnings);
+  return 0;
+}
+
+int runReport(const ReportOptions& options) {
+  Warnings warnings;
+  const auto folder = StudyFolder::open(options.folder);
+  if (!folder) return reportError(folder.error(), Format::Text);
+  const std::string& out = options.out.empty() ? options.folder : options.out;
+  const Outcome written = writeReport(*folder, out, warnings);
+  reportWarnings(warnings);
+  if (!written) return reportError(written.error(), Format::Text);
+  std::cout << out << "/report.html\n";
   return 0;
 }
 

@@ -30,4 +30,12 @@ struct MergeOptions {
 /// glissade-cli merge: unites the results of shards. Exit code 3 where they do not belong together.
 int runMerge(const MergeOptions& options);
 
+struct ReportOptions {
+  std::string folder;
+  std::string out;  ///< empty: the folder itself
+};
+
+/// glissade-cli report: writes report.html of a folder of results.
+int runReport(const ReportOptions& options);
+
 }  // namespace glissade::cli

@@ -83,7 +83,8 @@ void printSummary(const StudyFolder& folder, Warnings& warnings) {
               << show("virtual_s", 1) << std::setw(10) << show("nodes", 0) << std::setw(10) << show("edges", 0)
               << std::setw(10) << show("random_configurations", 0) << "\n";
   }
-  std::cout << "\nsee " << folder.file("summary.csv") << "\n";
+  std::cout << "\nsee " << folder.file("report.html") << " and summary.csv"
+            << "\n";
 }
 
 }  // namespace glissade::cli

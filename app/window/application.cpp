@@ -15,6 +15,7 @@
 
 #include "app/window/main_window.h"
 #include "app/window/script_runner.h"
+#include "app/window/study_batch.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 
@@ -48,6 +49,8 @@ void addOptions(QCommandLineParser& parser) {
       {"screenshot", "Save a picture of the whole window and leave", "FILE"},
       {"size", "Size of the window in pixels", "WxH", "1280x720"},
       {"script", "Carry out a script and leave", "FILE"},
+      {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
+      {"report-pdf", "Write the report of the study in DIR as DIR/report.pdf", "DIR"},
       {"theme", "light or dark", "THEME", "light"},
       {"language", "en or fr", "LANGUAGE", "en"},
       {"seed", "Seed of everything random", "SEED"},
@@ -98,7 +101,8 @@ int runScript(const std::string& file, MainWindow& window) {
 }
 
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
-  const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen");
+  const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
+                     parser.isSet("study-pictures") || parser.isSet("report-pdf");
   window.setBatch(batch);
   if (!parser.positionalArguments().isEmpty()) {
     const auto why = window.openScenario(parser.positionalArguments().front(), batch);
@@ -116,6 +120,12 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   if (parser.isSet("script")) {
     const int status = runScript(parser.value("script").toStdString(), window);
     if (status != 0) return status;
+  }
+  if (parser.isSet("study-pictures")) {
+    if (const auto why = takeStudyPictures(parser.value("study-pictures"), window)) return fail(*why);
+  }
+  if (parser.isSet("report-pdf")) {
+    if (const auto why = writeStudyPdf(parser.value("report-pdf"))) return fail(*why);
   }
   if (parser.isSet("screenshot")) {
     const QString file = parser.value("screenshot");

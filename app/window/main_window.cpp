@@ -22,6 +22,7 @@
 #include "app/window/keyboard_steering.h"
 #include "app/window/replay_controller.h"
 #include "app/window/status_text.h"
+#include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
@@ -50,6 +51,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
   new LabelOverlay(scene_->view(), scene_->widget());
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
+  studies_ = new StudyController(*this);
   devices_ = new DeviceController(*bridge_, *actions_, *scene_, this);
   connect(devices_, &DeviceController::cameraMoved, this, [this] { publishOperatorFrame(); });
   replay_ = new ReplayController(*bridge_, *actions_, this);
@@ -188,6 +190,7 @@ void MainWindow::makeMenus() {
   run->addSeparator();
   fill(run, "object.");
   fill(run, "path.");
+  fill(menuBar()->addMenu(tr("&Study")), "study.");
   fill(menuBar()->addMenu(tr("&Operator")), "operator.");
   QMenu* view = menuBar()->addMenu(tr("&View"));
   fill(view, "view.");

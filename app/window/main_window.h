@@ -18,6 +18,7 @@ class InteractionPanel;
 class PathPanel;
 class ReplayController;
 class ScenePanel;
+class StudyController;
 
 /// The workbench: the 3D view in the middle, panels around it, one session behind it.
 class MainWindow final : public QMainWindow {
@@ -37,6 +38,7 @@ class MainWindow final : public QMainWindow {
   ActionCatalogue& actions() { return *actions_; }
   SceneWidget& scene() { return *scene_; }
   EnvironmentController& environment() { return *environment_; }
+  StudyController& studies() { return *studies_; }
   DeviceController& devices() { return *devices_; }
   ReplayController& replay() { return *replay_; }
   /// Opens a recording, and its scenario where another is open; nothing on success.
@@ -47,6 +49,9 @@ class MainWindow final : public QMainWindow {
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
   std::optional<Diagnostic> exportPath(const QString& file);
+  /// In a dialog.
+  void showError(const QString& title, const Diagnostic& why);
+  /// The whole window as a picture.
   /// The whole window as a picture, with the dialogs that lie over it.
   QImage picture();
 
@@ -78,7 +83,6 @@ class MainWindow final : public QMainWindow {
   /// False: the user wants to stay, because something is not saved.
   bool mayDiscard();
   void showTitle();
-  void showError(const QString& title, const Diagnostic& why);
   void showShortcuts();
   void showAbout();
 
@@ -90,6 +94,7 @@ class MainWindow final : public QMainWindow {
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
   EnvironmentController* environment_ = nullptr;
+  StudyController* studies_ = nullptr;
   DeviceController* devices_ = nullptr;
   ReplayController* replay_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked

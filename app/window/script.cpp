@@ -35,7 +35,12 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"unplug", 1},
                                                          {"deflect", 7},
                                                          {"press", 2},
-                                                         {"expect-steering", 1}};
+                                                         {"expect-steering", 1},
+                                                         {"study", 1},
+                                                         {"study-cell", 1},
+                                                         {"study-plot", 1},
+                                                         {"study-run", 2},
+                                                         {"study-screenshot", 1}};
   return counts;
 }
 

@@ -39,6 +39,11 @@ struct ScriptCommand {
 ///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
 ///   expect-attribute NAME VALUE what is selected has this value
 ///   expect-way NAMES            the places that the coarse path leads through: P1,P6,P2
+///   study DIR                   the browser of a study's results
+///   study-cell N                chooses its N-th cell
+///   study-plot N                brings its N-th plot to the front
+///   study-run N SEED            shows that run of the N-th cell again (offscreen: go on with wait)
+///   study-screenshot FILE       the browser as PNG
 ///   save-recording FILE         what was done in the last run
 ///   replay FILE                 a recorded run again
 ///   seek STEP                   shows that step of the replay

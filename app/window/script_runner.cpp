@@ -14,6 +14,7 @@
 #include "app/window/device_script.h"
 #include "app/window/environment_script.h"
 #include "app/window/replay_script.h"
+#include "app/window/study_script.h"
 #include "engine/base/number_text.h"
 #include "engine/operator/device_registry.h"
 
@@ -76,6 +77,9 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (const auto outcome = ReplayScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = StudyScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (command.name == "export") {

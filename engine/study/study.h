@@ -8,16 +8,15 @@
 #include <vector>
 
 #include "engine/base/parameters.h"
+#include "engine/study/finding.h"
 
 namespace glissade {
 
 /// A column of a paper's table, and what of ours stands beside it.
 struct PaperColumn {
-  std::string key;        ///< in the rows' "paper"
-  std::string title;      ///< as the report prints it
-  std::string measure;    ///< "success_rate", or a column of runs.csv or timing.csv
-  std::string statistic;  ///< "median" or "mean"; of success_rate neither
-  std::string over;       ///< "solved" or "all" runs
+  std::string key;    ///< in the rows' "paper"
+  std::string title;  ///< as the report prints it
+  Quantity quantity;
 };
 
 /// A number as printed, or words ("lower than G"), or nothing where the paper prints none.
@@ -30,6 +29,7 @@ struct StudyHeading {
   std::string description;
   std::string citation;
   std::vector<PaperColumn> paper;
+  std::vector<Finding> findings;  ///< that the report checks
 };
 
 /// Settings that are run again and again with other seeds.

@@ -9,13 +9,6 @@ namespace {
 
 void append(std::string& label, const std::string& part) { label += (label.empty() ? "" : ", ") + part; }
 
-/// "environment-1/scenario" and "tight-star": enough to tell scenarios apart.
-std::string shortName(const std::string& scenario) {
-  const std::filesystem::path path(scenario);
-  const std::string stem = path.stem().string();
-  return stem == "scenario" ? path.parent_path().filename().string() : stem;
-}
-
 /// One value of each grid parameter.
 using GridPoint = std::vector<std::pair<ParameterId, double>>;
 
@@ -40,7 +33,7 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
   StudyCell cell;
   cell.row = row.label;
   cell.label = row.label;
-  if (axes.scenarios.size() > 1) append(cell.label, shortName(scenario));
+  if (axes.scenarios.size() > 1) append(cell.label, scenarioName(scenario));
   if (axes.strategies.size() > 1) append(cell.label, strategy);
   if (axes.operators.size() > 1) append(cell.label, operatorName);
   for (const auto& [id, value] : point) append(cell.label, std::string(specOf(id).key) + "=" + toText(value));
@@ -57,6 +50,12 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
 }
 
 }  // namespace
+
+std::string scenarioName(const std::string& scenario) {
+  const std::filesystem::path path(scenario);
+  const std::string stem = path.stem().string();
+  return stem == "scenario" ? path.parent_path().filename().string() : stem;
+}
 
 double cellCount(const StudyRow& row) {
   double count =

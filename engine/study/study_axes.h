@@ -33,4 +33,7 @@ struct StudyRow {
 double cellCount(const StudyRow& row);
 std::vector<StudyCell> cellsOf(const StudyRow& row);
 
+/// "environment-1" of "../environment-1/scenario.json", and "tight-star": enough to tell scenarios apart.
+std::string scenarioName(const std::string& scenario);
+
 }  // namespace glissade

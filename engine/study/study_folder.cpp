@@ -95,6 +95,22 @@ StudyResults StudyFolder::results(Warnings& warnings) const {
   return results;
 }
 
+Outcome StudyFolder::noteStudyFile(const std::string& studyFile) const {
+  std::error_code error;
+  const std::string absolute = fs::absolute(studyFile, error).lexically_normal().string();
+  return writeFileAtomically(file("origin.txt"), (error ? studyFile : absolute) + "\n");
+}
+
+Result<std::string> StudyFolder::scenarioFile(const StudyCell& cell) const {
+  const auto origin = readFile(file("origin.txt"), kMostRunBytes);
+  if (!origin) return origin.error();
+  const std::string found = scenarioFileOf(origin->substr(0, origin->find('\n')), cell);
+  std::error_code ignored;
+  if (fs::exists(found, ignored)) return found;
+  return Diagnostic{ErrorKind::MalformedInput, found, "", "the scenario of the study is no longer there",
+                    "Put it back, or write the place of the study file into " + file("origin.txt") + "."};
+}
+
 Outcome StudyFolder::save(const StudyRun& run, const RunOutcome& outcome) const {
   return writeFileAtomically(fileOf(run), writeRunRow({planSha256_, run.cell + 1, run.seed, outcome}));
 }

@@ -18,6 +18,8 @@ using StudyResults = std::map<StudyRun, RunOutcome>;
 ///     plan.json    what came of it (StudyPlan): folders belong together when these are equal
 ///     runs/        one file a run, written when it has ended: a killed study loses no finished run
 ///     *.csv, summary.json   the tables (study_tables.h)
+///     report.html  the report (study_report.h), with the pictures in pictures/
+///     origin.txt   where the study file was, for those who open its scenarios
 ///
 /// Several processes may work in one folder.
 class StudyFolder {
@@ -37,6 +39,11 @@ class StudyFolder {
   /// Every planned run that is there. A file that cannot be read, or is of another plan, counts as
   /// not run and is named among the warnings.
   StudyResults results(Warnings& warnings) const;
+  /// Notes where the study file is, for scenarioFile.
+  Outcome noteStudyFile(const std::string& studyFile) const;
+  /// The scenario of a cell, where the study file was when it was run. Where that is not known, or the
+  /// scenario is no longer there, a MalformedInput error.
+  Result<std::string> scenarioFile(const StudyCell& cell) const;
   Outcome save(const StudyRun& run, const RunOutcome& outcome) const;
 
  private:

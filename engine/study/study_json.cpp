@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/study/finding_reader.h"
+
 namespace glissade::study_json {
 
 Json number(double value) {
@@ -34,10 +36,12 @@ void addHeading(Json& json, const StudyHeading& heading) {
   for (const PaperColumn& column : heading.paper) {
     json["paper"].push_back({{"key", column.key},
                              {"title", column.title},
-                             {"measure", column.measure},
-                             {"statistic", column.statistic},
-                             {"over", column.over}});
+                             {"measure", column.quantity.measure},
+                             {"statistic", column.quantity.statistic},
+                             {"over", column.quantity.over}});
   }
+  json["findings"] = Json::array();
+  for (const Finding& finding : heading.findings) json["findings"].push_back(toJson(finding));
 }
 
 }  // namespace glissade::study_json

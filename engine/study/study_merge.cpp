@@ -43,6 +43,11 @@ Result<StudyFolder> mergeStudies(const std::vector<std::string>& folders, const 
   if (!studyText) return studyText.error();
   auto merged = StudyFolder::begin(out, first->plan(), *studyText);
   if (!merged) return merged.error();
+  const auto origin = readFile(first->file("origin.txt"), kMostStudyBytes);
+  if (origin) {
+    const Outcome noted = merged->noteStudyFile(origin->substr(0, origin->find('\n')));
+    if (!noted) return noted.error();
+  }
   for (const auto& [run, outcome] : all) {
     const Outcome saved = merged->save(run, outcome);
     if (!saved) return saved.error();

@@ -1,4 +1,4 @@
-#include "engine/scenario/json_reader.h"
+#include "engine/study/finding_reader.h"
 #include "engine/study/study_json.h"
 #include "engine/study/study_plan.h"
 
@@ -66,7 +66,7 @@ StudyCell readCell(const JsonCursor& at) {
 
 StudyPlan read(const JsonCursor& root) {
   root.allowOnly({"format", "version", "glissade", "study_sha256", "quick", "name", "title", "description", "citation",
-                  "paper", "cells"});
+                  "paper", "findings", "cells"});
   if (root.at("format").text() != "glissade-study-plan") root.at("format").fail("is not \"glissade-study-plan\"");
   if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
   StudyPlan plan;
@@ -81,8 +81,14 @@ StudyPlan read(const JsonCursor& root) {
   const JsonCursor columns = root.at("paper");
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const JsonCursor at = columns.element(i);
-    heading.paper.push_back({at.at("key").text(), at.at("title").text(), at.at("measure").text(),
-                             at.at("statistic").text(), at.at("over").text()});
+    heading.paper.push_back({at.at("key").text(),
+                             at.at("title").text(),
+                             {at.at("measure").text(), at.at("statistic").text(), at.at("over").text()}});
+  }
+  if (const auto findings = root.find("findings")) {
+    for (std::size_t i = 0; i < findings->size(); ++i) {
+      heading.findings.push_back(study_json::readFinding(findings->element(i)));
+    }
   }
   const JsonCursor cells = root.at("cells");
   if (cells.size() == 0) cells.fail("is empty");

@@ -5,8 +5,7 @@
 
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
-#include "engine/scenario/json_reader.h"
-#include "engine/study/run_result.h"
+#include "engine/study/finding_reader.h"
 #include "engine/study/study_axes.h"
 
 namespace glissade {
@@ -22,9 +21,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 void expectOneOf(const JsonCursor& at, const std::vector<std::string>& known, const std::string& what) {
-  const std::string name = at.nonEmptyText();
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  at.fail("names the unknown " + what + " '" + name + "'", "Choose one of " + listed(known) + ".");
+  study_json::readOneOf(at, known, what);
 }
 
 std::vector<std::string> knownOperators() {
@@ -75,13 +72,14 @@ class Reader {
 
   Study read(bool quick) {
     root_.allowOnly({"format", "version", "name", "title", "description", "citation", "paper", "scenarios",
-                     "strategies", "operators", "parameters", "grid", "limits", "seeds", "rows", "quick"});
+                     "strategies", "operators", "parameters", "grid", "limits", "seeds", "rows", "findings", "quick"});
     if (root_.at("format").text() != "glissade-study") root_.at("format").fail("is not \"glissade-study\"");
     if (root_.at("version").wholeNumber() != 1) root_.at("version").fail("is not 1", "Use a newer Glissade.");
     readHeading();
     StudyAxes axes;
     readAxes(root_, axes);
     readRows(axes);
+    readFindings();
     applyQuick(quick);
     spellOut();
     study_.quick = quick;
@@ -107,16 +105,7 @@ class Reader {
 
   static PaperColumn readColumn(const JsonCursor& at) {
     at.allowOnly({"key", "title", "measure", "statistic", "over"});
-    std::vector<std::string> measures{"success_rate", "planning_s", "wall_s"};
-    for (const ResultColumn& column : resultColumns()) measures.emplace_back(column.name);
-    expectOneOf(at.at("measure"), measures, "measure");
-    PaperColumn column{at.at("key").nonEmptyText(), at.at("title").nonEmptyText(), at.at("measure").text(), "", ""};
-    if (column.measure == "success_rate") return column;
-    expectOneOf(at.at("statistic"), {"median", "mean"}, "statistic");
-    expectOneOf(at.at("over"), {"solved", "all"}, "kind of runs");
-    column.statistic = at.at("statistic").text();
-    column.over = at.at("over").text();
-    return column;
+    return {at.at("key").nonEmptyText(), at.at("title").nonEmptyText(), study_json::readQuantity(at)};
   }
 
   /// The keys that study, rows and quick section have in common.
@@ -228,6 +217,35 @@ class Reader {
       values[item.key()] = item.value().is_string() ? PaperValue(at.text()) : PaperValue(at.number());
     }
     return values;
+  }
+
+  /// Their names are checked against all rows, also those that --quick leaves out.
+  void readFindings() {
+    const auto list = root_.find("findings");
+    if (!list) return;
+    study_.heading.findings = readList(*list, study_json::readFinding);
+    for (std::size_t i = 0; i < list->size(); ++i) {
+      const JsonCursor at = list->element(i);
+      expectKnown(at.at("cells"));
+      if (at.at("than").json().is_object()) expectKnown(at.at("than"));
+    }
+  }
+
+  void expectKnown(const JsonCursor& selection) const {
+    std::vector<std::string> labels;
+    std::vector<std::string> scenarios;
+    for (const StudyRow& row : rows_) {
+      labels.push_back(row.label);
+      scenarios.insert(scenarios.end(), row.axes.scenarios.begin(), row.axes.scenarios.end());
+    }
+    const auto expectAll = [&](const char* key, const std::vector<std::string>& known, const std::string& what) {
+      const auto names = selection.find(key);
+      for (std::size_t i = 0; names && i < names->size(); ++i) expectOneOf(names->element(i), known, what);
+    };
+    expectAll("rows", labels, "row");
+    expectAll("scenarios", scenarios, "scenario");
+    expectAll("strategies", strategies_, "strategy");
+    expectAll("operators", knownOperators(), "operator");
   }
 
   /// Read also where it is not asked for, so that a fault in it is found.

@@ -1,7 +1,6 @@
 #include "engine/study/summary_json.h"
 
-#include <algorithm>
-
+#include "engine/study/repeat_command.h"
 #include "engine/study/study_json.h"
 
 namespace glissade {
@@ -19,25 +18,6 @@ Json toJson(const Distribution& distribution) {
   json["maximum"] = study_json::number(distribution.maximum);
   json["mean"] = study_json::number(distribution.mean);
   return json;
-}
-
-/// A word of a command as a shell takes it.
-std::string quoted(const std::string& word) {
-  const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-           std::string("-_./=:+").find(c) != std::string::npos;
-  };
-  if (std::all_of(word.begin(), word.end(), plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
-/// Repeats a cell's first run, from the folder of the study file.
-std::string commandOf(const StudyCell& cell) {
-  std::string command = "glissade-cli";
-  for (const std::string& word : planArguments(cell, cell.seeds.front(), cell.scenario)) command += " " + quoted(word);
-  return command;
 }
 
 Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary) {
@@ -61,7 +41,7 @@ Json toJson(std::size_t index, const StudyCell& cell, const CellSummary& summary
     json["measures"][measure.name] = {{"solved", toJson(measure.solved)}, {"all", toJson(measure.all)}};
   }
   json["paper"] = study_json::paper(cell.paper);
-  json["command"] = commandOf(cell);
+  json["command"] = repeatCommand(cell, cell.seeds.front());
   return json;
 }
 

@@ -547,6 +547,22 @@
         <source>Colour the path by who made each segment: computer, operator, contact</source>
         <translation>Colorer le chemin selon l&apos;auteur de chaque segment : ordinateur, opérateur, contact</translation>
     </message>
+    <message>
+        <source>&amp;Open study results...</source>
+        <translation>&amp;Ouvrir les résultats d’une étude...</translation>
+    </message>
+    <message>
+        <source>Browse a study&apos;s tables and plots, and see its runs again</source>
+        <translation>Parcourir les tableaux et les courbes d’une étude, et revoir ses essais</translation>
+    </message>
+    <message>
+        <source>&amp;Report as PDF...</source>
+        <translation>&amp;Rapport en PDF...</translation>
+    </message>
+    <message>
+        <source>Write the report of the study that is open as PDF</source>
+        <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -757,6 +773,57 @@
     <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>paper</source>
+        <translation>article</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scénario</translation>
+    </message>
+    <message>
+        <source>Success rate (%)</source>
+        <translation>Taux de succès (%)</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Random configurations (mean)</source>
+        <translation>Configurations aléatoires (moyenne)</translation>
+    </message>
+    <message>
+        <source>Virtual time (s)</source>
+        <translation>Temps virtuel (s)</translation>
+    </message>
+    <message>
+        <source>Random configurations</source>
+        <translation>Configurations aléatoires</translation>
+    </message>
+    <message>
+        <source>Authority α</source>
+        <translation>Autorité α</translation>
+    </message>
+    <message>
+        <source>Contact samples N</source>
+        <translation>Échantillons de contact N</translation>
+    </message>
+    <message>
+        <source>Contact distance d (m)</source>
+        <translation>Distance de contact d (m)</translation>
     </message>
 </context>
 <context>
@@ -1564,6 +1631,10 @@
         <source>Later</source>
         <translation>Plus tard</translation>
     </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>
@@ -1870,6 +1941,147 @@
     <message>
         <source>moved</source>
         <translation>déplacé</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StudyBrowser</name>
+    <message>
+        <source>Holds</source>
+        <translation>Tient</translation>
+    </message>
+    <message>
+        <source>Does not hold</source>
+        <translation>Ne tient pas</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>En suspens</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Ending</source>
+        <translation>Issue</translation>
+    </message>
+    <message>
+        <source>Virtual s</source>
+        <translation>s virtuelles</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Arêtes</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Aléat.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+    <message>
+        <source>&amp;Show this run</source>
+        <translation>&amp;Montrer cet essai</translation>
+    </message>
+    <message>
+        <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
+        <translation>Ouvrir le scénario avec la stratégie, l’opérateur, les paramètres et la graine de l’essai choisi, et le lancer</translation>
+    </message>
+    <message>
+        <source>%1 — study</source>
+        <translation>%1 — étude</translation>
+    </message>
+    <message>
+        <source>Double-click a run to see it again, from its seed.</source>
+        <translation>Double-cliquez sur un essai pour le revoir, à partir de sa graine.</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>Résolus</translation>
+    </message>
+    <message>
+        <source>Success, 95 %</source>
+        <translation>Succès, 95 %</translation>
+    </message>
+    <message>
+        <source>%1, paper</source>
+        <translation>%1, article</translation>
+    </message>
+    <message>
+        <source>%1, ours</source>
+        <translation>%1, Glissade</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%1 paires sur %2</translation>
+    </message>
+    <message>
+        <source>The study declares no findings.</source>
+        <translation>L’étude n’énonce pas de constats.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Constats</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StudyController</name>
+    <message>
+        <source>Open the results of a study</source>
+        <translation>Ouvrir les résultats d’une étude</translation>
+    </message>
+    <message>
+        <source>The study cannot be opened</source>
+        <translation>L’étude ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf)</source>
+        <translation>Documents (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report cannot be written</source>
+        <translation>Le rapport ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>The run cannot be shown</source>
+        <translation>L’essai ne peut pas être montré</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of runs could not be read and are left out.</source>
+        <translation>
+            <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
+            <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Seed %1 is running in the main window.</source>
+        <translation>La graine %1 tourne dans la fenêtre principale.</translation>
+    </message>
+    <message>
+        <source>Seed %1 ended as in the study: %2 nodes.</source>
+        <translation>La graine %1 a fini comme dans l’étude : %2 nœuds.</translation>
+    </message>
+    <message>
+        <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
+        <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
     </message>
 </context>
 </TS>

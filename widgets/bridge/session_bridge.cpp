@@ -3,6 +3,13 @@
 #include "engine/operator/device_registry.h"
 
 namespace glissade {
+namespace {
+
+/// A fixed run on screen: 250 planner steps a second, some six times the operator's own time.
+constexpr int kPaceMilliseconds = 16;
+constexpr std::uint64_t kStepsAtOnce = 4;
+
+}  // namespace
 
 SessionBridge::SessionBridge(SessionClock clock, QObject* parent)
     : QObject(parent),
@@ -11,6 +18,8 @@ SessionBridge::SessionBridge(SessionClock clock, QObject* parent)
       hand_(clock == SessionClock::RealTime ? std::make_shared<HandInputs>()
                                             : std::make_shared<HandInputs>(std::nullopt)) {
   qRegisterMetaType<SnapshotPtr>();
+  pace_.setInterval(kPaceMilliseconds);
+  connect(&pace_, &QTimer::timeout, this, [this] { advance(kStepsAtOnce); });
 }
 
 SessionBridge::~SessionBridge() {
@@ -24,7 +33,7 @@ void SessionBridge::open(const ScenarioPtr& scenario) {
 }
 
 void SessionBridge::setDevice(const std::string& deviceId) {
-  if (deviceId == deviceId_) return;
+  if (deviceId == deviceId_ && !fixed_) return;
   deviceId_ = deviceId;
   if (!session_) return;
   const SnapshotPtr last = session_->snapshot();
@@ -32,28 +41,54 @@ void SessionBridge::setDevice(const std::string& deviceId) {
 }
 
 void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
-  if (session_) session_->setWakeUp({});
-  lockstep_ = nullptr;
-  session_.reset();
-  const DeviceRegistry registry = makeDeviceRegistry();
-  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
-  if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
+  end();
   Problem problem = scenario_->problem;
   problem.scene = scene_;
-  SessionConfig config{std::move(problem), parameters, planner, seed, registry.find(deviceId_)->make(context)};
-  if (clock_ == SessionClock::Lockstep) {
+  begin({std::move(problem), parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
+  session_->setOperatorFrame(frame_);
+  emitSnapshot();
+}
+
+void SessionBridge::startFixed(const FixedRun& run) {
+  end();
+  fixed_ = true;
+  fixedDeviceId_ = run.deviceId;
+  begin({scenario_->problem, run.parameters, run.planner, run.seed, makeDevice(run.deviceId, run.seed)},
+        SessionClock::Lockstep);
+  post(command::Start{});
+  if (clock_ == SessionClock::RealTime) pace_.start();
+}
+
+/// Before a new session begins.
+void SessionBridge::end() {
+  if (session_) session_->setWakeUp({});
+  pace_.stop();
+  fixed_ = false;
+  lockstep_ = nullptr;
+  session_.reset();
+}
+
+std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id, std::uint64_t seed) {
+  const DeviceRegistry registry = makeDeviceRegistry();
+  const DeviceEntry* entry = registry.find(id);
+  if (entry == nullptr) return nullptr;
+  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
+  if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
+  return entry->make(context);
+}
+
+void SessionBridge::begin(SessionConfig config, SessionClock clock) {
+  if (clock == SessionClock::Lockstep) {
     auto lockstep = makeLockstepSession(std::move(config));
     lockstep_ = lockstep.get();
     session_ = std::move(lockstep);
   } else {
     session_ = makeThreadedSession(std::move(config));
   }
-  session_->setOperatorFrame(frame_);
   session_->setWakeUp([this] {
     QMetaObject::invokeMethod(
         this, [this] { emitSnapshot(); }, Qt::QueuedConnection);
   });
-  emitSnapshot();
 }
 
 void SessionBridge::post(Command command) {
@@ -66,7 +101,7 @@ void SessionBridge::post(Command command) {
 
 void SessionBridge::setOperatorFrame(const OperatorFrame& frame) {
   frame_ = frame;
-  if (session_) session_->setOperatorFrame(frame);
+  if (session_ && !fixed_) session_->setOperatorFrame(frame);
 }
 
 SnapshotPtr SessionBridge::snapshot() const { return session_ ? session_->snapshot() : nullptr; }

@@ -2,6 +2,7 @@
 
 #include <QMetaType>
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <string>
 
@@ -18,6 +19,14 @@ using ScenarioPtr = std::shared_ptr<const LoadedScenario>;
 /// Whose time the session lives in: ours, or one that goes on only when told to.
 enum class SessionClock { RealTime, Lockstep };
 
+/// A run to be shown again exactly as it was: headless runs are in lockstep and have no view.
+struct FixedRun {
+  ParameterValues parameters;
+  std::string planner;
+  std::uint64_t seed = 1;
+  std::string deviceId;  ///< "none": nobody holds the device
+};
+
 /// The only class that crosses threads: owns the session, posts commands into it, and turns its
 /// wake-ups into a signal on the GUI thread.
 class SessionBridge final : public QObject {
@@ -32,7 +41,12 @@ class SessionBridge final : public QObject {
   /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
   /// planner, semantic edits and environment model stay as they were set.
   void setDevice(const std::string& deviceId);
-  const std::string& deviceId() const { return deviceId_; }
+  /// Who holds the object now; of a fixed run its own.
+  const std::string& deviceId() const { return fixed_ ? fixedDeviceId_ : deviceId_; }
+
+  /// Starts that run of the open scenario, in lockstep whatever the clock; on screen a timer lets its
+  /// time go on. It holds until a scenario is opened or a device chosen.
+  void startFixed(const FixedRun& run);
 
   void post(Command command);
   void setOperatorFrame(const OperatorFrame& frame);
@@ -50,6 +64,9 @@ class SessionBridge final : public QObject {
 
  private:
   void restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner);
+  void end();
+  void begin(SessionConfig config, SessionClock clock);
+  std::unique_ptr<OperatorDevice> makeDevice(const std::string& id, std::uint64_t seed);
   void emitSnapshot();
 
   SessionClock clock_;
@@ -60,6 +77,9 @@ class SessionBridge final : public QObject {
   HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
+  bool fixed_ = false;                   ///< session_ is a FixedRun
+  std::string fixedDeviceId_;
+  QTimer pace_;  ///< of a fixed run on screen
 };
 
 }  // namespace glissade

@@ -5,7 +5,7 @@
 namespace glissade {
 
 /// The engine's texts that the window shows, for the translators: labels and help of the live
-/// parameters, planners and devices. A test compares them with the engine's tables.
+/// parameters, planners, devices and plots of the papers' studies. A test compares them with the engine's tables.
 inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Parameters", "Authority"),
     QT_TRANSLATE_NOOP("Parameters", "Contact samples"),
@@ -59,6 +59,18 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Devices", "Simulated expert"),
     QT_TRANSLATE_NOOP("Devices", "Simulated operator"),
     QT_TRANSLATE_NOOP("Devices", "Simulated novice"),
+    QT_TRANSLATE_NOOP("Plots", "paper"),
+    QT_TRANSLATE_NOOP("Plots", "Scenario"),
+    QT_TRANSLATE_NOOP("Plots", "Success rate (%)"),
+    QT_TRANSLATE_NOOP("Plots", "Time (s)"),
+    QT_TRANSLATE_NOOP("Plots", "Nodes"),
+    QT_TRANSLATE_NOOP("Plots", "Edges"),
+    QT_TRANSLATE_NOOP("Plots", "Random configurations (mean)"),
+    QT_TRANSLATE_NOOP("Plots", "Virtual time (s)"),
+    QT_TRANSLATE_NOOP("Plots", "Random configurations"),
+    QT_TRANSLATE_NOOP("Plots", "Authority α"),
+    QT_TRANSLATE_NOOP("Plots", "Contact samples N"),
+    QT_TRANSLATE_NOOP("Plots", "Contact distance d (m)"),
     QT_TRANSLATE_NOOP("Presets", "Standard"),
     QT_TRANSLATE_NOOP("Presets", "As in CAD"),
     QT_TRANSLATE_NOOP("Presets", "Beginner"),

@@ -55,6 +55,17 @@ inline const std::vector<BrokenStudy>& brokenStudies() {
       {R"([{"op": "remove", "path": "/paper/0/over"}])", "/paper/0/over", "missing", false},
       {R"([{"op": "replace", "path": "/quick/rows/0", "value": "fast"}])", "/quick/rows/0", "row 'fast'", false},
       {R"([{"op": "add", "path": "/quick/grid", "value": {}}])", "/quick/grid", "unknown key"},
+      {R"([{"op": "add", "path": "/findings", "value": []}])", "/findings", "empty"},
+      {R"([{"op": "add", "path": "/findings", "value": [{"text": "t"}]}])", "/findings/0/measure", "missing"},
+      {R"([{"op": "add", "path": "/findings", "value": [{"text": "t", "measure": "success_rate", "cells": {},
+            "is": "like", "than": 1}]}])",
+       "/findings/0/is", "relation 'like'"},
+      {R"([{"op": "add", "path": "/findings", "value": [{"text": "t", "measure": "success_rate", "cells": {},
+            "is": "above", "than": "a"}]}])",
+       "/findings/0/than", "not an object"},
+      {R"([{"op": "add", "path": "/findings", "value": [{"text": "t", "measure": "success_rate",
+            "cells": {"rows": ["none"]}, "is": "above", "than": 0.5}]}])",
+       "/findings/0/cells/rows/0", "row 'none'", false},
   };
   return kRows;
 }

@@ -1,0 +1,108 @@
+#include "app/window/study_batch.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QImage>
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/window/main_window.h"
+#include "app/window/study_controller.h"
+#include "engine/base/file.h"
+#include "engine/study/cell_value.h"
+#include "widgets/studies/report_pdf.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::uint64_t kSlice = 200;
+
+std::optional<double> numberOf(const RunOutcome& outcome, const char* column) {
+  for (std::size_t i = 0; i < kResultColumnCount; ++i) {
+    if (resultColumns()[i].name == column) return outcome.result.numbers[i];
+  }
+  return std::nullopt;
+}
+
+/// With leading zeros, so that their order by name is that of the cells.
+std::string pictureName(const StudyFolder& folder, std::size_t cell) {
+  const std::string number = std::to_string(cell + 1);
+  const std::string last = std::to_string(folder.plan().study.cells.size());
+  return folder.file("pictures/cell" + std::string(last.size() - number.size(), '0') + number);
+}
+
+/// The solved run with the median of nodes; of an even number the smaller of the middle ones.
+std::optional<StudyRun> typicalRun(std::size_t cell, const StudyResults& results) {
+  std::vector<std::pair<double, StudyRun>> solved;
+  for (const auto& [run, outcome] : results) {
+    const auto nodes = numberOf(outcome, "nodes");
+    if (run.cell == cell && outcome.result.status == RunStatus::Solved && nodes) solved.emplace_back(*nodes, run);
+  }
+  if (solved.empty()) return std::nullopt;
+  std::sort(solved.begin(), solved.end());
+  return solved[(solved.size() - 1) / 2].second;
+}
+
+std::string captionOf(const StudyCell& cell, const StudyRun& run, const RunOutcome& outcome) {
+  const auto show = [&](const char* column) { return shortNumber(numberOf(outcome, column).value_or(0.0)); };
+  return cell.label + ": seed " + std::to_string(run.seed) + ", " + show("nodes") + " nodes, " + show("edges") +
+         " edges, " + show("virtual_s") + " s; the median of the solved runs by nodes.";
+}
+
+std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun& run, const RunOutcome& outcome,
+                                      MainWindow& window) {
+  if (const auto why = window.studies().startRun(folder, run)) return why;
+  while (isRunning(*window.bridge().snapshot())) window.bridge().advance(kSlice);
+  if (window.studies().isAsInStudy(outcome) == false) {
+    return Diagnostic{ErrorKind::MalformedInput, folder.path(),
+                      "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
+                      "ends otherwise than in the study", "Use the version that made it, or make the study again."};
+  }
+  window.scene().view().fit();
+  QApplication::processEvents();
+  const std::string name = pictureName(folder, run.cell);
+  if (!window.scene().picture().save(QString::fromStdString(name + ".png"))) {
+    return Diagnostic{ErrorKind::Internal, name + ".png", "", "the picture cannot be saved", "Check the folder."};
+  }
+  const Outcome saved =
+      writeFileAtomically(name + ".txt", captionOf(folder.plan().study.cells[run.cell], run, outcome));
+  return saved ? std::nullopt : std::optional<Diagnostic>(saved.error());
+}
+
+void say(const Warnings& warnings) {
+  for (const Diagnostic& warning : warnings) std::cerr << "glissade: " << toString(warning) << "\n";
+}
+
+}  // namespace
+
+std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& window) {
+  if (window.bridge().clock() != SessionClock::Lockstep) {
+    return Diagnostic{ErrorKind::Usage, "", "--study-pictures", "is for runs without a display", "Add --offscreen."};
+  }
+  const auto folder = StudyFolder::open(path.toStdString());
+  if (!folder) return folder.error();
+  Warnings warnings;
+  const StudyResults results = folder->results(warnings);
+  say(warnings);
+  QDir(path).mkpath(QStringLiteral("pictures"));
+  for (std::size_t cell = 0; cell < folder->plan().study.cells.size(); ++cell) {
+    const auto run = typicalRun(cell, results);
+    if (!run) continue;
+    if (const auto why = takePicture(*folder, *run, results.at(*run), window)) return why;
+    std::cout << pictureName(*folder, cell) << ".png" << std::endl;
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> writeStudyPdf(const QString& path) {
+  const auto folder = StudyFolder::open(path.toStdString());
+  if (!folder) return folder.error();
+  Warnings warnings;
+  const StudyReport report = reportOf(*folder, warnings);
+  say(warnings);
+  const Outcome written = writeReportPdf(report, QString::fromStdString(folder->file("report.pdf")));
+  return written ? std::nullopt : std::optional<Diagnostic>(written.error());
+}
+
+}  // namespace glissade

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+
+#include "engine/base/diagnostic.h"
+
+namespace glissade {
+
+class MainWindow;
+
+/// Runs the median run (by nodes) of every cell with a solved run again, offscreen, and saves the 3D view
+/// as DIR/pictures/cellN.png with its caption in cellN.txt. What went wrong, or nothing.
+std::optional<Diagnostic> takeStudyPictures(const QString& folder, MainWindow& window);
+
+/// Writes DIR/report.pdf.
+std::optional<Diagnostic> writeStudyPdf(const QString& folder);
+
+}  // namespace glissade

@@ -1,0 +1,119 @@
+#include "app/window/study_controller.h"
+
+#include <QFileDialog>
+
+#include "app/window/main_window.h"
+#include "engine/base/file.h"
+#include "engine/scenario/scenario_io.h"
+#include "widgets/studies/report_pdf.h"
+#include "widgets/studies/study_browser.h"
+
+namespace glissade {
+namespace {
+
+std::optional<double> nodesOf(const RunOutcome& outcome) {
+  for (std::size_t i = 0; i < kResultColumnCount; ++i) {
+    if (resultColumns()[i].name == "nodes") return outcome.result.numbers[i];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+StudyController::StudyController(MainWindow& window) : QObject(&window), window_(window) {
+  connect(window.actions()["study.open"], &QAction::triggered, this, [this] { choose(); });
+  connect(window.actions()["study.report-pdf"], &QAction::triggered, this, [this] { choosePdf(); });
+  window.actions()["study.report-pdf"]->setEnabled(false);
+  connect(&window.bridge(), &SessionBridge::snapshotChanged, this, &StudyController::watch);
+}
+
+void StudyController::choose() {
+  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Open the results of a study"));
+  if (folder.isEmpty()) return;
+  if (const auto why = open(folder)) window_.showError(tr("The study cannot be opened"), *why);
+}
+
+void StudyController::choosePdf() {
+  const StudyFolder& folder = *browser_->folder();
+  const QString proposed = QString::fromStdString(folder.file("report.pdf"));
+  const QString file =
+      QFileDialog::getSaveFileName(&window_, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
+  if (file.isEmpty()) return;
+  Warnings warnings;
+  const Outcome written = writeReportPdf(reportOf(folder, warnings), file);
+  if (!written) window_.showError(tr("The report cannot be written"), written.error());
+}
+
+std::optional<Diagnostic> StudyController::open(const QString& path) {
+  const auto folder = StudyFolder::open(path.toStdString());
+  if (!folder) return folder.error();
+  if (browser_ == nullptr) {
+    browser_ = new StudyBrowser(&window_);
+    browser_->resize(window_.size());
+    connect(browser_, &StudyBrowser::runWanted, this, [this](const StudyRun& run) {
+      if (const auto why = show(run)) window_.showError(tr("The run cannot be shown"), *why);
+    });
+  }
+  Warnings warnings;
+  browser_->show(*folder, warnings);
+  shown_.reset();
+  window_.actions()["study.report-pdf"]->setEnabled(true);
+  if (!warnings.empty()) {
+    browser_->setMessage(
+        tr("%n file(s) of runs could not be read and are left out.", nullptr, static_cast<int>(warnings.size())));
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, const StudyRun& run) {
+  const StudyCell& cell = folder.plan().study.cells[run.cell];
+  const auto file = folder.scenarioFile(cell);
+  if (!file) return file.error();
+  const auto loaded = loadScenario(*file);
+  if (!loaded) return loaded.error();
+  if (sha256(writeScenario(loaded->scenario)) != cell.scenarioSha256) {
+    return Diagnostic{ErrorKind::MalformedInput, *file, "", "the scenario has changed since the study was made",
+                      "Put the old one back, or make the study again."};
+  }
+  if (const auto why = window_.openScenario(QString::fromStdString(*file), true)) return why;
+  ParameterValues parameters = loaded->parameters;
+  for (const auto& [id, value] : cell.parameters) {
+    const Outcome set = parameters.set(id, value);
+    if (!set) return set.error();
+  }
+  window_.bridge().startFixed({parameters, cell.strategy, run.seed, cell.operatorName});
+  return std::nullopt;
+}
+
+std::optional<bool> StudyController::isAsInStudy(const RunOutcome& known) const {
+  const SnapshotPtr snapshot = window_.bridge().snapshot();
+  const auto nodes = nodesOf(known);
+  if (!snapshot || isRunning(*snapshot) || !nodes || dependsOnMachine(known.result.status)) return std::nullopt;
+  return static_cast<double>(snapshot->counts.nodes) == *nodes;
+}
+
+std::optional<Diagnostic> StudyController::show(const StudyRun& run) {
+  shown_.reset();
+  if (const auto why = startRun(*browser_->folder(), run)) return why;
+  shown_ = run;
+  browser_->selectCell(static_cast<int>(run.cell));
+  browser_->setMessage(tr("Seed %1 is running in the main window.").arg(run.seed));
+  window_.activateWindow();
+  window_.raise();
+  return std::nullopt;
+}
+
+void StudyController::watch(const SnapshotPtr& snapshot) {
+  if (!shown_ || isRunning(*snapshot) || snapshot->run == 0) return;
+  const auto same = isAsInStudy(browser_->results().at(*shown_));
+  if (same) {
+    browser_->setMessage(
+        *same ? tr("Seed %1 ended as in the study: %2 nodes.").arg(shown_->seed).arg(snapshot->counts.nodes)
+              : tr("Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?")
+                    .arg(shown_->seed)
+                    .arg(snapshot->counts.nodes));
+  }
+  shown_.reset();
+}
+
+}  // namespace glissade

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "engine/study/study_folder.h"
+#include "widgets/bridge/session_bridge.h"
+
+namespace glissade {
+
+class MainWindow;
+class StudyBrowser;
+
+/// Studies in the window: opens a folder of results in the browser, and shows one of its runs again.
+class StudyController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StudyController(MainWindow& window);
+
+  /// What is wrong with the folder, or nothing.
+  std::optional<Diagnostic> open(const QString& folder);
+  /// Shows a run of the browser's study again; the browser says whether it ended the same.
+  std::optional<Diagnostic> show(const StudyRun& run);
+  /// Opens the run's scenario and starts that very run. What stands in the way, or nothing.
+  std::optional<Diagnostic> startRun(const StudyFolder& folder, const StudyRun& run);
+  /// Whether the run that was started has ended with the nodes that the study has; nothing while it runs,
+  /// or where there is nothing to compare with.
+  std::optional<bool> isAsInStudy(const RunOutcome& known) const;
+
+  /// Null until a study was opened.
+  StudyBrowser* browser() const { return browser_; }
+
+ private:
+  void choose();
+  void choosePdf();
+  void watch(const SnapshotPtr& snapshot);
+
+  MainWindow& window_;
+  StudyBrowser* browser_ = nullptr;
+  std::optional<StudyRun> shown_;  ///< the browser's run that is being shown
+};
+
+}  // namespace glissade

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/study/plot_scale.h"
+
+namespace glissade {
+
+struct PlotPoint {
+  double x = 0.0;
+  double y = 0.0;
+  double low = 0.0;  ///< of its interval; low == high: it has none
+  double high = 0.0;
+  std::string mark;                 ///< printed above it; may be empty
+  std::string says;                 ///< what it is, with its numbers: one line for a tooltip
+  std::optional<std::size_t> cell;  ///< of the study; nothing: the paper's
+};
+
+struct PlotSeries {
+  std::string name;       ///< series of the same name share a place in the legend
+  bool ofPaper = false;   ///< drawn with diamonds in the text's colour
+  std::size_t style = 0;  ///< of its colour and marker; the paper's has none
+  double offset = 0.0;    ///< of its points along x, as a share of the axis, so that intervals stay apart
+  std::vector<PlotPoint> points;
+};
+
+enum class PlotKind { Lines, Bars };
+
+/// A plot as a value, drawn by svg_plot.h and by the window.
+struct Plot {
+  std::string name;  ///< short, for files and ids: "time_s"
+  std::string title;
+  std::string caption;  ///< what points and intervals are
+  PlotKind kind = PlotKind::Lines;
+  PlotScale x;
+  PlotScale y;
+  double barWidth = 0.0;  ///< as a share of the axis
+  std::vector<PlotSeries> series;
+};
+
+/// Okabe and Ito's colours in an order that keeps neighbours apart, as "#0072B2": told apart with any
+/// colour blindness, on light and on dark ground.
+inline constexpr std::size_t kPlotStyleCount = 6;
+inline constexpr const char* kPlotColours[kPlotStyleCount] = {"#0072B2", "#D55E00", "#009E73",
+                                                              "#CC79A7", "#E69F00", "#56B4E9"};
+
+}  // namespace glissade

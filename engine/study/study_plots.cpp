@@ -1,0 +1,264 @@
+#include "engine/study/study_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/study/cell_value.h"
+#include "engine/study/study_axes.h"
+
+namespace glissade {
+namespace {
+
+/// Between points of different series at one x, as a share of the axis.
+constexpr double kDodge = 0.009;
+/// Share of a category that its bars take.
+constexpr double kBarsShare = 0.84;
+
+bool isLimit(ParameterId id) {
+  return id == ParameterId::MaxSteps || id == ParameterId::MaxSamples || id == ParameterId::TimeLimit ||
+         id == ParameterId::StepsPerSecond;
+}
+
+std::vector<ParameterId> variedParameters(const Study& study) {
+  std::map<ParameterId, std::set<double>> values;
+  for (const StudyCell& cell : study.cells) {
+    for (const auto& [id, value] : cell.settings) {
+      if (!isLimit(id)) values[id].insert(value);
+    }
+  }
+  std::vector<ParameterId> varied;
+  for (const auto& [id, seen] : values) {
+    if (seen.size() > 1) varied.push_back(id);
+  }
+  return varied;
+}
+
+std::string titleOf(ParameterId id) {
+  const ParameterSpec& spec = specOf(id);
+  std::string title(spec.label);
+  if (!spec.symbol.empty()) title += " " + std::string(spec.symbol);
+  if (!spec.unit.empty()) title += " (" + std::string(spec.unit) + ")";
+  return title;
+}
+
+std::vector<PaperColumn> quantitiesOf(const StudyHeading& heading) {
+  std::vector<PaperColumn> columns = heading.paper;
+  if (columns.empty()) {
+    columns = {{"virtual_s", "Virtual time (s)", {"virtual_s", "median", "solved"}},
+               {"nodes", "Nodes", {"nodes", "median", "solved"}},
+               {"random_configurations", "Random configurations", {"random_configurations", "median", "solved"}}};
+  }
+  const auto isSuccess = [](const PaperColumn& column) { return column.quantity.measure == "success_rate"; };
+  if (std::none_of(columns.begin(), columns.end(), isSuccess)) {
+    columns.push_back({"success_rate", "Success rate", {"success_rate", "", ""}});
+  }
+  return columns;
+}
+
+template <class Get>
+bool differ(const Study& study, Get get) {
+  return std::any_of(study.cells.begin(), study.cells.end(),
+                     [&](const StudyCell& cell) { return get(cell) != get(study.cells.front()); });
+}
+
+void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
+
+/// Makes the plots of one study over one parameter, or over scenarios.
+class Plotter {
+ public:
+  Plotter(const Study& study, const std::vector<CellSummary>& summaries, std::optional<ParameterId> along)
+      : study_(study),
+        summaries_(summaries),
+        along_(along),
+        severalStrategies_(differ(study, [](const StudyCell& cell) { return cell.strategy; })),
+        severalScenarios_(differ(study, [](const StudyCell& cell) { return cell.scenario; })) {
+    for (const StudyCell& cell : study.cells) {
+      const std::string name = scenarioName(cell.scenario);
+      if (std::find(scenarios_.begin(), scenarios_.end(), name) == scenarios_.end()) scenarios_.push_back(name);
+    }
+  }
+
+  Plot plot(const PaperColumn& column) const {
+    Plot plot;
+    plot.name = column.key + (along_ ? "-over-" + std::string(specOf(*along_).key) : "");
+    plot.kind = along_ ? PlotKind::Lines : PlotKind::Bars;
+    plot.title = column.title + " over " + (along_ ? std::string(specOf(*along_).label) : "scenario and strategy");
+    plot.caption = captionOf(column.quantity);
+    addOurs(column, plot);
+    if (plot.kind == PlotKind::Bars) spreadBars(plot);
+    addPaper(column, plot);
+    if (plot.kind == PlotKind::Lines) spreadLines(plot);
+    setScales(column, plot);
+    return plot;
+  }
+
+ private:
+  static bool isShare(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
+
+  std::string captionOf(const Quantity& quantity) const {
+    std::string text = describe(quantity);
+    text.front() = static_cast<char>(std::toupper(text.front()));
+    text += quantity.measure == "success_rate" ? ", with Wilson's 95 % interval." : ", with quartiles.";
+    if (!along_ && quantity.measure != "success_rate") text += " Above each bar: success rate in %.";
+    for (const StudyCell& cell : study_.cells) {
+      if (along_ && cell.settings.count(*along_) == 0) text += " Not on this axis: " + cell.label + ".";
+    }
+    return text;
+  }
+
+  /// Where a cell lies along x; nothing where it does not set the parameter.
+  std::optional<double> xOf(const StudyCell& cell) const {
+    if (!along_) {
+      const auto found = std::find(scenarios_.begin(), scenarios_.end(), scenarioName(cell.scenario));
+      return static_cast<double>(found - scenarios_.begin());
+    }
+    const auto found = cell.settings.find(*along_);
+    if (found == cell.settings.end()) return std::nullopt;
+    return found->second;
+  }
+
+  std::string seriesName(const StudyCell& cell) const {
+    std::string text;
+    if (severalStrategies_) append(text, cell.strategy);
+    if (cell.operatorName != "none") append(text, cell.operatorName);
+    if (along_ && severalScenarios_) append(text, scenarioName(cell.scenario));
+    for (const ParameterId id : variedParameters(study_)) {
+      const auto setting = cell.settings.find(id);
+      if (id != along_ && setting != cell.settings.end()) {
+        append(text, std::string(specOf(id).key) + " " + shortNumber(setting->second));
+      }
+    }
+    return text.empty() ? "Glissade" : text;
+  }
+
+  static PlotSeries& seriesNamed(const std::string& name, Plot& plot) {
+    const auto found = std::find_if(plot.series.begin(), plot.series.end(),
+                                    [&](const PlotSeries& series) { return series.name == name; });
+    if (found != plot.series.end()) return *found;
+    plot.series.emplace_back();
+    plot.series.back().name = name;
+    plot.series.back().style = (plot.series.size() - 1) % kPlotStyleCount;
+    return plot.series.back();
+  }
+
+  void addOurs(const PaperColumn& column, Plot& plot) const {
+    for (std::size_t i = 0; i < study_.cells.size(); ++i) {
+      const auto x = xOf(study_.cells[i]);
+      if (!x) continue;
+      PlotSeries& series = seriesNamed(seriesName(study_.cells[i]), plot);
+      const auto value = valueOf(summaries_[i], column.quantity);
+      if (!value) continue;
+      const double unit = isShare(column) ? 100.0 : 1.0;
+      PlotPoint point{*x, unit * value->value, unit * value->low, unit * value->high, "", saysOf(i, column, *value), i};
+      if (!along_ && !isShare(column)) point.mark = shortNumber(std::round(100.0 * summaries_[i].success.share));
+      series.points.push_back(std::move(point));
+    }
+    for (PlotSeries& series : plot.series) {
+      std::stable_sort(series.points.begin(), series.points.end(),
+                       [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+    }
+  }
+
+  std::string saysOf(std::size_t cell, const PaperColumn& column, const CellValue& value) const {
+    const auto show = [&](double number) { return isShare(column) ? percent(number) : shortNumber(number); };
+    const CellSummary& summary = summaries_[cell];
+    return study_.cells[cell].label + ": " + show(value.value) + " (" + show(value.low) + " to " + show(value.high) +
+           "), " + std::to_string(summary.solved()) + " of " + std::to_string(summary.runs) + " solved";
+  }
+
+  /// The paper prints one number a row, whoever held the device: one series a strategy.
+  void addPaper(const PaperColumn& column, Plot& plot) const {
+    std::map<std::string, std::size_t> seriesOf;
+    std::set<std::string> seen;
+    for (const StudyCell& cell : study_.cells) {
+      const auto x = xOf(cell);
+      const auto found = cell.paper.find(column.key);
+      const double* number = found == cell.paper.end() ? nullptr : std::get_if<double>(&found->second);
+      if (number == nullptr || !x || !seen.insert(cell.row + "/" + cell.strategy + "/" + cell.scenario).second)
+        continue;
+      const auto [entry, isNew] = seriesOf.emplace(cell.strategy, plot.series.size());
+      if (isNew) plot.series.push_back(paperSeries(cell, plot));
+      const double value = isShare(column) ? 100.0 * *number : *number;
+      const std::string shown = isShare(column) ? percent(*number) : shortNumber(*number);
+      plot.series[entry->second].points.push_back({*x, value, value, value, "", cell.row + ", paper: " + shown, {}});
+    }
+    for (auto& [strategy, index] : seriesOf) {
+      auto& points = plot.series[index].points;
+      std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    }
+  }
+
+  PlotSeries paperSeries(const StudyCell& cell, const Plot& plot) const {
+    PlotSeries series;
+    series.ofPaper = true;
+    series.name = "paper";
+    if (along_) return series;
+    const std::string beside = seriesName(cell);
+    for (const PlotSeries& ours : plot.series) {
+      if (!ours.ofPaper && ours.name == beside) series.offset = ours.offset;
+    }
+    return series;
+  }
+
+  void spreadBars(Plot& plot) const {
+    const double category = 1.0 / static_cast<double>(scenarios_.size());
+    plot.barWidth = kBarsShare * category / static_cast<double>(std::max<std::size_t>(plot.series.size(), 1));
+    spread(plot, plot.barWidth);
+  }
+
+  static void spreadLines(Plot& plot) { spread(plot, kDodge); }
+
+  static void spread(Plot& plot, double step) {
+    const double middle = (static_cast<double>(plot.series.size()) - 1.0) / 2.0;
+    for (std::size_t i = 0; i < plot.series.size(); ++i) {
+      plot.series[i].offset = (static_cast<double>(i) - middle) * step;
+    }
+  }
+
+  void setScales(const PaperColumn& column, Plot& plot) const {
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (const PlotSeries& series : plot.series) {
+      for (const PlotPoint& point : series.points) {
+        xs.push_back(point.x);
+        for (const double y : {point.y, point.low, point.high}) ys.push_back(y);
+      }
+    }
+    plot.x = along_ ? PlotScale::fitting(titleOf(*along_), xs) : PlotScale::categories("Scenario", scenarios_);
+    if (isShare(column)) {
+      plot.y = PlotScale::percentages(column.title + " (%)");
+    } else {
+      // Numbers of runs are never negative, and zeros have no place on a logarithmic axis.
+      ys.erase(std::remove(ys.begin(), ys.end(), 0.0), ys.end());
+      // Bars stand on a power of ten below all of them.
+      if (!along_ && !ys.empty())
+        ys.push_back(std::pow(10.0, std::floor(std::log10(*std::min_element(ys.begin(), ys.end())))));
+      plot.y = along_ ? PlotScale::fitting(column.title, ys) : PlotScale::logarithmic(column.title, ys);
+    }
+  }
+
+  const Study& study_;
+  const std::vector<CellSummary>& summaries_;
+  std::optional<ParameterId> along_;
+  bool severalStrategies_;
+  bool severalScenarios_;
+  std::vector<std::string> scenarios_;
+};
+
+}  // namespace
+
+std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries) {
+  std::vector<std::optional<ParameterId>> axes;
+  for (const ParameterId id : variedParameters(study)) axes.emplace_back(id);
+  if (axes.empty()) axes.emplace_back();
+  std::vector<Plot> plots;
+  for (const auto& along : axes) {
+    const Plotter plotter(study, summaries, along);
+    for (const PaperColumn& column : quantitiesOf(study.heading)) plots.push_back(plotter.plot(column));
+  }
+  return plots;
+}
+
+}  // namespace glissade

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/study/plot.h"
+#include "engine/study/study.h"
+#include "engine/study/study_summary.h"
+
+namespace glissade {
+
+/// The plots that a study asks for: for each quantity of its paper's columns (else success, virtual
+/// seconds, nodes and random configurations), and the success rate, over each parameter that its cells
+/// vary; where they vary none, as bars over scenarios. Series are strategies and operators, and the
+/// paper's numbers beside them.
+std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries);
+
+}  // namespace glissade

@@ -1,0 +1,139 @@
+#include "engine/study/study_report.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "engine/base/file.h"
+#include "engine/study/machine.h"
+#include "engine/study/repeat_command.h"
+#include "engine/study/report_html.h"
+#include "engine/study/study_plots.h"
+#include "engine/study/study_report_tables.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostCaptionBytes = 1U << 14;
+
+std::string joined(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>& summaries) {
+  const Study& study = folder.plan().study;
+  std::set<std::string> scenarios;
+  std::set<std::string> strategies;
+  std::set<std::string> operators;
+  for (const StudyCell& cell : study.cells) {
+    scenarios.insert(cell.scenario);
+    strategies.insert(cell.strategy);
+    operators.insert(cell.operatorName);
+  }
+  std::size_t planned = 0;
+  std::size_t run = 0;
+  std::size_t solved = 0;
+  for (const CellSummary& summary : summaries) {
+    planned += summary.planned;
+    run += summary.runs;
+    solved += summary.solved();
+  }
+  ReportTable table;
+  table.columns = {{""}, {""}};
+  table.rows = {{"Study", study.heading.name + (study.quick ? ", quick size" : ", full size")},
+                {"Runs", std::to_string(run) + " of " + std::to_string(planned) + ", " + std::to_string(solved) +
+                             " of them solved, in " + std::to_string(study.cells.size()) + " cells"},
+                {"Scenarios", joined(scenarios)},
+                {"Strategies", joined(strategies)},
+                {"Operators", joined(operators)},
+                {"Glissade", folder.plan().version},
+                {"Study file, SHA-256", folder.plan().studySha256},
+                {"Plan, SHA-256", folder.planSha256()}};
+  return table;
+}
+
+void addPictures(const StudyFolder& folder, StudyReport& report) {
+  std::error_code ignored;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder.file("pictures"), ignored)) {
+    if (entry.path().extension() == ".png") files.push_back(entry.path());
+  }
+  if (files.empty()) return;
+  std::sort(files.begin(), files.end());
+  report.blocks.emplace_back(ReportHeading{"Typical roadmaps"});
+  for (const fs::path& file : files) {
+    const auto caption = readFile(fs::path(file).replace_extension(".txt").string(), kMostCaptionBytes);
+    report.blocks.emplace_back(ReportPicture{file.string(), caption ? *caption : file.stem().string()});
+  }
+}
+
+void addCommands(const Study& study, StudyReport& report) {
+  const std::string quick = study.quick ? " --quick" : "";
+  const std::string out = " --out out/" + shellWord(study.heading.name);
+  report.blocks.emplace_back(ReportHeading{"How to repeat it"});
+  report.blocks.emplace_back(ReportText{"The whole study, from the folder of its file:"});
+  report.blocks.emplace_back(
+      ReportCommands{{"glissade-cli study " + shellWord(study.heading.name + ".json") + out + quick + " --jobs 2",
+                      "glissade-offscreen --study-pictures out/" + shellWord(study.heading.name),
+                      "glissade-cli report out/" + shellWord(study.heading.name)}});
+  report.blocks.emplace_back(
+      ReportText{"The first run of each cell, from the same folder; the others differ in their --seed only:"});
+  ReportCommands commands;
+  for (const StudyCell& cell : study.cells) {
+    commands.lines.push_back("# " + cell.label);
+    commands.lines.push_back(repeatCommand(cell, cell.seeds.front()));
+  }
+  report.blocks.emplace_back(std::move(commands));
+}
+
+}  // namespace
+
+StudyReport reportOf(const StudyFolder& folder, Warnings& warnings) {
+  const Study& study = folder.plan().study;
+  const StudyHeading& heading = study.heading;
+  const auto summaries = summarise(study, folder.results(warnings));
+  StudyReport report{heading.title, {}};
+  const auto add = [&report](auto block) { report.blocks.emplace_back(std::move(block)); };
+  if (!heading.description.empty()) add(ReportText{heading.description});
+  if (!heading.citation.empty()) add(ReportText{"After: " + heading.citation + "."});
+  add(ReportHeading{"What was run"});
+  add(whatWasRun(folder, summaries));
+  add(ReportHeading{heading.paper.empty() ? "Results" : "The paper's table, and ours"});
+  add(study_report::paperTable(study, summaries));
+  ReportTable notes = study_report::notesTable(study);
+  if (!notes.rows.empty()) add(std::move(notes));
+  if (!heading.findings.empty()) {
+    add(ReportHeading{"Findings"});
+    add(study_report::findingsTable(study, summaries));
+  }
+  add(ReportHeading{"Plots"});
+  for (Plot& plot : plotsOf(study, summaries)) add(std::move(plot));
+  addPictures(folder, report);
+  add(ReportHeading{"How runs ended"});
+  add(study_report::endingsTable(study, summaries));
+  addCommands(study, report);
+  add(ReportHeading{"Time on the machine"});
+  add(
+      ReportText{"Seconds and memory are those of the machines that carried out the runs; they differ from machine to "
+                 "machine, and nothing above depends on them. This report was written on " +
+                 describeMachine() + "."});
+  add(study_report::timingTable(study, summaries));
+  return report;
+}
+
+Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) {
+    return Diagnostic{ErrorKind::Usage, out, "", "cannot be made: " + error.message(), "Choose another --out."};
+  }
+  const auto page = reportHtml(reportOf(folder, warnings));
+  if (!page) return page.error();
+  return writeFileAtomically(out + "/report.html", *page);
+}
+
+}  // namespace glissade

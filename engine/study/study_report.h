@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/study/plot.h"
+#include "engine/study/study_folder.h"
+
+namespace glissade {
+
+struct ReportHeading {
+  std::string text;
+  int level = 2;
+};
+struct ReportText {
+  std::string text;
+};
+struct ReportColumn {
+  std::string title;
+  bool number = false;  ///< aligned to the right
+};
+struct ReportTable {
+  std::string caption;
+  std::vector<ReportColumn> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+struct ReportPicture {
+  std::string file;  ///< a PNG
+  std::string caption;
+};
+/// Commands, a line each, as typed.
+struct ReportCommands {
+  std::vector<std::string> lines;
+};
+using ReportBlock = std::variant<ReportHeading, ReportText, ReportTable, Plot, ReportPicture, ReportCommands>;
+
+/// A study's report as a value, before it becomes a page (report_html.h) or a PDF (the window's room).
+struct StudyReport {
+  std::string title;
+  std::vector<ReportBlock> blocks;
+};
+
+/// Everything a folder of results has to say: what was run, the paper's table with ours beside it, the
+/// findings, plots, pictures (DIR/pictures/*.png, with their .txt as captions), how runs ended, the commands
+/// that repeat it, and last what depends on the machine. Up to that last section it is the same wherever
+/// it is made.
+StudyReport reportOf(const StudyFolder& folder, Warnings& warnings);
+
+/// Writes DIR/report.html into `out`.
+Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings);
+
+}  // namespace glissade

@@ -1,0 +1,111 @@
+#include "engine/study/study_report_tables.h"
+
+#include "engine/study/cell_value.h"
+#include "engine/study/finding_check.h"
+
+namespace glissade::study_report {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string spreadText(const std::optional<CellValue>& value) {
+  if (!value) return "–";
+  return shortNumber(value->value) + " (" + shortNumber(value->low) + " – " + shortNumber(value->high) + ")";
+}
+
+std::string successText(const CellSummary& summary) {
+  const Proportion& success = summary.success;
+  if (summary.runs == 0) return "–";
+  return percent(success.share) + " (" + percent(success.low) + " – " + percent(success.high) + ")";
+}
+
+std::string solvedText(const CellSummary& summary) {
+  return std::to_string(summary.solved()) + " of " + std::to_string(summary.runs);
+}
+
+bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
+
+std::string noteOf(const StudyCell& cell) {
+  const auto found = cell.paper.find("note");
+  const auto* text = found == cell.paper.end() ? nullptr : std::get_if<std::string>(&found->second);
+  return text == nullptr ? "" : *text;
+}
+
+}  // namespace
+
+ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  ReportTable table;
+  table.caption =
+      "Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.";
+  table.columns = {{"Row"}, {"Solved", true}, {"Success", true}};
+  for (const PaperColumn& column : study.heading.paper) {
+    table.columns.push_back({column.title + ", paper", true});
+    if (!isSuccess(column)) table.columns.push_back({column.title + ", ours", true});
+  }
+  for (std::size_t i = 0; i < study.cells.size(); ++i) {
+    const StudyCell& cell = study.cells[i];
+    Row row{cell.label, solvedText(summaries[i]), successText(summaries[i])};
+    for (const PaperColumn& column : study.heading.paper) {
+      row.push_back(paperText(cell, column));
+      if (!isSuccess(column)) row.push_back(spreadText(valueOf(summaries[i], column.quantity)));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ReportTable notesTable(const Study& study) {
+  ReportTable table;
+  table.columns = {{"Row"}, {"Note on the paper"}};
+  for (const StudyCell& cell : study.cells) {
+    const std::string note = noteOf(cell);
+    const Row row{cell.row, note};
+    if (!note.empty() && (table.rows.empty() || table.rows.back() != row)) table.rows.push_back(row);
+  }
+  return table;
+}
+
+ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  ReportTable table;
+  table.caption =
+      "Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.";
+  table.columns = {{"Finding"}, {"Verdict"}, {"Pairs", true}, {"Quantity"}, {"Numbers"}};
+  for (const Finding& finding : study.heading.findings) {
+    const CheckedFinding checked = check(finding, study, summaries);
+    table.rows.push_back({finding.text, words(checked.verdict),
+                          std::to_string(checked.agreeing) + " of " + std::to_string(checked.compared),
+                          describe(finding.quantity), checked.numbers});
+  }
+  return table;
+}
+
+ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  ReportTable table;
+  table.columns = {{"Row"}, {"Strategy"}, {"Operator"}, {"Planned", true}, {"Run", true}};
+  for (std::size_t s = 0; s < kRunStatusCount; ++s) {
+    table.columns.push_back({name(static_cast<RunStatus>(s)), true});
+  }
+  for (std::size_t i = 0; i < study.cells.size(); ++i) {
+    const StudyCell& cell = study.cells[i];
+    Row row{cell.label, cell.strategy, cell.operatorName, std::to_string(summaries[i].planned),
+            std::to_string(summaries[i].runs)};
+    for (const std::size_t count : summaries[i].statuses) row.push_back(count == 0 ? "" : std::to_string(count));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries) {
+  ReportTable table;
+  table.caption = "Median and quartiles over all runs.";
+  table.columns = {{"Row"}, {"Planning (s)", true}, {"Process (s)", true}, {"Memory (MB)", true}};
+  for (std::size_t i = 0; i < study.cells.size(); ++i) {
+    const auto show = [&](const char* measure) {
+      return spreadText(valueOf(summaries[i], {measure, "median", "all"}));
+    };
+    table.rows.push_back({study.cells[i].label, show("planning_s"), show("wall_s"), show("peak_memory_mb")});
+  }
+  return table;
+}
+
+}  // namespace glissade::study_report

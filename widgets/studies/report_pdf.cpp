@@ -1,0 +1,265 @@
+#include "widgets/studies/report_pdf.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+#include <QTextBlock>
+#include <QTextCursor>
+#include <QTextDocument>
+#include <QTextObjectInterface>
+#include <QTextTable>
+#include <QUrl>
+
+#include <algorithm>
+
+#include "engine/study/svg_plot.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kDotsPerInch = 300;
+constexpr double kMarginMm = 16.0;
+constexpr double kFooterMm = 8.0;
+constexpr int kPlotObject = QTextFormat::UserObject + 1;
+constexpr int kSvg = QTextFormat::UserProperty + 1;
+constexpr double kBodyPoints = 8.5;
+constexpr double kTablePoints = 6.8;
+constexpr double kPictureShare = 0.46;  ///< of the width of a page
+constexpr int kLongestLabel = 28;       ///< characters of a row's label that stay on one line
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+double dots(double millimetres) { return millimetres / 25.4 * kDotsPerInch; }
+/// Text formats count in pixels of a screen and are scaled to the paper.
+constexpr double kScreenDotsPerInch = 96.0;
+double pixels(double millimetres) { return millimetres / 25.4 * kScreenDotsPerInch; }
+
+/// An SVG as wide as the page, as one character of the text.
+class PlotObject final : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+
+ public:
+  QSizeF intrinsicSize(QTextDocument* document, int, const QTextFormat& format) override {
+    const QSizeF size = QSvgRenderer(format.property(kSvg).toByteArray()).defaultSize();
+    const double width = document->pageSize().width();
+    return {width, width * size.height() / size.width()};
+  }
+
+  void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int, const QTextFormat& format) override {
+    QSvgRenderer(format.property(kSvg).toByteArray()).render(painter, place);
+  }
+};
+
+/// Adds the blocks of a report to a text document.
+class Composer {
+ public:
+  explicit Composer(QTextDocument& document) : cursor_(&document), width_(document.pageSize().width()) {}
+
+  void title(const std::string& words) {
+    cursor_.setCharFormat(font(17.0, QFont::Bold));
+    cursor_.insertText(text(words));
+  }
+
+  /// Figures are large: their heading begins a page, or it might stay behind alone.
+  void beforeFigures(const ReportHeading& heading) {
+    (*this)(heading);
+    QTextBlockFormat format = cursor_.blockFormat();
+    format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+    cursor_.setBlockFormat(format);
+  }
+
+  void operator()(const ReportHeading& heading) {
+    newBlock(pixels(6.0), pixels(2.0));
+    cursor_.insertText(text(heading.text), font(12.0, QFont::Bold));
+  }
+
+  void operator()(const ReportText& words) {
+    newBlock(pixels(1.0), pixels(2.0));
+    cursor_.insertText(text(words.text), font(kBodyPoints));
+  }
+
+  void operator()(const ReportTable& table) {
+    const bool titled = hasTitles(table);
+    const int rows = static_cast<int>(table.rows.size()) + (titled ? 1 : 0);
+    newBlock(0.0, 0.0);
+    cursor_.setBlockCharFormat(font(1.0));  // a table follows a block, which is to be low
+    QTextTableFormat format;
+    format.setHeaderRowCount(titled ? 1 : 0);
+    format.setCellPadding(pixels(0.7));
+    format.setCellSpacing(0.0);
+    format.setBorder(1.0);
+    format.setBottomMargin(pixels(table.caption.empty() ? 4.0 : 0.0));
+    format.setBorderCollapse(true);
+    format.setBorderBrush(QColor(0xc9, 0xd0, 0xd8));
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    if (titled) format.setWidth(QTextLength(QTextLength::PercentageLength, 100));
+    QTextTable* grid = cursor_.insertTable(rows, static_cast<int>(table.columns.size()), format);
+    for (int column = 0; titled && column < grid->columns(); ++column) {
+      const ReportColumn& what = table.columns[static_cast<std::size_t>(column)];
+      QTextTableCellFormat shade;
+      shade.setBackground(QColor(0xf4, 0xf6, 0xf9));
+      grid->cellAt(0, column).setFormat(shade);
+      fill(grid->cellAt(0, column), what.title, what.number, QFont::Bold);
+    }
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      for (std::size_t column = 0; column < table.rows[row].size(); ++column) {
+        fill(grid->cellAt(static_cast<int>(row) + (titled ? 1 : 0), static_cast<int>(column)), table.rows[row][column],
+             table.columns[column].number, QFont::Normal);
+      }
+    }
+    cursor_.movePosition(QTextCursor::End);
+    caption(table.caption);
+  }
+
+  void operator()(const Plot& plot) {
+    newBlock(pixels(2.0), 0.0);
+    QTextCharFormat object;
+    object.setObjectType(kPlotObject);
+    object.setProperty(kSvg, QByteArray::fromStdString(svgPlot(plot)));
+    cursor_.insertText(QString(QChar::ObjectReplacementCharacter), object);
+    caption(plot.title + ". " + plot.caption);
+  }
+
+  void operator()(const ReportPicture& picture) {
+    const QImage image(text(picture.file));
+    if (image.isNull()) return;
+    newBlock(pixels(2.0), 0.0);
+    QTextImageFormat format;
+    const QString name = QStringLiteral("picture:") + text(picture.file);
+    cursor_.document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
+    format.setName(name);
+    const double width = kPictureShare * width_ * kScreenDotsPerInch / kDotsPerInch;
+    format.setWidth(width);
+    format.setHeight(width * image.height() / image.width());
+    cursor_.insertImage(format);
+    caption(picture.caption);
+  }
+
+  void operator()(const ReportCommands& commands) {
+    QTextCharFormat fixed = font(6.5);
+    fixed.setFontFamily(QStringLiteral("DejaVu Sans Mono"));
+    fixed.setFontFixedPitch(true);
+    for (const std::string& line : commands.lines) {
+      newBlock(0.0, 0.0);
+      cursor_.insertText(text(line), fixed);
+    }
+  }
+
+ private:
+  static QTextCharFormat font(double points, int weight = QFont::Normal) {
+    QTextCharFormat format;
+    format.setFontPointSize(points);
+    format.setFontWeight(weight);
+    return format;
+  }
+
+  static bool hasTitles(const ReportTable& table) {
+    return std::any_of(table.columns.begin(), table.columns.end(),
+                       [](const ReportColumn& column) { return !column.title.empty(); });
+  }
+
+  /// Goes on in the empty block that follows a table, elsewhere in a new one.
+  void newBlock(double above, double below) {
+    QTextBlockFormat format;
+    format.setTopMargin(above);
+    format.setBottomMargin(below);
+    if (cursor_.block().length() > 1) cursor_.insertBlock();
+    cursor_.setBlockFormat(format);
+    cursor_.setBlockCharFormat(font(kBodyPoints));
+  }
+
+  /// A number keeps to one line, its spread in brackets to another.
+  static void fill(const QTextTableCell& cell, const std::string& words, bool number, int weight) {
+    QTextCursor cursor = cell.firstCursorPosition();
+    QTextBlockFormat block;
+    block.setAlignment(number ? Qt::AlignRight : Qt::AlignLeft);
+    QString content = text(words);
+    const bool isLabel = cell.column() == 0 && content.size() <= kLongestLabel;
+    if (weight == QFont::Normal && (number || isLabel)) block.setNonBreakableLines(true);
+    if (number && weight == QFont::Normal) {
+      content.replace(QStringLiteral(" ("), QString(QChar::LineSeparator) + QLatin1Char('('));
+    }
+    cursor.setBlockFormat(block);
+    cursor.insertText(content, font(kTablePoints, weight));
+  }
+
+  void caption(const std::string& words) {
+    if (words.empty()) return;
+    newBlock(pixels(1.0), pixels(3.0));
+    QTextCharFormat soft = font(7.0);
+    soft.setForeground(QColor(0x5b, 0x64, 0x6e));
+    cursor_.insertText(text(words), soft);
+  }
+
+  QTextCursor cursor_;
+  double width_;
+};
+
+bool isFigure(const ReportBlock& block) {
+  return std::holds_alternative<Plot>(block) || std::holds_alternative<ReportPicture>(block);
+}
+
+void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer) {
+  const QSizeF page = document.pageSize();
+  QPainter painter(&writer);
+  for (int i = 0; i < document.pageCount(); ++i) {
+    if (i > 0) writer.newPage();
+    painter.save();
+    painter.translate(0.0, -i * page.height());
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.clip = QRectF(QPointF(0.0, i * page.height()), page);
+    context.palette.setColor(QPalette::Text, Qt::black);
+    painter.setClipRect(context.clip);
+    document.documentLayout()->draw(&painter, context);
+    painter.restore();
+    QFont small = document.defaultFont();
+    small.setPointSizeF(7.0);
+    painter.setFont(small);
+    painter.setPen(QColor(0x5b, 0x64, 0x6e));
+    const QRectF footer(0.0, page.height() + dots(2.0), page.width(), dots(kFooterMm - 2.0));
+    painter.drawText(footer, Qt::AlignLeft | Qt::AlignBottom, title);
+    painter.drawText(footer, Qt::AlignRight | Qt::AlignBottom,
+                     QStringLiteral("%1 / %2").arg(i + 1).arg(document.pageCount()));
+  }
+}
+
+}  // namespace
+
+Outcome writeReportPdf(const StudyReport& report, const QString& file) {
+  QPdfWriter writer(file);
+  writer.setTitle(text(report.title));
+  writer.setCreator(QStringLiteral("Glissade"));
+  writer.setResolution(kDotsPerInch);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageMargins(QMarginsF(kMarginMm, kMarginMm, kMarginMm, kMarginMm), QPageLayout::Millimeter);
+
+  PlotObject plots;
+  QTextDocument document;
+  document.documentLayout()->setPaintDevice(&writer);
+  document.documentLayout()->registerHandler(kPlotObject, &plots);
+  document.setDocumentMargin(0.0);
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPointSizeF(kBodyPoints);
+  document.setDefaultFont(font);
+  document.setPageSize({static_cast<double>(writer.width()), writer.height() - dots(kFooterMm)});
+  Composer composer(document);
+  composer.title(report.title);
+  for (std::size_t i = 0; i < report.blocks.size(); ++i) {
+    const auto* heading = std::get_if<ReportHeading>(&report.blocks[i]);
+    if (heading != nullptr && i + 1 < report.blocks.size() && isFigure(report.blocks[i + 1])) {
+      composer.beforeFigures(*heading);
+    } else {
+      std::visit(composer, report.blocks[i]);
+    }
+  }
+  drawPages(document, text(report.title), writer);
+  if (QFile(file).size() > 0) return Done{};
+  return Diagnostic{ErrorKind::Internal, file.toStdString(), "", "the PDF cannot be written", "Check the folder."};
+}
+
+}  // namespace glissade
+
+#include "report_pdf.moc"

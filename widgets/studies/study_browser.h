@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "engine/study/study_folder.h"
+#include "engine/study/study_summary.h"
+
+class QLabel;
+class QTabWidget;
+class QTextBrowser;
+class QTreeWidget;
+
+namespace glissade {
+
+/// A study's results in a window of their own: its cells with the paper's numbers, the plots of the
+/// report, the findings, and the runs of the chosen cell. Asks for a run to be shown when it is
+/// double-clicked.
+class StudyBrowser final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyBrowser(QWidget* parent);
+  ~StudyBrowser() override;
+
+  /// Shows a folder of results as it is now.
+  void show(const StudyFolder& folder, Warnings& warnings);
+  /// Null until a study is shown.
+  const StudyFolder* folder() const { return folder_.get(); }
+  const StudyResults& results() const { return results_; }
+
+  /// False: there is no such cell (from 0).
+  bool selectCell(int cell);
+  /// Says something about the run that was shown.
+  void setMessage(const QString& text);
+
+ signals:
+  void runWanted(const glissade::StudyRun& run);
+
+ private:
+  void fillCells();
+  void fillPlots();
+  void fillFindings();
+  void fillRuns(int cell);
+  void want();
+
+  std::unique_ptr<StudyFolder> folder_;
+  StudyResults results_;
+  std::vector<CellSummary> summaries_;
+  QLabel* heading_;
+  QLabel* message_;
+  QTreeWidget* cells_;
+  QTreeWidget* runs_;
+  QTextBrowser* findings_;
+  QTabWidget* plots_;
+};
+
+}  // namespace glissade
