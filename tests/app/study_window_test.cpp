@@ -81,7 +81,10 @@ TEST_F(StudyWindow, TheBrowserHasEveryCellAndAsksForTheRunThatIsDoubleClicked) {
   ASSERT_EQ(runs->topLevelItemCount(), 2);
   std::vector<StudyRun> wanted;
   QObject::connect(&browser, &StudyBrowser::runWanted, [&](const StudyRun& run) { wanted.push_back(run); });
-  const QPoint second = runs->visualItemRect(runs->topLevelItem(1)).center();
+  browser.resize(1100, 700);
+  runs->scrollToItem(runs->topLevelItem(1));
+  QCoreApplication::processEvents();
+  const QPoint second = runs->visualItemRect(runs->topLevelItem(1)).topLeft() + QPoint(6, 6);
   QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, second);
   QTest::mouseDClick(runs->viewport(), Qt::LeftButton, {}, second);
   ASSERT_EQ(wanted.size(), 1U);
