@@ -33,7 +33,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   }
   steps_->header()->setStretchLastSection(true);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  steps_->setMinimumHeight(90);
+  steps_->setMinimumHeight(64);
   why_->setWordWrap(true);
   summary_->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
