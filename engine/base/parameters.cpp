@@ -51,6 +51,8 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::Absolute, true, false, "Random configurations drawn in a border to find its milestone."},
     {Id::CoarsePaths, "coarse_paths", "--coarse-paths", "", "Coarse paths", "", 1.0, 1000.0, 12.0, Scale::Absolute,
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
+    {Id::Smoothing, "smoothing", "--smoothing", "", "Smoothing", "", 0.0, 1e6, 0.0, Scale::Absolute, true, false,
+     "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -47,10 +47,13 @@ struct SetKnowledge {
 struct SetDevicePose {
   Pose q_device;
 };  ///< puts the object in the operator's hand there
+struct SmoothPath {
+  int attempts;
+};  ///< once Solved: the path as planned with that many shortcuts tried; 0: as planned again
 }  // namespace command
-using Command =
-    std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed, command::SetPlanner,
-                 command::SetParameter, command::SetSemantics, command::SetKnowledge, command::SetDevicePose>;
+using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
+                             command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge,
+                             command::SetDevicePose, command::SmoothPath>;
 
 /// Everything the window shows, frozen at one moment; shared and never changed.
 struct SessionSnapshot {
