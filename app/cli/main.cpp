@@ -78,8 +78,8 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
                    "Who holds the device: none, novice, default, expert or replay:FILE");
   addParameters(*plan, options.parameters);
   plan->add_flag_callback(
-      "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kSmoothingAttempts); },
-      "Shorten the path and keep it certified: --smoothing " + std::to_string(kSmoothingAttempts));
+      "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
+      "Shorten the path and keep it certified: --smoothing " + std::to_string(kUsualShortcuts));
   plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
   plan->add_flag("--difficulty", options.difficulty, "Where no path is found, say what stood in the way");
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");

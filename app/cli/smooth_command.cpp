@@ -6,7 +6,6 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/path_output.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 

@@ -4,17 +4,15 @@
 #include <string>
 
 #include "app/cli/report.h"
+#include "engine/planning/smoothing/shortcuts.h"
 
 namespace glissade::cli {
-
-/// Shortcuts tried where nobody says how many.
-inline constexpr int kSmoothingAttempts = 300;
 
 struct SmoothOptions {
   std::string scenario;
   std::string input;
   std::string output;  ///< .csv, .json or .path
-  int attempts = kSmoothingAttempts;
+  int attempts = kUsualShortcuts;
   std::uint64_t seed = 1;
   Format format = Format::Text;
 };

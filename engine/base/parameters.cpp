@@ -27,7 +27,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::ObjectRadius, false, false,
      "Gap that contact samples keep to the surface, so that they touch without penetrating."},
     {Id::RequiredClearance, "required_clearance", "--required-clearance", "", "Required clearance", "m", 1e-7, 0.1,
-     tolerance::kRequiredClearance, Scale::ObjectRadius, false, false,
+     tolerance::kRequiredClearance, Scale::ObjectRadius, false, true,
      "Clearance that a delivered path is proved to keep."},
     {Id::GrowthStep, "growth_step", "--growth-step", "", "Growth step", "m", 1e-4, 0.1, tolerance::kGrowthStep,
      Scale::ObjectRadius, false, false, "Sampling step of edges while the trees grow (delivered edges are certified)."},

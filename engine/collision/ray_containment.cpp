@@ -92,8 +92,8 @@ std::optional<int> RaySolid::crossings(const Vector3& point, const Vector3& dire
       if (std::abs(w.dot(normal)) <= kGrazing * area * box_.diagonal().norm()) return std::nullopt;  // along its plane
       continue;
     }
-    const double second = w.cross(u).dot(direction) / slope;
-    const double first = v.cross(w).dot(direction) / slope;
+    const double second = u.cross(w).dot(direction) / slope;
+    const double first = w.cross(v).dot(direction) / slope;
     const double third = 1.0 - first - second;
     const double inmost = std::min({first, second, third});
     if (inmost < -kGrazing || w.dot(normal) / slope > 0.0) continue;

@@ -76,6 +76,7 @@ struct SessionSnapshot {
   std::vector<RoadmapEdge> droppedEdges;
   CoarsePlanPtr coarsePlan;          ///< of a multi-layer planner; null otherwise
   std::shared_ptr<const Path> path;  ///< certified; null until solved
+  bool smoothed = false;             ///< `path` was shortened after it was planned
   RunLogParts log;                   ///< what shaped the run: at most a second old, and whole once it has ended
   std::string member;                ///< of the automatic planner: whose turn it is, or who found the path
 };

@@ -163,6 +163,7 @@ void SessionCore::smoothPath(int attempts, const StopToken& stop) {
   MotionCertificate close = certifyPath(*query, path.points, parameters_, stop, ClearanceBounds::Close);
   if (close.status == CertificateStatus::Certified) path.certificate = std::move(close);
   path_ = std::make_shared<const Path>(std::move(path));
+  smoothed_ = attempts > 0;
 }
 
 void SessionCore::endRun(SessionState state) {
@@ -219,6 +220,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.parameters = parameters_;
   snapshot.planningSeconds = planningSeconds();
   snapshot.path = path_;
+  snapshot.smoothed = path_ && smoothed_;
   if (planner_) {
     roadmap_.update(*planner_);
     snapshot.counts = planner_->counts();

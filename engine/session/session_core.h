@@ -76,6 +76,7 @@ class SessionCore {
   RoadmapPublisher roadmap_;
   std::shared_ptr<const Path> path_;     ///< delivered
   std::shared_ptr<const Path> planned_;  ///< the same before it was smoothed
+  bool smoothed_ = false;                ///< path_ is not planned_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
   std::optional<std::chrono::steady_clock::time_point> planningSince_;

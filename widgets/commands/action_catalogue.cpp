@@ -83,6 +83,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"path.play", QT_TRANSLATE_NOOP("Actions", "&Play the path"), "Ctrl+P",
        QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or hold it"), true},
+      {"path.smooth", QT_TRANSLATE_NOOP("Actions", "S&mooth the path"), "Ctrl+Shift+P",
+       QT_TRANSLATE_NOOP("Actions", "Shorten the path by shortcuts that are certified, or show it as planned"), true},
       {"view.fit", QT_TRANSLATE_NOOP("Actions", "&Fit"), "Ctrl+0",
        QT_TRANSLATE_NOOP("Actions", "Show everything, direction kept"), false},
       {"view.isometric", QT_TRANSLATE_NOOP("Actions", "&Isometric"), "Ctrl+1",

@@ -13,6 +13,9 @@ namespace {
 constexpr double kFirst = 0.01;
 constexpr double kLast = 0.64;
 constexpr double kRange = 0.03;
+/// The share of its erosion that the object grows back by in a round; halved where the way cannot follow.
+constexpr double kFirstStep = 0.4;
+constexpr double kLastStep = 0.02;
 
 /// Lets a planner work until its queries are spent.
 class LimitedHost final : public PlannerHost {
@@ -45,14 +48,13 @@ class Search {
 
   std::optional<LeastPenetration> run() {
     const double radius = problem_.world->objectRadius();
-    double failed = 0.0;
     for (double share = kFirst; share <= kLast && way_.empty() && !stop_.stopRequested(); share *= 2.0) {
-      if (!search(share * radius)) failed = share * radius;
+      search(share * radius);
     }
     if (way_.empty()) return std::nullopt;
-    for (int i = 0; i < budget_.bisections && !stop_.stopRequested(); ++i) {
-      const double middle = 0.5 * (failed + erosion_);
-      if (!repair(middle)) failed = middle;
+    double step = kFirstStep;
+    for (int round = 0; round < budget_.rounds && step > kLastStep && !stop_.stopRequested(); ++round) {
+      if (!repair(erosion_ * (1.0 - step), round)) step *= 0.5;
     }
     return deepest();
   }
@@ -64,9 +66,10 @@ class Search {
     return take(planner, budget_.searchWork, erosion);
   }
 
-  bool repair(double erosion) {
+  bool repair(double erosion, int round) {
+    const std::uint64_t seed = RandomStream(seed_, "round " + std::to_string(round)).bits();
     const PathRepair::Options options{worlds_.at(erosion_), erosion_ - erosion, options_, budget_.repairWork};
-    PathRepair planner(eroded(erosion), seed_, way_, options);
+    PathRepair planner(eroded(erosion), seed, way_, options);
     return take(planner, budget_.repairWork, erosion);
   }
 

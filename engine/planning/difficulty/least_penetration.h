@@ -18,14 +18,14 @@ struct LeastPenetration {
 };
 
 struct PenetrationBudget {
-  std::uint64_t searchWork = 30'000;  ///< queries of the search for each erosion
-  std::uint64_t repairWork = 10'000;  ///< queries of each bisection
-  int bisections = 5;
-  std::size_t triangles = 10'000;  ///< objects with more are not tried: eroding costs their square
+  std::uint64_t searchWork = 100'000;  ///< queries of the search for each erosion
+  std::uint64_t repairWork = 30'000;   ///< queries of each repair
+  int rounds = 16;                     ///< of growing back
+  std::size_t triangles = 10'000;      ///< objects with more are not tried: eroding costs their square
 };
 
-/// Erodes the object by depths that double until a search finds a way, then bisects between that depth
-/// and the last that failed, each time repairing the way found last. An upper bound of the least depth:
+/// Erodes the object by depths that double until a search finds a way, then lets it grow back in steps
+/// that are halved where they fail, each time repairing the way found last. An upper bound of the least depth:
 /// searches with a limit prove nothing. Nothing where no erosion up to 0.64 of the object's radius
 /// helps (thin bodies keep a fifth of their thickness), or when stopped before the first way.
 std::optional<LeastPenetration> leastPenetration(const Problem& problem, const ParameterValues& parameters,

@@ -7,6 +7,9 @@
 
 namespace glissade {
 
+/// Attempts where nobody says how many.
+inline constexpr int kUsualShortcuts = 300;
+
 /// Shortens a certified path: two places are drawn, and the way between them is replaced by a straight
 /// motion, or made straight in one degree of freedom only, x, y, z or the orientation (R. Geraerts,
 /// M. H. Overmars, "Creating high-quality paths for motion planning", 2007). What would be longer in

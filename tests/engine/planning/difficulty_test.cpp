@@ -79,7 +79,7 @@ TEST(Difficulty, NamesTheFrontierAndWhatStandsBetween) {
 TEST(Difficulty, OneTreeIsComparedWithTheGoalAndAStopEndsIt) {
   const Problem problem = closedProblem();
   const ParameterValues parameters(problem.world->objectRadius());
-  const Grown grown = grow(problem, 300, "rrt");
+  const Grown grown = grow(problem, 300, "g");
   StopSource source;
   source.requestStop();
   const Difficulty stopped = difficultyOf(problem, grown.nodes, grown.edges, parameters, 1, {}, source.token());

@@ -111,7 +111,7 @@ TEST(PathCertificate, SlidingEdgesAreHeldToTheContactGap) {
 
 TEST(PathCertificate, EveryPlannerKeepsALargerRequirement) {
   const Problem problem = windowProblem();
-  for (const char* planner : {"birrt", "rrt", "contact-birrt", "auto", "gts"}) {
+  for (const char* planner : {"birrt", "g", "contact-birrt", "auto", "gts"}) {
     TestHost host(problem, 200000);
     ASSERT_TRUE(host.values.set(ParameterId::RequiredClearance, 0.01).ok());
     const auto made = makePlannerRegistry().find(planner)->make(problem, 2);

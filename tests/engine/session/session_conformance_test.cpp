@@ -187,10 +187,12 @@ TEST_P(SessionConformance, ThePathIsSmoothedAndGivenBackAsPlanned) {
     return sum;
   };
   EXPECT_LT(lengthOf(*smooth), lengthOf(*planned));
+  EXPECT_TRUE(session->snapshot()->smoothed);
   EXPECT_EQ(smooth->certificate.status, CertificateStatus::Certified);
   session->post(command::SmoothPath{0});
   ASSERT_TRUE(waitFor(*session, [&](const SessionSnapshot& s) { return s.path != smooth; }));
   EXPECT_EQ(session->snapshot()->path->configurations(), planned->configurations());
+  EXPECT_FALSE(session->snapshot()->smoothed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, SessionConformance,
