@@ -129,8 +129,8 @@ MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const P
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop) {
-  const std::vector<EdgeDemand> demands(std::max<std::size_t>(2, path.size()) - 1, {requiredClearance, false});
-  return certifyPath(query, path, demands, stop);
+  const std::size_t edges = path.size() > 1 ? path.size() - 1 : path.size();
+  return certifyPath(query, path, std::vector<EdgeDemand>(edges, {requiredClearance, false}), stop);
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,

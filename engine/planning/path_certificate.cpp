@@ -14,7 +14,8 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
   const double required = parameters[ParameterId::RequiredClearance];
   const double gap = std::min(required, kGapShare * parameters[ParameterId::ContactGap]);
   std::vector<EdgeDemand> demands;
-  for (std::size_t i = 0; i < std::max<std::size_t>(1, points.size() - 1); ++i) {
+  const std::size_t edges = points.size() > 1 ? points.size() - 1 : points.size();
+  for (std::size_t i = 0; i < edges; ++i) {
     const std::size_t end = std::min(i + 1, points.size() - 1);
     const bool sliding = points[i].author == Author::Contact || points[end].author == Author::Contact;
     demands.push_back({sliding ? gap : required, sliding});

@@ -109,6 +109,15 @@ TEST(PathCertificate, SlidingEdgesAreHeldToTheContactGap) {
   EXPECT_EQ(certifyPath(*problem.world->makeQuery(), unmarked, parameters).status, CertificateStatus::Violated);
 }
 
+TEST(PathCertificate, OfOneConfigurationAndOfNone) {
+  const Problem problem = windowProblem();
+  const ParameterValues parameters(problem.world->objectRadius());
+  const auto query = problem.world->makeQuery();
+  EXPECT_EQ(certifyPath(*query, {PathPoint{problem.start}}, parameters).status, CertificateStatus::Certified);
+  EXPECT_EQ(certifyPath(*query, std::vector<PathPoint>{}, parameters).status, CertificateStatus::Undecided);
+  EXPECT_EQ(certifyPath(*query, std::vector<Pose>{}, 1e-5).status, CertificateStatus::Undecided);
+}
+
 TEST(PathCertificate, EveryPlannerKeepsALargerRequirement) {
   const Problem problem = windowProblem();
   for (const char* planner : {"birrt", "g", "contact-birrt", "auto", "gts"}) {
