@@ -3,6 +3,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/interrupt.h"
+#include "engine/collision/independent_check.h"
+#include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -48,11 +51,13 @@ int runCheck(const CheckOptions& options) {
 
   const Problem& problem = loaded->problem;
   const std::vector<Pose> path = configurations(*points);
-  const double required =
-      options.requiredClearance > 0.0 ? options.requiredClearance : loaded->parameters[ParameterId::RequiredClearance];
-  // Planners use the kernel: the judge does not.
-  const auto query = problem.world->withBackend(CollisionBackend::Fcl)->makeQuery();
-  const MotionCertificate certificate = certifyPath(*query, path, required);
+  if (options.requiredClearance) {
+    const Outcome set = loaded->parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
+    if (!set) return reportError(set.error(), options.format);
+  }
+  const IndependentCheck judge(problem.world->obstacles(), problem.world->object());
+  const Interrupt interrupt;
+  const MotionCertificate certificate = judge.check(path, demandsOf(*points, loaded->parameters), interrupt.token());
   const Ends ends = endsOf(path, problem);
   const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal;
 
@@ -62,11 +67,12 @@ int runCheck(const CheckOptions& options) {
     report["configurations"] = path.size();
     report["begins_at_start"] = ends.start;
     report["ends_at_goal"] = ends.goal;
-    report["certificate"] = toJson(certificate, *problem.world);
+    report["certificate"] = toJson(certificate, *problem.world, options.edges);
     std::cout << report.dump(2) << "\n";
   } else {
     std::cout << (valid ? "valid" : "invalid") << ": " << path.size() << " configurations, "
               << inWords(certificate, *problem.world) << "\n";
+    if (options.edges) printEdges(certificate, *problem.world);
     if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";
     if (!ends.goal) std::cout << "the path does not end at the scenario's goal\n";
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/cli/report.h"
@@ -9,7 +10,8 @@ namespace glissade::cli {
 struct CheckOptions {
   std::string scenario;
   std::string path;
-  double requiredClearance = 0.0;  ///< metres; 0: the scenario's
+  std::optional<double> requiredClearance;  ///< metres; the scenario's where absent
+  bool edges = false;                       ///< certificates of every edge
   Format format = Format::Text;
 };
 

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "engine/base/file.h"
+#include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -40,7 +41,7 @@ int convertPath(const ConvertOptions& options) {
   const auto scenario = loadScenario(options.scenario);
   if (!scenario) return reportError(scenario.error(), options.format);
   const auto query = scenario->problem.world->makeQuery();
-  path.certificate = certifyPath(*query, path.configurations(), scenario->parameters[ParameterId::RequiredClearance]);
+  path.certificate = certifyPath(*query, path.points, scenario->parameters);
   if (endsWith(options.output, ".json")) {
     return finish(writePathJson(path, *scenario, {}, options.output), options);
   }

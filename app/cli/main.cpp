@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <map>
 
@@ -12,7 +13,9 @@
 #include "app/cli/info_command.h"
 #include "app/cli/plan_command.h"
 #include "app/cli/replay_command.h"
+#include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
+#include "engine/base/number_text.h"
 
 namespace {
 
@@ -31,10 +34,33 @@ std::string plannerNames() {
   return names;
 }
 
+/// A length in metres, or with its unit: 0.0005, 0.5mm, 0.05cm.
+double metres(const std::string& text) {
+  const std::size_t unit = text.find_last_not_of("cm") + 1;
+  const std::string name = text.substr(unit);
+  const auto number = toNumber(text.substr(0, unit));
+  const double factor = name == "mm" ? 1e-3 : name == "cm" ? 1e-2 : 1.0;
+  if (!number || (factor == 1.0 && name != "m" && !name.empty())) {
+    throw CLI::ValidationError("'" + text + "' is not a length: give metres, or a unit as in 0.5mm");
+  }
+  return *number * factor;
+}
+
+void addLength(CLI::App& command, const std::string& option, const std::function<void(double)>& take,
+               const std::string& help) {
+  command.add_option_function<std::string>(
+      option, [take](const std::string& text) { take(metres(text)); }, help);
+}
+
 /// One option for every row of the parameter table. Ranges are checked when the object's size is known.
 void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   for (const ParameterSpec& spec : parameterTable()) {
     const std::string help = std::string(spec.help) + (spec.unit.empty() ? "" : " [" + std::string(spec.unit) + "]");
+    if (spec.unit == "m") {
+      addLength(
+          command, std::string(spec.option), [&values, id = spec.id](double value) { values[id] = value; }, help);
+      continue;
+    }
     command.add_option_function<double>(
         std::string(spec.option), [&values, id = spec.id](const double& value) { values[id] = value; }, help);
   }
@@ -51,6 +77,11 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_option("--operator", options.operatorName,
                    "Who holds the device: none, novice, default, expert or replay:FILE");
   addParameters(*plan, options.parameters);
+  plan->add_flag_callback(
+      "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
+      "Shorten the path and keep it certified: --smoothing " + std::to_string(kUsualShortcuts));
+  plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
+  plan->add_flag("--difficulty", options.difficulty, "Where no path is found, say what stood in the way");
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
   plan->add_option("--out", options.out, "Write the path: .csv, .json or OMPL's .path");
   plan->add_option("--record", options.record, "Write a run record for replay");
@@ -62,10 +93,26 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Certify any path independently");
   check->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
   check->add_option("PATH", options.path, "Path: .csv, .json or OMPL's .path")->required();
-  check->add_option(std::string(specOf(ParameterId::RequiredClearance).option), options.requiredClearance,
-                    "Clearance to prove [m] (default: the scenario's)");
+  addLength(
+      *check, std::string(specOf(ParameterId::RequiredClearance).option),
+      [&options](double value) { options.requiredClearance = value; },
+      "Clearance to prove [m] (default: the scenario's)");
+  check->add_flag("--edges", options.edges, "Report the certificate of every edge");
   addFormat(*check, options.format);
   return check;
+}
+
+CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
+  CLI::App* smooth = app.add_subcommand("smooth", "Shorten a certified path and keep it certified");
+  smooth->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  smooth->add_option("PATH", options.input, "Path: .csv, .json or OMPL's .path")->required();
+  smooth->add_option("OUT", options.output, "Write the path: .csv, .json or OMPL's .path")->required();
+  smooth->add_option("--attempts", options.attempts, "Shortcuts to try")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  smooth->add_option("--seed", options.seed, "Seed of the shortcuts")->capture_default_str();
+  addFormat(*smooth, options.format);
+  return smooth;
 }
 
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
@@ -125,6 +172,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   PlanOptions plan;
   CheckOptions check;
+  SmoothOptions smooth;
   ReplayOptions replay;
   InfoOptions info;
   ConvertOptions convert;
@@ -134,6 +182,7 @@ int run(int argc, char** argv) {
   const CLI::App* planCommand = addPlan(app, plan);
   const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
+  const CLI::App* smoothCommand = addSmooth(app, smooth);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
@@ -147,6 +196,7 @@ int run(int argc, char** argv) {
   if (planCommand->parsed()) return runPlan(plan);
   if (replayCommand->parsed()) return runReplay(replay);
   if (checkCommand->parsed()) return runCheck(check);
+  if (smoothCommand->parsed()) return runSmooth(smooth);
   if (infoCommand->parsed()) return runInfo(info);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);

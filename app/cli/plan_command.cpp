@@ -39,7 +39,7 @@ int runPlan(const PlanOptions& options) {
   if (!session) return reportError(session.error(), options.format);
   if (options.format == Format::Text) std::cout << "seed " << (*session)->snapshot()->seed << "\n";
   const SnapshotPtr end = planInLockstep(**session, interrupt);
-  return deliver(options, *loaded, *end);
+  return deliver(options, *loaded, *end, interrupt.token());
 }
 
 }  // namespace glissade::cli

@@ -5,16 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace glissade::cli {
-namespace {
+#include "engine/scenario/certificate_json.h"
 
+namespace glissade::cli {
 using Json = nlohmann::ordered_json;
 
 std::string bodyName(const CollisionWorld& world, int body) {
   return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].name;
 }
-
-}  // namespace
 
 int reportError(const Diagnostic& error, Format format) {
   std::cerr << "glissade-cli: " << toString(error) << "\n";
@@ -32,15 +30,11 @@ Json toJson(const Diagnostic& error) {
   return {{"file", error.file}, {"place", error.place}, {"reason", error.reason}, {"advice", error.advice}};
 }
 
-Json toJson(const MotionCertificate& certificate, const CollisionWorld& world) {
-  return {{"status", name(certificate.status)},
-          {"min_clearance_m", number(certificate.minClearance)},
-          {"proved_clearance_m", number(certificate.provedClearance)},
-          {"tolerance_m", certificate.tolerance},
-          {"edge", certificate.edge},
-          {"at", certificate.at},
-          {"body", bodyName(world, certificate.nearest.body)},
-          {"distance_queries", certificate.distanceQueries}};
+Json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges) {
+  const BodyNames names = [&](int body) { return bodyName(world, body); };
+  Json json = certificateJson(certificate, names);
+  if (edges) json["edges"] = edgesJson(certificate, names);
+  return json;
 }
 
 std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world) {
@@ -54,7 +48,11 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
       } else {
         text << "clearance " << certificate.minClearance * 1e3 << " mm to '" << body << "'";
       }
-      text << " (required " << certificate.tolerance * 1e3 << " mm)";
+      text << " (required " << certificate.tolerance * 1e3 << " mm";
+      if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
+        text << ", " << sliding << " of " << certificate.edges.size() << " edges slide";
+      }
+      text << ")";
       break;
     case CertificateStatus::Violated:
       text << "violated: " << certificate.minClearance * 1e3 << " mm to '" << body << "' on edge " << certificate.edge
@@ -65,13 +63,15 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
   return text.str();
 }
 
-const char* name(CertificateStatus status) {
-  switch (status) {
-    case CertificateStatus::Certified: return "certified";
-    case CertificateStatus::Violated: return "violated";
-    case CertificateStatus::Undecided: return "undecided";
+void printEdges(const MotionCertificate& certificate, const CollisionWorld& world) {
+  for (std::size_t i = 0; i < certificate.edges.size(); ++i) {
+    const EdgeCertificate& edge = certificate.edges[i];
+    std::cout << "  edge " << i << ": " << statusName(edge.status) << ", clearance " << edge.provedClearance * 1e3
+              << " to " << edge.minClearance * 1e3 << " mm";
+    if (edge.nearest.body >= 0) std::cout << " to '" << bodyName(world, edge.nearest.body) << "' at " << edge.at;
+    std::cout << " (required " << edge.demand.clearance * 1e3 << " mm" << (edge.demand.sliding ? ", sliding" : "")
+              << ")\n";
   }
-  return "";
 }
 
 }  // namespace glissade::cli

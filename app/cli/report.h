@@ -19,11 +19,14 @@ void reportWarnings(const Warnings& warnings);
 
 /// Number of a JSON report; null where it is not finite.
 nlohmann::ordered_json number(double value);
-nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world);
+nlohmann::ordered_json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges = false);
+/// A line for every edge, to stdout.
+void printEdges(const MotionCertificate& certificate, const CollisionWorld& world);
+/// Of an obstacle; empty where the index is -1.
+std::string bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
 /// "certified, 1.5 mm to wall_L1" and the like.
 std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);
-const char* name(CertificateStatus status);
 
 }  // namespace glissade::cli

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "app/cli/difficulty_report.h"
+#include "app/cli/path_output.h"
 #include "engine/base/file.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/path_io.h"
@@ -79,7 +81,7 @@ PerAuthor<double> pathShares(const Path& path, const CollisionWorld& world) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
-Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
+Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges) {
   const PlannerCounts& counts = end.counts;
   Json report;
   report["solved"] = end.state == SessionState::Solved;
@@ -105,7 +107,7 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world) {
                       {"length_m", end.path->length()},
                       {"rotation_rad", end.path->rotation()}};
     report["path_share_by_author"] = byAuthor(pathShares(*end.path, world));
-    report["certificate"] = cli::toJson(end.path->certificate, world);
+    report["certificate"] = cli::toJson(end.path->certificate, world, edges);
   } else {
     report["path"] = nullptr;
     report["path_share_by_author"] = nullptr;
@@ -153,17 +155,9 @@ int exitCodeOf(const SessionSnapshot& end) {
   return exitCode(end.problem ? end.problem->kind : ErrorKind::Internal);
 }
 
-bool endsWith(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-Outcome writePath(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
-  const Path& path = *end.path;
-  if (endsWith(options.out, ".json")) {
-    return writePathJson(path, scenario, {end.plannerId, end.seed}, options.out);
-  }
-  if (endsWith(options.out, ".path")) return writePathOmpl(path, options.out);
-  return writePathCsv(path, scenario, options.out);
+/// The search ended without a path, and not for want of a start.
+bool foundNone(const SessionSnapshot& end) {
+  return end.problem && (end.problem->kind == ErrorKind::NoPath || end.problem->kind == ErrorKind::LimitReached);
 }
 
 Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
@@ -174,16 +168,24 @@ Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, 
 
 }  // namespace
 
-int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end,
+            const StopToken& stop) {
   Outcome written = Done{};
-  if (end.path && !options.out.empty()) written = writePath(options, scenario, end);
+  if (end.path && !options.out.empty())
+    written = writePath(*end.path, scenario, {end.plannerId, end.seed}, options.out);
   if (written && !options.record.empty()) written = writeRecord(options, scenario, end);
 
   const CollisionWorld& world = *scenario.problem.world;
+  std::optional<Difficulty> difficulty;
+  if (options.difficulty && foundNone(end)) difficulty = difficultyOf(scenario, end, stop);
   if (options.format == Format::Json) {
-    std::cout << toJson(end, world).dump(2) << "\n";
+    Json report = toJson(end, world, options.edges);
+    if (difficulty) report["difficulty"] = toJson(*difficulty, world);
+    std::cout << report.dump(2) << "\n";
   } else {
     printText(end, world);
+    if (end.path && options.edges) printEdges(end.path->certificate, world);
+    if (difficulty) printDifficulty(*difficulty, world);
   }
   if (end.problem) std::cerr << "glissade-cli: " << toString(*end.problem) << "\n";
   if (!written) {

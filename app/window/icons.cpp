@@ -110,6 +110,11 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
        }},
+      {"path.smooth",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 13}, {5, 4}, {9, 10}, {14, 3}}));
+         p.drawArc(QRectF(2, 3, 24, 20), 90 * 16, 90 * 16);
+       }},
       {"replay.play",
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));

@@ -24,6 +24,7 @@
 #include "app/window/status_text.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
+#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 #include "widgets/panels/counts_panel.h"
@@ -241,6 +242,7 @@ void MainWindow::connectActions() {
   on("run.restart-new-seed", [this] { restart(snapshot_->seed + 1); });
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
   connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
+  on("path.smooth", [this](bool smooth) { bridge_->post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
   on("help.shortcuts", [this] { showShortcuts(); });
   on("help.about", [this] { showAbout(); });
 }
@@ -361,6 +363,8 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("run.restart-new-seed", live);
   enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
+  enable("path.smooth", live && snapshot->path != nullptr);
+  (*actions_)["path.smooth"]->setChecked(open && snapshot->smoothed);
   enable("file.save", open);
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);

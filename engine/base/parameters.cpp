@@ -27,7 +27,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::ObjectRadius, false, false,
      "Gap that contact samples keep to the surface, so that they touch without penetrating."},
     {Id::RequiredClearance, "required_clearance", "--required-clearance", "", "Required clearance", "m", 1e-7, 0.1,
-     tolerance::kRequiredClearance, Scale::ObjectRadius, false, false,
+     tolerance::kRequiredClearance, Scale::ObjectRadius, false, true,
      "Clearance that a delivered path is proved to keep."},
     {Id::GrowthStep, "growth_step", "--growth-step", "", "Growth step", "m", 1e-4, 0.1, tolerance::kGrowthStep,
      Scale::ObjectRadius, false, false, "Sampling step of edges while the trees grow (delivered edges are certified)."},
@@ -51,6 +51,8 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::Absolute, true, false, "Random configurations drawn in a border to find its milestone."},
     {Id::CoarsePaths, "coarse_paths", "--coarse-paths", "", "Coarse paths", "", 1.0, 1000.0, 12.0, Scale::Absolute,
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
+    {Id::Smoothing, "smoothing", "--smoothing", "", "Smoothing", "", 0.0, 1e6, 0.0, Scale::Absolute, true, false,
+     "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -28,6 +28,7 @@ enum class ParameterId : std::size_t {
   StepSamples,
   BorderSamples,
   CoarsePaths,
+  Smoothing,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -12,6 +12,8 @@ namespace {
 /// A clearance within this share of the requirement counts as below it: the steps would shrink
 /// towards nothing.
 constexpr double kSlimmestMargin = 1e-3;
+/// Close bounds: proved down to this share of the smallest distance met.
+constexpr double kCloseShare = 0.5;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
 /// ten metres at a gap of a millimetre takes.
 constexpr std::uint64_t kMostQueries = 200'000;
@@ -20,8 +22,8 @@ constexpr std::uint64_t kMostQueries = 200'000;
 /// no point of the object has moved by more than c - required: an interval on both sides of it.
 class Certifier {
  public:
-  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double bound, double required)
-      : query_(query), from_(from), to_(to), bound_(bound) {
+  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double bound, double required, double share)
+      : query_(query), from_(from), to_(to), bound_(bound), share_(share) {
     result_.tolerance = required;
     result_.minClearance = std::numeric_limits<double>::infinity();
     result_.provedClearance = std::numeric_limits<double>::infinity();
@@ -38,15 +40,16 @@ class Certifier {
         result_.status = CertificateStatus::Violated;
         return result_;
       }
-      const double reach = bound_ > 0.0 ? margin / bound_ : 1.0;
+      const double target = std::max(result_.tolerance, share_ * result_.minClearance);
+      const double reach = bound_ > 0.0 ? (clearance - target) / bound_ : 1.0;
       if (probe - reach > proved) {
         probe = proved;  // the leap was too bold: fill the gap first
         continue;
       }
       const double end = std::min(1.0, probe + reach);
-      // By construction at least the requirement; the maximum only takes rounding away.
+      // By construction at least the target; the maximum only takes rounding away.
       const double lowest = clearance - bound_ * std::max(probe - proved, end - probe);
-      result_.provedClearance = std::min(result_.provedClearance, std::max(result_.tolerance, lowest));
+      result_.provedClearance = std::min(result_.provedClearance, std::max(target, lowest));
       result_.certified = proved = end;
       probe = std::min(1.0, proved + 0.9 * reach);
     }
@@ -70,22 +73,9 @@ class Certifier {
   const Pose& from_;
   const Pose& to_;
   double bound_;
+  double share_;
   MotionCertificate result_;
 };
-
-/// Puts the certificate of one more edge into that of the path.
-void accumulate(MotionCertificate& path, const MotionCertificate& edge, std::size_t index) {
-  if (index == 0 || edge.minClearance < path.minClearance || edge.status != CertificateStatus::Certified) {
-    path.minClearance = edge.minClearance;
-    path.edge = index;
-    path.at = edge.at;
-    path.nearest = edge.nearest;
-  }
-  path.provedClearance = index == 0 ? edge.provedClearance : std::min(path.provedClearance, edge.provedClearance);
-  path.distanceQueries += edge.distanceQueries;
-  path.certified = edge.certified;
-  path.status = edge.status;
-}
 
 /// The samples of a motion, 0 (known to be free) to `count`.
 class FreeSamples {
@@ -126,22 +116,48 @@ class FreeSamples {
 
 }  // namespace
 
+std::size_t MotionCertificate::slidingEdges() const {
+  return static_cast<std::size_t>(
+      std::count_if(edges.begin(), edges.end(), [](const EdgeCertificate& edge) { return edge.demand.sliding; }));
+}
+
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
-                                const StopToken& stop) {
-  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance).run(stop);
+                                const StopToken& stop, ClearanceBounds bounds) {
+  const double share = bounds == ClearanceBounds::Close ? kCloseShare : 0.0;
+  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance, share).run(stop);
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop) {
-  MotionCertificate result;
-  result.tolerance = requiredClearance;
   const std::size_t edges = path.size() > 1 ? path.size() - 1 : path.size();
-  for (std::size_t i = 0; i < edges; ++i) {
+  return certifyPath(query, path, std::vector<EdgeDemand>(edges, {requiredClearance, false}), stop);
+}
+
+MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,
+                              const std::vector<EdgeDemand>& demands, const StopToken& stop, ClearanceBounds bounds) {
+  MotionCertificate result;
+  for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = path.size() > 1 ? path[i + 1] : path[i];
-    accumulate(result, certifyMotion(query, path[i], to, requiredClearance, stop), i);
+    addEdge(result, certifyMotion(query, path[i], to, demands[i].clearance, stop, bounds), demands[i]);
     if (result.status != CertificateStatus::Certified) break;
   }
   return result;
+}
+
+void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeDemand& demand) {
+  const bool first = path.edges.empty();
+  if (first || edge.minClearance < path.minClearance || edge.status != CertificateStatus::Certified) {
+    path.minClearance = edge.minClearance;
+    path.edge = path.edges.size();
+    path.at = edge.at;
+    path.nearest = edge.nearest;
+  }
+  path.provedClearance = first ? edge.provedClearance : std::min(path.provedClearance, edge.provedClearance);
+  path.tolerance = std::max(path.tolerance, demand.clearance);
+  path.distanceQueries += edge.distanceQueries;
+  path.certified = edge.certified;
+  path.status = edge.status;
+  path.edges.push_back({edge.status, demand, edge.provedClearance, edge.minClearance, edge.at, edge.nearest});
 }
 
 double freeFraction(CollisionQuery& query, const Pose& from, const Pose& to, double step, const StopToken& stop) {

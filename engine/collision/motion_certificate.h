@@ -9,6 +9,22 @@
 
 namespace glissade {
 
+/// What an edge of a path has to keep.
+struct EdgeDemand {
+  double clearance = 0.0;  ///< metres, > 0
+  bool sliding = false;    ///< it touches a contact configuration, and is held to the contact gap instead
+};
+
+/// One edge of a path: its smallest clearance lies in [provedClearance, minClearance].
+struct EdgeCertificate {
+  CertificateStatus status = CertificateStatus::Undecided;
+  EdgeDemand demand;
+  double provedClearance = 0.0;  ///< proved lower bound, metres; >= the demand if certified
+  double minClearance = 0.0;     ///< smallest distance met, metres
+  double at = 0.0;               ///< where on the edge that was, in [0, 1]
+  NearestObstacle nearest;       ///< the pair there: the object and this body
+};
+
 /// A continuous proof about a motion (DESIGN section 4): conservative advancement by
 /// (distance - requirement) / (largest speed of any point of the object), never sampled checks.
 struct MotionCertificate {
@@ -21,16 +37,34 @@ struct MotionCertificate {
   double at = 0.0;               ///< where on that edge, in [0, 1]; where the violation is if Violated
   NearestObstacle nearest;       ///< the pair at that place
   std::uint64_t distanceQueries = 0;
+  std::vector<EdgeCertificate> edges;  ///< of a path, up to the first that is not certified; empty for one motion
+
+  std::size_t slidingEdges() const;
+};
+
+/// How much is to be known about the clearance besides that it is enough.
+enum class ClearanceBounds {
+  Any,   ///< proved down to the requirement: the cheapest
+  Close  ///< proved down to half of the smallest distance met: about twice the queries
 };
 
 /// Certifies the straight motion `interpolate(from, to, .)`. Preconditions: requiredClearance > 0.
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
-                                const StopToken& stop = {});
+                                const StopToken& stop = {}, ClearanceBounds bounds = ClearanceBounds::Any);
 
 /// Certifies every edge of a path; stops at the first that is not certified and reports it.
 /// A path of one configuration is certified if that configuration is clear.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop = {});
+
+/// The same with a demand of its own for each edge (one for a path of one configuration). The
+/// certificate's tolerance is the largest of them.
+MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,
+                              const std::vector<EdgeDemand>& demands, const StopToken& stop = {},
+                              ClearanceBounds bounds = ClearanceBounds::Any);
+
+/// Takes the certificate of the next edge into that of its path.
+void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeDemand& demand);
 
 /// How far along the straight motion the object stays free of collision, as sampling at `step` (in the
 /// metric of the object's radius) would find it: the planner's growth check. Samples that are proved

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/planning/goal_roots.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 
@@ -33,8 +34,7 @@ bool DirectPlanner::solve(PlannerHost& host) {
     if (done) {
       Path path;
       for (const RoadmapNode& node : nodes_) path.points.push_back({node.q, node.author});
-      path.certificate = certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
-                                     host.stopToken());
+      path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
       if (path.certificate.status == CertificateStatus::Certified) {
         path_ = std::move(path);
       } else if (!host.stopToken().stopRequested()) {

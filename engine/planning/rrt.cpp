@@ -4,6 +4,7 @@
 
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -76,8 +77,7 @@ void Rrt::deliverPath(RoadmapGraph::Node goal, PlannerHost& host) {
   if (!way) return;
   Path path;
   for (const RoadmapGraph::Node node : way->nodes) path.points.push_back({roadmap_.nodes()[node].q, Author::Computer});
-  path.certificate =
-      certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

@@ -3,6 +3,7 @@
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/scenario/author_names.h"
+#include "engine/scenario/certificate_json.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/path_io.h"
 
@@ -20,16 +21,6 @@ std::string sevenColumns(const Pose& q, char separator) {
     text += toText(value);
   }
   return text;
-}
-
-Json toJson(const MotionCertificate& certificate, const LoadedScenario& scenario) {
-  const int body = certificate.nearest.body;
-  return {{"status", certificate.status == CertificateStatus::Certified ? "certified" : "not certified"},
-          {"tolerance_m", certificate.tolerance},
-          {"min_clearance_m", certificate.minClearance},
-          {"edge", certificate.edge},
-          {"at", certificate.at},
-          {"body", body < 0 ? "" : scenario.obstacles[static_cast<std::size_t>(body)].id}};
 }
 
 }  // namespace
@@ -64,7 +55,9 @@ Outcome writePathJson(const Path& path, const LoadedScenario& scenario, const Pa
   json["planner"] = provenance.planner;
   json["seed"] = provenance.seed;
   json["program"] = std::string("Glissade ") + kVersion;
-  json["certificate"] = toJson(path.certificate, scenario);
+  const BodyNames ids = [&](int body) { return scenario.obstacles[static_cast<std::size_t>(body)].id; };
+  json["certificate"] = certificateJson(path.certificate, ids);
+  json["certificate"]["edges"] = edgesJson(path.certificate, ids);
   json["configurations"] = Json::array();
   for (const PathPoint& point : path.points) {
     Json configuration = toJson(point.q);

@@ -47,10 +47,13 @@ struct SetKnowledge {
 struct SetDevicePose {
   Pose q_device;
 };  ///< puts the object in the operator's hand there
+struct SmoothPath {
+  int attempts;
+};  ///< once Solved: the path as planned with that many shortcuts tried; 0: as planned again
 }  // namespace command
-using Command =
-    std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed, command::SetPlanner,
-                 command::SetParameter, command::SetSemantics, command::SetKnowledge, command::SetDevicePose>;
+using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
+                             command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge,
+                             command::SetDevicePose, command::SmoothPath>;
 
 /// Everything the window shows, frozen at one moment; shared and never changed.
 struct SessionSnapshot {
@@ -73,6 +76,7 @@ struct SessionSnapshot {
   std::vector<RoadmapEdge> droppedEdges;
   CoarsePlanPtr coarsePlan;          ///< of a multi-layer planner; null otherwise
   std::shared_ptr<const Path> path;  ///< certified; null until solved
+  bool smoothed = false;             ///< `path` was shortened after it was planned
   RunLogParts log;                   ///< what shaped the run: at most a second old, and whole once it has ended
   std::string member;                ///< of the automatic planner: whose turn it is, or who found the path
 };

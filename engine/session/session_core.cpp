@@ -4,6 +4,8 @@
 #include <sstream>
 
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/planning/path_certificate.h"
+#include "engine/planning/smoothing/shortcuts.h"
 #include "engine/session/start_check.h"
 
 namespace glissade {
@@ -86,6 +88,8 @@ void SessionCore::carryOut(const Command& wanted) {
     if (running) logger_.note(semantics->edits);
   } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
     problem_.scene.knowledge = known->knowledge;
+  } else if (const auto* smooth = std::get_if<command::SmoothPath>(&wanted)) {
+    if (state_ == SessionState::Solved) smoothPath(smooth->attempts, {});
   }
 }
 
@@ -138,7 +142,8 @@ void SessionCore::plan(const Hooks& hooks) {
   planningSince_ = std::chrono::steady_clock::now();
   try {
     if (planner_->solve(host)) {
-      path_ = std::make_shared<const Path>(*planner_->path());
+      planned_ = std::make_shared<const Path>(*planner_->path());
+      smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(hooks.stop));
       endRun(SessionState::Solved);
     } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
       fail(*why);
@@ -149,6 +154,16 @@ void SessionCore::plan(const Hooks& hooks) {
   }
   spent_ += std::chrono::steady_clock::now() - *planningSince_;
   planningSince_.reset();
+}
+
+/// The delivered path has its clearance bounded closely, where there is time for it.
+void SessionCore::smoothPath(int attempts, const StopToken& stop) {
+  Path path = attempts > 0 ? withShortcuts(*planned_, problem_, parameters_, seed_, attempts, stop) : *planned_;
+  const auto query = problem_.world->makeQuery();
+  MotionCertificate close = certifyPath(*query, path.points, parameters_, stop, ClearanceBounds::Close);
+  if (close.status == CertificateStatus::Certified) path.certificate = std::move(close);
+  path_ = std::make_shared<const Path>(std::move(path));
+  smoothed_ = attempts > 0;
 }
 
 void SessionCore::endRun(SessionState state) {
@@ -205,6 +220,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.parameters = parameters_;
   snapshot.planningSeconds = planningSeconds();
   snapshot.path = path_;
+  snapshot.smoothed = path_ && smoothed_;
   if (planner_) {
     roadmap_.update(*planner_);
     snapshot.counts = planner_->counts();

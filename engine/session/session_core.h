@@ -57,6 +57,7 @@ class SessionCore {
   void startRun();
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
+  void smoothPath(int attempts, const StopToken& stop);
   void endRun(SessionState state);
   void fail(Diagnostic why);
   std::optional<Diagnostic> limitReached() const;
@@ -73,7 +74,9 @@ class SessionCore {
   std::uint64_t run_ = 0;
   std::unique_ptr<Planner> planner_;
   RoadmapPublisher roadmap_;
-  std::shared_ptr<const Path> path_;
+  std::shared_ptr<const Path> path_;     ///< delivered
+  std::shared_ptr<const Path> planned_;  ///< the same before it was smoothed
+  bool smoothed_ = false;                ///< path_ is not planned_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
   std::optional<std::chrono::steady_clock::time_point> planningSince_;

@@ -563,6 +563,14 @@
         <source>Write the report of the study that is open as PDF</source>
         <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
     </message>
+    <message>
+        <source>S&amp;mooth the path</source>
+        <translation>&amp;Lisser le chemin</translation>
+    </message>
+    <message>
+        <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
+        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -699,6 +707,14 @@
     <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
         <translation>Rayon du disque du plan tangent dans lequel les échantillons de contact sont tirés.</translation>
+    </message>
+    <message>
+        <source>Required clearance</source>
+        <translation>Distance exigée</translation>
+    </message>
+    <message>
+        <source>Clearance that a delivered path is proved to keep.</source>
+        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
     </message>
 </context>
 <context>
@@ -1665,6 +1681,18 @@
     <message>
         <source>Length by author</source>
         <translation>Longueur par auteur</translation>
+    </message>
+    <message>
+        <source>proved %1 mm, required %2 mm</source>
+        <translation>prouvé %1 mm, exigé %2 mm</translation>
+    </message>
+    <message>
+        <source>required %1 mm</source>
+        <translation>exigé %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2 edges slide</source>
+        <translation>%1 segments sur %2 glissent</translation>
     </message>
 </context>
 <context>

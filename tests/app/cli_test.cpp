@@ -301,4 +301,73 @@ TEST_F(Cli, OmplAppsProblemsAreReadAsOmplAppReadsThem) {
   EXPECT_EQ(run("plan " + (problems / "Easy.cfg").string() + " --seed 1 --time-limit 60").exitCode, 0);
 }
 
+TEST_F(Cli, EveryEdgeHasItsCertificate) {
+  const std::string path = (folder / "path.json").string();
+  const Finished plan = run("plan " + sample("environment-1") + " --operator expert --json --edges --out " + path);
+  ASSERT_EQ(plan.exitCode, 0) << plan.err;
+  const Json report = Json::parse(plan.out);
+  const Json& edges = report["certificate"]["edges"];
+  ASSERT_EQ(edges.size() + 1, report["path"]["configurations"].get<std::size_t>());
+  double least = 1e9;
+  for (const Json& edge : edges) {
+    EXPECT_EQ(edge["status"], "certified");
+    EXPECT_GE(edge["proved_clearance_m"].get<double>(), edge["required_m"].get<double>());
+    EXPECT_GE(edge["min_clearance_m"].get<double>(), edge["proved_clearance_m"].get<double>());
+    least = std::min(least, edge["min_clearance_m"].get<double>());
+  }
+  EXPECT_EQ(report["certificate"]["min_clearance_m"].get<double>(), least);
+  EXPECT_EQ(Json::parse(read(path))["certificate"]["edges"].size(), edges.size());
+  const Finished check = run("check " + sample("environment-1") + " " + path + " --json --edges");
+  EXPECT_EQ(check.exitCode, 0) << check.out;
+  EXPECT_EQ(Json::parse(check.out)["certificate"]["edges"].size(), edges.size());
+}
+
+TEST_F(Cli, LengthsMayNameTheirUnit) {
+  const std::string file = scenario([](Json&) {});
+  const Finished plan = run("plan " + file + " --required-clearance 2.5mm --json");
+  ASSERT_EQ(plan.exitCode, 0) << plan.err;
+  EXPECT_DOUBLE_EQ(Json::parse(plan.out)["parameters"]["required_clearance"].get<double>(), 0.0025);
+  EXPECT_GE(Json::parse(plan.out)["certificate"]["proved_clearance_m"].get<double>(), 0.0025);
+  EXPECT_EQ(run("plan " + file + " --required-clearance 2.5ft").exitCode, 2);
+  EXPECT_EQ(run("plan " + file + " --required-clearance 2m").exitCode, 2) << "out of range";
+}
+
+TEST_F(Cli, SmoothingShortensAndTheJudgeAgrees) {
+  const std::string file = scenario([](Json&) {});
+  const std::string planned = (folder / "planned.csv").string();
+  const std::string smooth = (folder / "smooth.csv").string();
+  const std::string both = (folder / "both.csv").string();
+  ASSERT_EQ(run("plan " + file + " --seed 3 --out " + planned).exitCode, 0);
+  const Finished smoothed = run("smooth " + file + " " + planned + " " + smooth + " --json");
+  ASSERT_EQ(smoothed.exitCode, 0) << smoothed.err;
+  const Json report = Json::parse(smoothed.out);
+  EXPECT_LT(report["metric_length_m"].get<double>(), report["metric_length_before_m"].get<double>());
+  EXPECT_EQ(run("check " + file + " " + smooth).exitCode, 0);
+  ASSERT_EQ(run("plan " + file + " --seed 3 --smooth --out " + both).exitCode, 0);
+  EXPECT_EQ(run("check " + file + " " + both).exitCode, 0);
+  EXPECT_NE(read(both), read(planned));
+  const std::string through = write("through.path", "-1 0 0 0 0 0 1\n1 0 0 0 0 0 1\n");
+  EXPECT_EQ(run("smooth " + file + " " + through + " " + smooth).exitCode, 1);
+}
+
+TEST_F(Cli, WhereNoPathIsFoundTheDifficultyIsTold) {
+  // Two walls leave a gap 10 mm narrower than the cube, all the way to the workspace's borders.
+  const std::string file = scenario([](Json& json) {
+    json["bodies"] = Json::parse(R"([
+      {"id": "left", "geometry": {"box": [0.2, 2, 5]}, "pose": {"position": [0, -1.095, 0], "orientation": [0, 0, 0, 1]}},
+      {"id": "right", "geometry": {"box": [0.2, 2, 5]}, "pose": {"position": [0, 1.095, 0], "orientation": [0, 0, 0, 1]}}])");
+    json["workspace"] = Json::parse(R"({"min": [-2, -1, -1], "max": [2, 1, 1]})");
+  });
+  const Finished plan = run("plan " + file + " --max-steps 500 --difficulty --json");
+  ASSERT_EQ(plan.exitCode, 5) << plan.err;
+  const Json difficulty = Json::parse(plan.out)["difficulty"];
+  EXPECT_GT(difficulty["frontier"]["distance_m"].get<double>(), 0.0);
+  EXPECT_FALSE(difficulty["frontier"]["blocked_by"].get<std::string>().empty());
+  EXPECT_FALSE(difficulty["tightest"]["body"].get<std::string>().empty());
+  EXPECT_GE(difficulty["least_penetration"]["depth_mm"].get<double>(), 4.9);
+  EXPECT_LT(difficulty["least_penetration"]["depth_mm"].get<double>(), 12.0);
+  const Finished text = run("plan " + file + " --max-steps 500 --difficulty");
+  EXPECT_NE(text.out.find("mm given between"), std::string::npos) << text.out;
+}
+
 }  // namespace

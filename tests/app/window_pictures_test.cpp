@@ -51,6 +51,23 @@ TEST_F(WindowPictures, SteeringByKeysMovesTheObjectAndThePathIsExported) {
   EXPECT_TRUE(csv.readLine().startsWith("index,s,x,y,z"));
 }
 
+TEST_F(WindowPictures, ThePathIsSmoothedAndShownAsPlannedAgain) {
+  const auto read = [this](const char* name) {
+    QFile file(folder.filePath(QLatin1String(name)));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    return file.readAll();
+  };
+  const RunResult outcome =
+      run(QStringLiteral("environment-1"),
+          QStringLiteral("set required_clearance 0.0004\nselect-operator expert\naction run.start\nwait solved 24000\n"
+                         "export %1/a.csv\naction path.smooth\nsteps 1\nexport %1/b.csv\n"
+                         "screenshot %1/smooth.png\naction path.smooth\nsteps 1\nexport %1/c.csv\n")
+              .arg(folder.path()));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  EXPECT_EQ(read("a.csv"), read("c.csv"));
+  EXPECT_LT(read("b.csv").count('\n'), read("a.csv").count('\n'));
+}
+
 TEST_F(WindowPictures, ScriptsSayWhereTheyGoWrong) {
   const RunResult unknown = run(QStringLiteral("sliding-plane"), QStringLiteral("steps 1\naction no.such\n"));
   EXPECT_EQ(unknown.exitCode, 3);

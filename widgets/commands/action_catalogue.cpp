@@ -83,6 +83,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"path.play", QT_TRANSLATE_NOOP("Actions", "&Play the path"), "Ctrl+P",
        QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or hold it"), true},
+      {"path.smooth", QT_TRANSLATE_NOOP("Actions", "S&mooth the path"), "Ctrl+Shift+P",
+       QT_TRANSLATE_NOOP("Actions", "Shorten the path by shortcuts that are certified, or show it as planned"), true},
       {"study.open", QT_TRANSLATE_NOOP("Actions", "&Open study results..."), "Ctrl+Shift+O",
        QT_TRANSLATE_NOOP("Actions", "Browse a study's tables and plots, and see its runs again"), false},
       {"study.report-pdf", QT_TRANSLATE_NOOP("Actions", "&Report as PDF..."), "",

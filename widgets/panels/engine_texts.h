@@ -11,6 +11,8 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Parameters", "Contact samples"),
     QT_TRANSLATE_NOOP("Parameters", "Contact distance"),
     QT_TRANSLATE_NOOP("Parameters", "Contact disc"),
+    QT_TRANSLATE_NOOP("Parameters", "Required clearance"),
+    QT_TRANSLATE_NOOP("Parameters", "Clearance that a delivered path is proved to keep."),
     QT_TRANSLATE_NOOP(
         "Parameters",
         "The computer's share of the iterations: 1 is the automatic planner alone, 0 the operator alone."),

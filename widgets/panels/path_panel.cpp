@@ -42,6 +42,11 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row->addWidget(button);
   }
+  auto* smooth = new QToolButton(this);
+  smooth->setDefaultAction(actions[QStringLiteral("path.smooth")]);
+  smooth->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  smooth->setFocusPolicy(Qt::TabFocus);
+  smooth->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   auto* title = makeActionRow(actions, {"view.path-authors"}, sharesTitle_);
   title->setContentsMargins(0, 0, 0, 0);
   title->insertWidget(0, new QLabel(tr("Length by author"), sharesTitle_));
@@ -54,6 +59,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(shares_);
   layout->addWidget(slider_);
   layout->addLayout(row);
+  layout->addWidget(smooth);
   layout->addStretch();
   timer_.setInterval(kTickMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &PathPanel::tick);
@@ -87,7 +93,13 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const LoadedSce
                            : tr("clearance %1 mm to %2")
                                  .arg(number(certificate.minClearance * 1e3, 2),
                                       QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name));
-  certificate_->setText(QStringLiteral("<b>✓ %1</b><br>%2").arg(tr("Certified free of penetration"), what));
+  QString held = tr("proved %1 mm, required %2 mm")
+                     .arg(number(certificate.provedClearance * 1e3, 3), number(certificate.tolerance * 1e3, 3));
+  if (body < 0) held = tr("required %1 mm").arg(number(certificate.tolerance * 1e3, 3));
+  if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
+    held += QStringLiteral("; ") + tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
+  }
+  certificate_->setText(QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(tr("Certified free of penetration"), what, held));
   figures_->setText(tr("%1 configurations, %2 m, %3°")
                         .arg(path->points.size())
                         .arg(number(path->length(), 2), number(path->rotation() * 180.0 / std::acos(-1.0), 0)));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/planning/automatic/contact_faces.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -121,7 +122,7 @@ void DirectMotions::tryNext(PlannerHost& host) {
   const std::vector<Pose>& idea = ideas_[next_];
   Path path;
   for (const Pose& q : idea) path.points.push_back({q, Author::Computer});
-  path.certificate = certifyPath(*query_, idea, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status != CertificateStatus::Certified) {
     if (!host.stopToken().stopRequested()) ++next_;
     return;

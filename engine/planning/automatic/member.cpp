@@ -1,7 +1,5 @@
 #include "engine/planning/automatic/member.h"
 
-#include <cmath>
-
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/contact_slide_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
@@ -13,8 +11,6 @@
 namespace glissade {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 using Worlds = std::shared_ptr<ErodedWorlds>;
 
 /// First lives, in work (AutomaticPlanner counts it): what most problems need that need a search at all.
@@ -22,11 +18,6 @@ constexpr std::uint64_t kFirstLife = 400'000;
 constexpr std::uint64_t kLongFirstLife = 1'000'000;
 /// The environment model takes some seconds: it is only built where the quick ones have failed.
 constexpr std::uint64_t kModelEntry = 400'000;
-
-/// A share of the largest distance between two configurations of the problem, in the search's metric.
-double rangeOf(const Problem& problem, double share, double turnWeight = 1.0) {
-  return share * std::hypot(problem.bounds.diagonal().norm(), kPi * turnWeight * problem.world->objectRadius());
-}
 
 Member directMotions(const Problem& problem) {
   return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
@@ -52,7 +43,7 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
 Member turningRrt(const Problem& problem) {
   constexpr double kTurnWeight = 0.1;
   RrtConnect::Options options;
-  options.range = rangeOf(problem, 0.03, kTurnWeight);
+  options.range = searchRange(problem, 0.03, kTurnWeight);
   options.turnWeight = kTurnWeight;
   options.growth = RrtConnect::Growth::FromStart;
   return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
@@ -60,14 +51,14 @@ Member turningRrt(const Problem& problem) {
 
 Member dynamicDomain(const Problem& problem) {
   RrtConnect::Options options;
-  options.range = rangeOf(problem, 0.01);
+  options.range = searchRange(problem, 0.01);
   options.domain = 10.0;
   return rrtConnect("dynamic-domain", {1.0, kLongFirstLife, Restart::Doubling, 0}, problem, options);
 }
 
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
   RrtConnect::Options options;
-  options.range = rangeOf(problem, 0.03);
+  options.range = searchRange(problem, 0.03);
   return {"contact-slide",
           {1.0, kFirstLife, Restart::Luby, 0},
           [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
@@ -83,7 +74,7 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   constexpr double kShare = 3.0;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
-  options.search.range = rangeOf(problem, 0.03);
+  options.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
           {kShare, 0, Restart::Luby, 0},
           [problem, worlds, options](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
@@ -106,7 +97,7 @@ Member multiLayer(const Problem& problem) {
 std::vector<Member> makeMembers(const Problem& problem) {
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
   RrtConnect::Options shortSteps;
-  shortSteps.range = rangeOf(problem, 0.03);
+  shortSteps.range = searchRange(problem, 0.03);
   return {directMotions(problem),
           birrt(problem),
           rrtConnect("rrt-connect", {1.0, kLongFirstLife, Restart::Luby, 0}, problem, shortSteps),

@@ -5,6 +5,7 @@
 
 #include "engine/planning/automatic/retraction.h"
 #include "engine/planning/automatic/tube_sampler.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -127,7 +128,7 @@ void PathRepair::searchGap(PlannerHost& host) {
 void PathRepair::deliver(PlannerHost& host) {
   Path path;
   for (const Pose& q : way_) path.points.push_back({q, Author::Computer});
-  path.certificate = certifyPath(*query_, way_, host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status != CertificateStatus::Certified) return;  // stopped: every motion was certified before
   for (const Pose& q : way_) {
     if (!nodes_.empty()) {

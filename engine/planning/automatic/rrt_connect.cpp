@@ -5,6 +5,7 @@
 
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -15,8 +16,13 @@ constexpr double kFinest = 0.125;
 /// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
+constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
+
+double searchRange(const Problem& problem, double share, double turnWeight) {
+  return share * std::hypot(problem.bounds.diagonal().norm(), kPi * turnWeight * problem.world->objectRadius());
+}
 
 RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
                        std::unique_ptr<ConfigurationSampler> sampler)
@@ -165,8 +171,7 @@ void RrtConnect::deliverPath(PlannerHost& host) {
     if (!way) continue;
     Path path;
     for (const Node node : way->nodes) path.points.push_back({roadmap_.nodes()[node].q, Author::Computer});
-    path.certificate = certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
-                                   host.stopToken());
+    path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
     if (path.certificate.status == CertificateStatus::Certified) {
       path_ = std::move(path);
       return;

@@ -9,6 +9,10 @@
 
 namespace glissade {
 
+/// A share of the largest distance between two configurations of the problem, in a metric in which
+/// rotations weigh `turnWeight` of what they do in the object's.
+double searchRange(const Problem& problem, double share, double turnWeight = 1.0);
+
 /// RRT-Connect (J. J. Kuffner, S. M. LaValle, "RRT-Connect: An efficient approach to single-query path
 /// planning", 2000) with short extensions, which is what matters most in tight places. Optionally the
 /// dynamic domain (L. Jaillet, A. Yershova, S. M. LaValle, T. Simeon, "Adaptive tuning of the sampling

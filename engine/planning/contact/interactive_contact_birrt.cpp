@@ -5,6 +5,7 @@
 
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -186,8 +187,7 @@ void InteractiveContactBirrt::deliverPath(PlannerHost& host) {
       path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
       before = node;
     }
-    path.certificate = certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
-                                   host.stopToken());
+    path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
     if (path.certificate.status == CertificateStatus::Certified) {
       path_ = std::move(path);
       return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/planning/goal_roots.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -299,8 +300,7 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
     const bool first = path.points.empty();
     path.points.insert(path.points.end(), step.points.begin() + (first ? 0 : 1), step.points.end());
   }
-  path.certificate =
-      certifyPath(*query_, path.configurations(), host.parameters()[ParameterId::RequiredClearance], host.stopToken());
+  path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

@@ -18,6 +18,7 @@
 #include "engine/planning/goal_roots.h"
 #include "engine/planning/ompl/ompl_prm.h"
 #include "engine/planning/ompl/ompl_space.h"
+#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -195,8 +196,7 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
                                         });
   path.points.front().q = world.problem.start;
   path.points.back().q = *nearest;
-  path.certificate = certifyPath(*world.query, path.configurations(), host.parameters()[ParameterId::RequiredClearance],
-                                 host.stopToken());
+  path.certificate = certifyPath(*world.query, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status == CertificateStatus::Certified) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {

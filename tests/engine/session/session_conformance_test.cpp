@@ -169,6 +169,32 @@ std::string testName(const testing::TestParamInfo<std::pair<const char*, Maker>>
   return parameter.param.first;
 }
 
+TEST_P(SessionConformance, ThePathIsSmoothedAndGivenBackAsPlanned) {
+  const Problem problem = windowProblem();
+  const auto session = make(sessionConfig(problem));
+  session->post(command::SmoothPath{100});  // nothing to smooth yet
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const auto planned = session->snapshot()->path;
+  ASSERT_NE(planned, nullptr);
+  EXPECT_EQ(planned->certificate.edges.size() + 1, planned->points.size());
+  session->post(command::SmoothPath{200});
+  ASSERT_TRUE(waitFor(*session, [&](const SessionSnapshot& s) { return s.path != planned; }));
+  const auto smooth = session->snapshot()->path;
+  const auto lengthOf = [&](const Path& path) {
+    double sum = 0.0;
+    for (const double part : path.lengthByAuthor(problem.metric())) sum += part;
+    return sum;
+  };
+  EXPECT_LT(lengthOf(*smooth), lengthOf(*planned));
+  EXPECT_TRUE(session->snapshot()->smoothed);
+  EXPECT_EQ(smooth->certificate.status, CertificateStatus::Certified);
+  session->post(command::SmoothPath{0});
+  ASSERT_TRUE(waitFor(*session, [&](const SessionSnapshot& s) { return s.path != smooth; }));
+  EXPECT_EQ(session->snapshot()->path->configurations(), planned->configurations());
+  EXPECT_FALSE(session->snapshot()->smoothed);
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, SessionConformance,
                          testing::Values(std::pair<const char*, Maker>{"lockstep", &makeLockstep},
                                          std::pair<const char*, Maker>{"threaded", &makeThreadedSession}),

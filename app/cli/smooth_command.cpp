@@ -1,0 +1,62 @@
+#include "app/cli/smooth_command.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/interrupt.h"
+#include "app/cli/path_output.h"
+#include "engine/planning/path_certificate.h"
+#include "engine/scenario/path_io.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade::cli {
+namespace {
+
+double metricLength(const Path& path, const Problem& problem) {
+  double sum = 0.0;
+  for (const double part : path.lengthByAuthor(problem.metric())) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+int runSmooth(const SmoothOptions& options) {
+  const Interrupt interrupt;
+  const auto loaded = loadScenario(options.scenario);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  auto points = readPath(options.input);
+  if (!points) return reportError(points.error(), options.format);
+  const Problem& problem = loaded->problem;
+
+  Path path;
+  path.points = std::move(*points);
+  for (PathPoint& point : path.points) point.q.orientation.normalize();
+  path.certificate = certifyPath(*problem.world->makeQuery(), path.points, loaded->parameters, interrupt.token());
+  if (path.certificate.status != CertificateStatus::Certified) {
+    return reportError({ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
+                        inWords(path.certificate, *problem.world), "Only certified paths are smoothed."},
+                       options.format);
+  }
+  const Path shorter =
+      withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());
+  const Outcome written = writePath(shorter, *loaded, {"smooth", options.seed}, options.output);
+  if (!written) return reportError(written.error(), options.format);
+
+  const double before = metricLength(path, problem);
+  const double after = metricLength(shorter, problem);
+  if (options.format == Format::Json) {
+    const nlohmann::ordered_json report{{"metric_length_before_m", before},
+                                        {"metric_length_m", after},
+                                        {"configurations_before", path.points.size()},
+                                        {"configurations", shorter.points.size()},
+                                        {"certificate", toJson(shorter.certificate, *problem.world)}};
+    std::cout << report.dump(2) << "\n";
+  } else {
+    std::cout << "from " << before << " m to " << after << " m in the metric, from " << path.points.size() << " to "
+              << shorter.points.size() << " configurations, " << inWords(shorter.certificate, *problem.world) << "\n";
+  }
+  return 0;
+}
+
+}  // namespace glissade::cli

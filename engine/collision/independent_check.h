@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/collision/motion_certificate.h"
+#include "engine/environment/rigid_body.h"
+
+namespace glissade {
+
+/// The judge of paths: certifies a path with nothing of what planners use but the meshes. It has a
+/// course of its own (rotation vectors), its own speed bound (every vertex), its own argument (halving
+/// intervals of time), FCL's distances of surfaces, and its own test of containment (counting what a
+/// ray crosses). Slow and simple.
+class IndependentCheck {
+ public:
+  /// The object's frame is that of the path's configurations.
+  IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+  ~IndependentCheck();
+
+  /// Every edge against its demand, up to the first that does not keep it. Clearances are bounded
+  /// closely. An edge that turns by half a circle is undecided: its sense is a matter of rounding.
+  MotionCertificate check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
+                          const StopToken& stop = {}) const;
+
+ private:
+  struct Geometry;
+  MotionCertificate checkEdge(const Pose& from, const Pose& to, double required, const StopToken& stop) const;
+
+  std::unique_ptr<const Geometry> geometry_;
+};
+
+}  // namespace glissade

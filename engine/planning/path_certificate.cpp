@@ -1,0 +1,33 @@
+#include "engine/planning/path_certificate.h"
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+/// Between two contact configurations the gap shrinks where the object turns or the surface bulges.
+constexpr double kGapShare = 0.5;
+
+}  // namespace
+
+std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const ParameterValues& parameters) {
+  const double required = parameters[ParameterId::RequiredClearance];
+  const double gap = std::min(required, kGapShare * parameters[ParameterId::ContactGap]);
+  std::vector<EdgeDemand> demands;
+  const std::size_t edges = points.size() > 1 ? points.size() - 1 : points.size();
+  for (std::size_t i = 0; i < edges; ++i) {
+    const std::size_t end = std::min(i + 1, points.size() - 1);
+    const bool sliding = points[i].author == Author::Contact || points[end].author == Author::Contact;
+    demands.push_back({sliding ? gap : required, sliding});
+  }
+  return demands;
+}
+
+MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
+                              const ParameterValues& parameters, const StopToken& stop, ClearanceBounds bounds) {
+  std::vector<Pose> configurations;
+  for (const PathPoint& point : points) configurations.push_back(point.q);
+  return certifyPath(query, configurations, demandsOf(points, parameters), stop, bounds);
+}
+
+}  // namespace glissade
