@@ -33,7 +33,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   slider_->setRange(0, kPositions);
   slider_->setAccessibleName(parameterLabel(spec));
   number_->setAccessibleName(parameterLabel(spec));
-  number_->setDecimals(spec.integer ? 0 : spec.unit != "m" || spec.minimum < 1e-4 ? 3 : 1);
+  number_->setDecimals(spec.integer ? 0 : spec.unit != "m" || spec.defaultValue < 1e-3 ? 3 : 1);
   number_->setKeyboardTracking(false);
   number_->setFixedWidth(96);
   number_->setAlignment(Qt::AlignRight);
