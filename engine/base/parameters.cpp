@@ -51,6 +51,11 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::Absolute, true, false, "Random configurations drawn in a border to find its milestone."},
     {Id::CoarsePaths, "coarse_paths", "--coarse-paths", "", "Coarse paths", "", 1.0, 1000.0, 12.0, Scale::Absolute,
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
+    {Id::GuidanceRepulsion, "guidance_repulsion", "--guidance-repulsion", "", "Repulsion", "", 0.0, 1.0, 0.5,
+     Scale::Absolute, false, true,
+     "Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off."},
+    {Id::GuidanceAttraction, "guidance_attraction", "--guidance-attraction", "", "Attraction", "", 0.0, 1.0, 0.3,
+     Scale::Absolute, false, true, "Guidance: how strongly the path or the next milestone draws the hand; 0 is off."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -28,6 +28,8 @@ enum class ParameterId : std::size_t {
   StepSamples,
   BorderSamples,
   CoarsePaths,
+  GuidanceRepulsion,
+  GuidanceAttraction,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

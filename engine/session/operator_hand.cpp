@@ -3,7 +3,11 @@
 namespace glissade {
 
 OperatorHand::OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device)
-    : bounds_(problem.bounds), start_(problem.start), query_(problem.world->makeQuery()), device_(std::move(device)) {
+    : bounds_(problem.bounds),
+      start_(problem.start),
+      query_(problem.world->makeQuery()),
+      device_(std::move(device)),
+      objectRadius_(problem.world->objectRadius()) {
   sample_.q_device = problem.start;
 }
 
@@ -20,8 +24,9 @@ void OperatorHand::restart() {
 }
 
 void OperatorHand::advance(double dt, const OperatorFrame& frame,
-                           const std::function<double(const Pose&)>& distanceToStartTree) {
-  if (device_) put(device_->advance(dt, {sample_.q_device, frame, distanceToStartTree}, bounds_));
+                           const std::function<double(const Pose&)>& distanceToStartTree, const Guidance& guidance) {
+  guidance_ = guidance;
+  if (device_) put(device_->advance(dt, {sample_.q_device, frame, distanceToStartTree, guidance}, bounds_));
 }
 
 const OperatorSample& OperatorHand::sample() {
@@ -29,6 +34,8 @@ const OperatorSample& OperatorHand::sample() {
     sample_.nearest = query_->nearestObstacle(sample_.q_device);
     nearestIsKnown_ = true;
   }
+  const auto rendered = device_ ? device_->rendered() : std::nullopt;
+  sample_.guidance = rendered ? *rendered : guidanceWrench(guidance_, sample_.q_device, sample_.nearest, objectRadius_);
   return sample_;
 }
 

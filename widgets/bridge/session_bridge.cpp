@@ -36,7 +36,8 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
   lockstep_ = nullptr;
   session_.reset();
   const DeviceRegistry registry = makeDeviceRegistry();
-  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_};
+  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(),     seed, hand_,
+                        scenario_->problem.world,      clock_ == SessionClock::RealTime};
   if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
   Problem problem = scenario_->problem;
   problem.scene = scene_;
