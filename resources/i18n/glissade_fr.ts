@@ -547,6 +547,14 @@
         <source>Colour the path by who made each segment: computer, operator, contact</source>
         <translation>Colorer le chemin selon l&apos;auteur de chaque segment : ordinateur, opérateur, contact</translation>
     </message>
+    <message>
+        <source>Guidance force</source>
+        <translation>Force de guidage</translation>
+    </message>
+    <message>
+        <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
+        <translation>Montrer ce qui guide la main : la force par une flèche, son intensité par une teinte</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -649,6 +657,10 @@
         <source>By hand</source>
         <translation>À la main</translation>
     </message>
+    <message>
+        <source>Simulated haptic hand</source>
+        <translation>Main haptique simulée</translation>
+    </message>
 </context>
 <context>
     <name>Parameters</name>
@@ -683,6 +695,22 @@
     <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
         <translation>Rayon du disque du plan tangent dans lequel les échantillons de contact sont tirés.</translation>
+    </message>
+    <message>
+        <source>Repulsion</source>
+        <translation>Répulsion</translation>
+    </message>
+    <message>
+        <source>Attraction</source>
+        <translation>Attraction</translation>
+    </message>
+    <message>
+        <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
+        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
+    </message>
+    <message>
+        <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
+        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
     </message>
 </context>
 <context>
