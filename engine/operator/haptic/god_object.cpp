@@ -12,10 +12,15 @@ namespace {
 constexpr double kKept = 0.5;
 /// Contacts learnt farther away than this, times the object's radius, say nothing here any more.
 constexpr double kContactMemory = 0.03;
-/// Two planes with a smaller angle than this between them are one (cosine).
+/// Contacts are one with a smaller angle than this between their planes (cosine), at points of the object
+/// nearer than this, times its radius. A face on a face has several: with one, it would tip over.
 constexpr double kSamePlane = 0.995;
-constexpr std::size_t kMostContacts = 6;
-constexpr int kSweeps = 12;
+constexpr double kSamePoint = 0.1;
+constexpr std::size_t kMostContacts = 8;
+constexpr int kSweeps = 20;
+/// Longest step along contacts, in gaps: the sweeps leave a small share of it, which must be small against
+/// the gap.
+constexpr double kLongestStep = 20.0;
 /// Share of a missing gap that is given back in one step.
 constexpr double kRecovery = 0.2;
 
@@ -36,7 +41,10 @@ void GodObject::learn(const Surroundings& surroundings) {
   const NearestObstacle& nearest = surroundings.nearest;
   if (nearest.body < 0 || nearest.distance <= 0.0) return;
   const Contact contact{surroundings.q, nearest.p_WPo, nearest.normal_W(), inverse(surroundings.q) * nearest.p_WPn};
-  const auto same = [&](const Contact& other) { return other.normal_W.dot(contact.normal_W) > kSamePlane; };
+  const auto same = [&](const Contact& other) {
+    return other.normal_W.dot(contact.normal_W) > kSamePlane &&
+           (other.p_BPn - contact.p_BPn).norm() < kSamePoint * radius_;
+  };
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), same), contacts_.end());
   if (contacts_.size() == kMostContacts) contacts_.erase(contacts_.begin());
   contacts_.push_back(contact);
@@ -74,6 +82,12 @@ GodObject::Step GodObject::alongContacts(const Step& wanted) const {
   return step;
 }
 
+GodObject::Step GodObject::stepTo(const Pose& X_WD) const {
+  const double longest = kLongestStep * tolerance::kContactGap * radius_;
+  const double share = std::min(1.0, longest / std::max(longest, reach(q_, X_WD)));
+  return {share * (X_WD.position - q_.position), share * radius_ * rotationVector(q_.orientation, X_WD.orientation)};
+}
+
 Pose GodObject::moved(const Step& step) const {
   return {q_.position + step.translation, (fromRotationVector(step.rotation / radius_) * q_.orientation).normalized()};
 }
@@ -82,8 +96,7 @@ const Pose& GodObject::follow(const Pose& X_WD) {
   if (!known_) return q_;
   if (surroundings_.clearance <= 0.0) return q_ = X_WD;
   forgetFarContacts();
-  const Step wanted{X_WD.position - q_.position, radius_ * rotationVector(q_.orientation, X_WD.orientation)};
-  const Pose target = contacts_.empty() ? X_WD : moved(alongContacts(wanted));
+  const Pose target = contacts_.empty() ? X_WD : moved(alongContacts(stepTo(X_WD)));
   // The ball is convex: with both its ends in it, a straight motion is free.
   const double clearance = surroundings_.clearance;
   const double ball = clearance - kKept * std::min(tolerance::kContactGap * radius_, clearance);

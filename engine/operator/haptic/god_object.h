@@ -48,6 +48,7 @@ class GodObject {
   double reach(const Pose& a, const Pose& b) const;
   double gap(const Contact& contact) const;
   void forgetFarContacts();
+  Step stepTo(const Pose& X_WD) const;
   Step alongContacts(const Step& wanted) const;
   Pose moved(const Step& step) const;
 
