@@ -12,11 +12,11 @@ namespace glissade {
 namespace {
 
 constexpr double kLeastShown = 0.01;     ///< weaker forces are not shown
-constexpr double kRadiiAtFull = 2.0;     ///< length of the arrow at full strength
-constexpr double kShortest = 0.25;       ///< in radii, so that weak forces have a direction
-constexpr double kShaft = 0.03;          ///< in radii
-constexpr double kHeadRadius = 0.09;     ///< in radii
-constexpr double kHeadLength = 0.22;     ///< in radii
+constexpr double kRadiiAtFull = 3.0;     ///< length of the arrow at full strength
+constexpr double kShortest = 0.4;        ///< in radii, so that weak forces have a direction
+constexpr double kShaft = 0.05;          ///< in radii
+constexpr double kHeadRadius = 0.15;     ///< in radii
+constexpr double kHeadLength = 0.35;     ///< in radii
 constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
 constexpr std::uint32_t kSegments = 24;
 

@@ -12,7 +12,7 @@ namespace glissade {
 float guidanceStrength(const Wrench& guidance);
 
 /// The force that guides the hand as an arrow from the object's reference point, seen through whatever
-/// lies in front: as long as the object's diameter at full strength. Null where there is none to speak of.
+/// lies in front: three radii of the object long at full strength. Null where there is none to speak of.
 osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, double objectRadius,
                                                 const ScenePalette& palette);
 
