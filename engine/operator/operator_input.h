@@ -52,7 +52,7 @@ struct OperatorView {
   OperatorFrame frame;
   /// Distance in the metric from q to the nearest node of the start tree; never empty.
   std::function<double(const Pose& q)> distanceToStartTree;
-  Guidance guidance;  ///< what a device that pushes back renders
+  Guidance guidance{};  ///< what a device that pushes back renders
 };
 
 /// A person, or whatever stands in for one: turns time into motion. Not thread-safe: owned and

@@ -43,6 +43,7 @@ void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
   if (colours->front() == wanted) return;
   colours->front() = wanted;
   colours->dirty();
+  surface->dirtyGLObjects();
 }
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 #include <osg/Depth>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/geometry/primitives.h"
 #include "widgets/scene3d/geometry_builder.h"
@@ -18,6 +19,7 @@ constexpr double kShaft = 0.05;          ///< in radii
 constexpr double kHeadRadius = 0.15;     ///< in radii
 constexpr double kHeadLength = 0.35;     ///< in radii
 constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
+constexpr float kTints = 32.0F;          ///< so many are told apart: a new one is uploaded with the surface
 constexpr std::uint32_t kSegments = 24;
 
 /// Points to +z from the origin.
@@ -64,7 +66,7 @@ osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, do
 }
 
 osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette) {
-  const float share = kStrongestTint * strength;
+  const float share = kStrongestTint * std::round(kTints * strength) / kTints;
   return objectColour * (1.0F - share) + palette.guidance * share;
 }
 
