@@ -66,8 +66,6 @@ TEST_F(HapticContact, GivesOutNoMoreEnergyThanWasPutIn) {
       const double tolerance = 0.02 * stored;
       EXPECT_GE(record->lowest, -stored * (repulsion > 0.0 ? 1.0 : 0.0) - tolerance);
       EXPECT_LE(record->strongest, 1.0 + 1e-9);
-      std::cout << lateness << " " << repulsion << " lowest " << record->lowest << " end " << record->energyIn << " of "
-                << stored << " touching " << touching << "\n";
       EXPECT_TRUE(touching > 300 || repulsion > 0.0) << "the motions did not touch: " << lateness << " " << repulsion;
       EXPECT_FALSE(query->collides(servo.object().pose()));
     }
@@ -86,9 +84,6 @@ TEST_F(HapticContact, PressedAgainstThePartItComesToRest) {
     }
     EXPECT_LT(settled.diagonal().norm(), (lateness == 1 ? 0.001 : 0.03) * world->objectRadius());
     EXPECT_LE(settled.diagonal().norm(), early.diagonal().norm() + 1e-3);
-    std::cout << lateness << " early " << early.diagonal().norm() << " settled " << settled.diagonal().transpose()
-              << " at " << servo.object().pose().position.transpose() << " gap " << servo.object().nearest().distance
-              << " strongest " << record->strongest << " in " << record->energyIn << "\n";
     EXPECT_GT(record->strongest, 0.1) << "it was not pressed";
   }
 }
