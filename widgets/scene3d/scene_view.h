@@ -28,6 +28,7 @@ enum class SceneLayer {
   Roadmap,
   Path,
   Contact,
+  Guidance,
   FreeCells,
   MobileCells,
   StaticCells,
@@ -39,7 +40,7 @@ enum class SceneLayer {
   Region,
   Selection
 };
-inline constexpr int kSceneLayerCount = 17;
+inline constexpr int kSceneLayerCount = 18;
 
 struct EnvironmentPicture;
 
