@@ -1,6 +1,8 @@
 // Every device of the registry keeps the same contract.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/operator/device_registry.h"
 #include "tests/engine/operator/operator_support.h"
 #include "tests/engine/support/random_pose.h"
@@ -72,7 +74,11 @@ TEST_P(DeviceConformance, SameSeedAndCallsGiveTheSameMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(deviceIds()),
-                         [](const testing::TestParamInfo<std::string>& parameter) { return parameter.param; });
+                         [](const testing::TestParamInfo<std::string>& parameter) {
+                           std::string name = parameter.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(DeviceRegistry, WithoutAHandNobodyHoldsAnything) {
   for (const char* id : {"hand", "keyboard", "mouse6d", "gamepad", "simulated-haptic"}) {

@@ -25,6 +25,12 @@ double secondsToHold() {
   return wanted != nullptr ? std::atof(wanted) : 1.0;
 }
 
+OperatorView viewFrom(const Pose& q) {
+  OperatorView view;
+  view.q_device = q;
+  return view;
+}
+
 /// Holds the loop while a planner works on another thread; the hand wanders and keeps touching.
 HapticReport hold(const Problem& problem, const std::string& what) {
   const auto session = makeThreadedSession(sessionConfig(problem));
@@ -84,11 +90,11 @@ TEST(HapticLoop, PutsTheObjectWhereItIsToldAndStopsAtOnce) {
       problem.world, std::make_unique<SimulatedHapticDevice>([](double, const Pose& begin) { return begin; }, radius));
   for (int i = 0; i < 20; ++i) {
     const Pose put = Pose::translation({-1.5, 0.05 * i, 0.0});
-    EXPECT_EQ(person.advance(0.008, {put, {}, {}, {}}, problem.bounds), put);
+    EXPECT_EQ(person.advance(0.008, viewFrom(put), problem.bounds), put);
     Pose q = put;
     for (int j = 0; j < 5; ++j) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      q = person.advance(0.008, {q, {}, {}, {}}, problem.bounds);
+      q = person.advance(0.008, viewFrom(q), problem.bounds);
     }
     EXPECT_LT((q.position - put.position).norm(), 1e-9);
   }
