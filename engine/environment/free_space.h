@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 namespace glissade {
 
-/// The cells of one octree level inside the workspace, as a flat array: x slowest, z fastest.
+/// The cells of one octree level inside the workspace, as a flat array: x slowest, z fastest. Fewer than 2^32.
 struct CellGrid {
   CellFrame frame;
   int level = 0;
@@ -23,9 +24,21 @@ struct CellGrid {
                static_cast<std::size_t>(counts[2]) +
            static_cast<std::size_t>(z);
   }
-  std::array<int, 3> coordinates(std::size_t cell) const;
+  /// Inline, and with two short divisions: asked for every cell several times while an environment model is built.
+  std::array<int, 3> coordinates(std::size_t cell) const {
+    const auto index = static_cast<std::uint32_t>(cell);
+    const auto ny = static_cast<std::uint32_t>(counts[1]);
+    const auto nz = static_cast<std::uint32_t>(counts[2]);
+    const std::uint32_t column = index / nz;
+    const std::uint32_t x = column / ny;
+    return {static_cast<int>(x), static_cast<int>(column - x * ny), static_cast<int>(index - column * nz)};
+  }
   /// Distance in the flat array between neighbours along an axis.
-  std::size_t stride(int axis) const;
+  std::size_t stride(int axis) const {
+    if (axis == 2) return 1;
+    const auto nz = static_cast<std::size_t>(counts[2]);
+    return axis == 1 ? nz : nz * static_cast<std::size_t>(counts[1]);
+  }
   bool contains(const std::array<int, 3>& coordinates) const;
   Vector3 centre(std::size_t cell) const;
   Box3 box(std::size_t cell) const;

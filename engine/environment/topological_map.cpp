@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 #include "engine/environment/point_clearance.h"
 
@@ -136,7 +137,7 @@ std::vector<std::vector<SharedFace>> connectedFaces(const CellGrid& grid, const 
 /// The cells of both places that are within `reach` of the shared faces, inside the two places.
 std::vector<std::size_t> overlapCells(const CellGrid& grid, const PlaceLabels& labels, const Border& border,
                                       const std::vector<SharedFace>& faces, double reach) {
-  std::map<std::size_t, int> layerOf;
+  std::unordered_map<std::size_t, int> layerOf;
   std::vector<std::size_t> front;
   const auto add = [&](std::size_t cell, int layer) {
     if (layerOf.emplace(cell, layer).second) front.push_back(cell);
@@ -153,9 +154,8 @@ std::vector<std::size_t> overlapCells(const CellGrid& grid, const PlaceLabels& l
       if (labels[next] == border.placeA || labels[next] == border.placeB) add(next, layer + 1);
     });
   }
-  std::vector<std::size_t> cells;
-  for (const auto& [cell, layer] : layerOf) cells.push_back(cell);
-  return cells;
+  std::sort(front.begin(), front.end());
+  return front;
 }
 
 Border makeBorder(const TopologicalMap& map, std::pair<int, int> pair, std::size_t number,
