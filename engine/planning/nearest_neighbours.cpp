@@ -2,26 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace glissade {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 /// A leaf with more configurations is split, if they differ.
 constexpr std::size_t kMostInALeaf = 32;
-/// Single precision rounds seven coordinates, their differences, squares and sum by less than this
-/// share of the largest coordinate, or of the distance.
-constexpr double kRounding = 16.0 * std::numeric_limits<float>::epsilon();
+/// Single precision rounds seven coordinates, their differences, squares, sums and the series below by less
+/// than this share of the largest coordinate, or of the distance.
+constexpr double kRounding = 32.0 * std::numeric_limits<float>::epsilon();
+
+/// Four numbers of a box or a point.
+using Four = float __attribute__((vector_size(16)));
 
 template <class Point>
-float squaredToBox(const Point& p, const Point& low, const Point& high) {
-  float sum = 0.0F;
-  for (std::size_t axis = 0; axis < p.size(); ++axis) {
-    const float outside = std::max(0.0F, std::max(low[axis] - p[axis], p[axis] - high[axis]));
-    sum += outside * outside;
-  }
-  return sum;
+Four fourOf(const Point& point, std::size_t first) {
+  Four four;
+  std::memcpy(&four, point.data() + first, sizeof four);
+  return four;
+}
+
+float sum(Four four) { return (four[0] + four[1]) + (four[2] + four[3]); }
+
+/// Squared distances of four coordinates from intervals; 0 inside.
+template <class Point>
+float squaredOutside(const Point& p, const Point& low, const Point& high, std::size_t first) {
+  const Four below = fourOf(low, first) - fourOf(p, first);
+  const Four above = fourOf(p, first) - fourOf(high, first);
+  const Four farther = below > above ? below : above;
+  const Four outside = farther > Four{} ? farther : Four{};
+  return sum(outside * outside);
 }
 
 }  // namespace
@@ -29,12 +42,20 @@ float squaredToBox(const Point& p, const Point& low, const Point& high) {
 /// What one question has found so far.
 struct NearestNeighbours::Search {
   const Pose& q;
-  Point point;   ///< of q with one sign of its quaternion
-  double scale;  ///< largest coordinate that has a part in it
+  Point point;      ///< of q with one sign of its quaternion
+  double scale;     ///< largest coordinate that has a part in it
+  float curvature;  ///< 1 / (4 r)^2
   std::size_t best = std::numeric_limits<std::size_t>::max();
   double squared = std::numeric_limits<double>::infinity();
   double distance = 0.0;
-  float limit = kFar;  ///< what is farther, squared and in single precision, cannot be the nearest
+  float limit = kInfinity;  ///< what is farther, squared and in single precision, cannot be the nearest
+
+  /// A lower bound of the squared metric from the squared chord (times 2 r) and the squared way: the angle is
+  /// 4 asin(chord / 2), and asin(x)^2 = x^2 + x^4 / 3 + 8 x^6 / 45 + ...
+  float bound(float chord, float way) const {
+    const float x = chord * curvature;
+    return chord * (1.0F + x * (1.0F / 3.0F + x * (8.0F / 45.0F))) + way;
+  }
 
   void consider(std::size_t place, double away) {
     const double awaySquared = away * away;
@@ -43,25 +64,23 @@ struct NearestNeighbours::Search {
     squared = awaySquared;
     distance = away;
     const double reach = away * (1.0 + kRounding) + kRounding * scale;
-    limit = std::nextafter(static_cast<float>(reach * reach), kFar);
+    limit = std::nextafter(static_cast<float>(reach * reach), kInfinity);
   }
 };
 
 NearestNeighbours::Point NearestNeighbours::pointOf(const Pose& q) const {
   const Vector3 p = q.position - origin_;
   const auto& r = q.orientation.coeffs();
-  const double weight = 2.0 * metric_.radius();
+  const double weight = std::copysign(2.0 * metric_.radius(), r[3]);
   const auto single = [](double value) { return static_cast<float>(value); };
-  return {single(p.x()),         single(p.y()),         single(p.z()),        single(weight * r[0]),
-          single(weight * r[1]), single(weight * r[2]), single(weight * r[3])};
+  return {single(weight * r[0]), single(weight * r[1]), single(weight * r[2]), single(weight * r[3]),
+          single(p.x()),         single(p.y()),         single(p.z()),         0.0F};
 }
 
 void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
   if (nodes_.empty()) {
     origin_ = q.position;
     nodes_.emplace_back();
-    nodes_.front().low.fill(kFar);
-    nodes_.front().high.fill(-kFar);
   }
   const auto place = static_cast<std::uint32_t>(poses_.size());
   poses_.push_back(q);
@@ -86,7 +105,7 @@ void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t place, const
   const std::size_t lane = leaf.count % kLanes;
   if (lane == 0) {
     leaf.packets.emplace_back();
-    for (auto& axis : leaf.packets.back().at) axis.fill(kFar);
+    for (auto& axis : leaf.packets.back().at) axis.fill(kInfinity);
   }
   Packet& packet = leaf.packets.back();
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -111,10 +130,6 @@ void NearestNeighbours::splitLeaf(std::uint32_t node) {
   const std::size_t count = nodes_[node].count;
   const auto children = static_cast<std::uint32_t>(nodes_.size());
   nodes_.resize(nodes_.size() + 2);
-  for (std::uint32_t child = children; child < children + 2; ++child) {
-    nodes_[child].low.fill(kFar);
-    nodes_[child].high.fill(-kFar);
-  }
   nodes_[node].children = children;
   nodes_[node].axis = axis;
   nodes_[node].split = split;
@@ -122,22 +137,27 @@ void NearestNeighbours::splitLeaf(std::uint32_t node) {
   nodes_[node].count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Packet& packet = packets[i / kLanes];
-    Point point;
+    Point point{};
     for (std::size_t a = 0; a < kAxes; ++a) point[a] = packet.at[a][i % kLanes];
     addToLeaf(children + (point[axis] < split ? 0U : 1U), packet.place[i % kLanes], point);
   }
 }
 
 void NearestNeighbours::look(const Packet& packet, Search& search) const {
-  std::array<float, kLanes> squared{};
-  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+  std::array<float, kLanes> chord{};
+  std::array<float, kLanes> way{};
+  const auto addAxis = [&](std::size_t axis, std::array<float, kLanes>& squared) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const float offset = packet.at[axis][lane] - search.point[axis];
       squared[lane] += offset * offset;
     }
-  }
+  };
+  for (std::size_t axis = 0; axis < kOrientationAxes; ++axis) addAxis(axis, chord);
+  for (std::size_t axis = kOrientationAxes; axis < kAxes; ++axis) addAxis(axis, way);
+  std::array<float, kLanes> bound;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) bound[lane] = search.bound(chord[lane], way[lane]);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (squared[lane] == kFar || squared[lane] > search.limit) continue;
+    if (bound[lane] == kInfinity || bound[lane] > search.limit) continue;
     const std::uint32_t place = packet.place[lane];
     search.consider(place, metric_.distance(poses_[place], search.q));
   }
@@ -150,7 +170,9 @@ void NearestNeighbours::visit(std::uint32_t at, Search& search) const {
     return;
   }
   const auto away = [&](std::uint32_t child) {
-    return squaredToBox(search.point, nodes_[child].low, nodes_[child].high);
+    const Node& box = nodes_[child];
+    return search.bound(squaredOutside(search.point, box.low, box.high, 0),
+                        squaredOutside(search.point, box.low, box.high, kOrientationAxes));
   };
   std::uint32_t first = node.children;
   std::uint32_t second = node.children + 1;
@@ -166,10 +188,11 @@ void NearestNeighbours::visit(std::uint32_t at, Search& search) const {
 
 std::optional<NearestNeighbours::Neighbour> NearestNeighbours::nearest(const Pose& q) const {
   if (nodes_.empty()) return std::nullopt;
-  Search search{q, pointOf(q), scale_};
+  const double r = metric_.radius();
+  Search search{q, pointOf(q), scale_, r > 0.0 ? static_cast<float>(1.0 / (16.0 * r * r)) : 0.0F};
   for (const float value : search.point) search.scale = std::max(search.scale, static_cast<double>(std::abs(value)));
   visit(0, search);
-  for (std::size_t axis = 3; axis < kAxes; ++axis) search.point[axis] = -search.point[axis];
+  for (std::size_t axis = 0; axis < kOrientationAxes; ++axis) search.point[axis] = -search.point[axis];
   visit(0, search);
   return Neighbour{indices_[search.best], search.distance};
 }

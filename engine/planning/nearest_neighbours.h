@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -11,11 +12,11 @@
 namespace glissade {
 
 /// Configurations with an index each, for trees that grow every step. They lie in a k-d tree over
-/// position and quaternion (Bentley 1975, with tight boxes as in a hierarchy of bounding volumes): the
-/// angle between two orientations is at least twice the chord between their quaternions, so the
-/// Euclidean distance of (p, 2 r quaternion) to the nearer of the two quaternions of the query never
-/// exceeds the metric. Boxes and leaves are looked at in single precision with a margin for its
-/// rounding, eight configurations at once; what is left is decided by the metric itself.
+/// orientation and position (Bentley 1975, with tight boxes as in a hierarchy of bounding volumes). The angle
+/// between two orientations follows from the chord between their quaternions, so the distance of
+/// (2 r quaternion, p) to a box bounds the metric from below. Bounds are computed in single precision with a
+/// margin for its rounding, several numbers at once; what is left is decided by the metric itself.
+/// Quaternions are kept with one sign, so that looking from the other one is over at once but near half turns.
 class NearestNeighbours {
  public:
   struct Neighbour {
@@ -32,17 +33,21 @@ class NearestNeighbours {
 
  private:
   static constexpr std::size_t kAxes = 7;
+  static constexpr std::size_t kOrientationAxes = 4;
   static constexpr std::size_t kLanes = 8;
-  using Point = std::array<float, kAxes>;
+  /// Orientation first, then position; the eighth number is zero.
+  using Point = std::array<float, kAxes + 1>;
 
-  /// Up to eight configurations side by side; lanes without one lie infinitely far away.
+  static constexpr Point everywhere(float value) { return {value, value, value, value, value, value, value, 0.0F}; }
+
+  /// Up to eight configurations, axis by axis; lanes without one lie infinitely far away.
   struct Packet {
     std::array<std::array<float, kLanes>, kAxes> at;
     std::array<std::uint32_t, kLanes> place;
   };
   struct Node {
-    Point low;
-    Point high;
+    Point low = everywhere(std::numeric_limits<float>::infinity());
+    Point high = everywhere(-std::numeric_limits<float>::infinity());
     std::uint32_t children = 0;  ///< the first of two; 0: a leaf
     std::size_t axis = 0;
     float split = 0.0F;  ///< below it, on the axis: the first child
