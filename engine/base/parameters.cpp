@@ -53,6 +53,11 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
     {Id::Smoothing, "smoothing", "--smoothing", "", "Smoothing", "", 0.0, 1e6, 0.0, Scale::Absolute, true, false,
      "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."},
+    {Id::OmplRange, "ompl_range", "--ompl-range", "", "OMPL's range", "", 0.0, 1.0, 0.0, Scale::Absolute, false, false,
+     "Longest edge of the planners that are OMPL as it is, as a share of the space's extent; 0 is OMPL's default."},
+    {Id::OmplResolution, "ompl_resolution", "--ompl-resolution", "", "OMPL's resolution", "", 1e-5, 1.0, 0.01,
+     Scale::Absolute, false, false,
+     "The planners that are OMPL as it is look at an edge every so often, as a share of the space's extent."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

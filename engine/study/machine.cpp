@@ -1,8 +1,11 @@
 #include "engine/study/machine.h"
 
+#include <fcl/config.h>
+#include <ompl/config.h>
 #include <sys/sysinfo.h>
 #include <sys/utsname.h>
 
+#include <Eigen/Core>
 #include <fstream>
 #include <thread>
 
@@ -41,6 +44,12 @@ std::string describeMachine() {
   struct utsname system {};
   if (uname(&system) == 0) text += std::string(", ") + system.sysname + " " + system.machine;
   return text + "; built by " + compilerName();
+}
+
+std::string describeLibraries() {
+  const std::string eigen = std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                            std::to_string(EIGEN_MINOR_VERSION);
+  return std::string("OMPL ") + OMPL_VERSION + ", FCL " + FCL_VERSION + ", Eigen " + eigen;
 }
 
 }  // namespace glissade
