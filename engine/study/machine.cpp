@@ -47,9 +47,11 @@ std::string describeMachine() {
 }
 
 std::string describeLibraries() {
-  const std::string eigen = std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                            std::to_string(EIGEN_MINOR_VERSION);
-  return std::string("OMPL ") + OMPL_VERSION + ", FCL " + FCL_VERSION + ", Eigen " + eigen;
+  const auto version = [](const char* name, int major, int minor, int patch) {
+    return std::string(name) + " " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+  };
+  return version("OMPL", OMPL_MAJOR_VERSION, OMPL_MINOR_VERSION, OMPL_PATCH_VERSION) + ", FCL " FCL_VERSION ", " +
+         version("Eigen", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 }
 
 }  // namespace glissade

@@ -30,7 +30,7 @@ Problem endlessProblem() {
   for (int i = 0; i < 50; ++i) {
     const Vector3 size(stream.uniform(0.3, 1.5), stream.uniform(0.3, 1.5), stream.uniform(0.3, 1.5));
     Pose X_WB = randomPose(stream, 4.0);
-    X_WB.position.x() -= 1.0;  // away from the goal
+    X_WB.position.x() -= 1.5;  // away from the goal
     bodies.push_back(boxBody("box " + std::to_string(i), size, X_WB));
   }
   const Vector3 goal(4.3, 4.3, 4.3);
