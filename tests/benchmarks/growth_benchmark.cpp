@@ -1,5 +1,6 @@
 // How time grows: a planner's iteration with its tree, a collision check with its triangles; ours beside
 // OMPL's and FCL's. Benchmarks are named quantity/who/size; the exponents are printed at the end.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>

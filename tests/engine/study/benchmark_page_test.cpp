@@ -51,7 +51,7 @@ class BenchmarkPage : public testing::Test {
 TEST_F(BenchmarkPage, HasTheKernelBesideFcl) {
   folder.write("collision.json", test::kCollisionBenchmarks);
   const std::string html = page();
-  EXPECT_THAT(html, HasSubstr("<td>Collide: 30 times faster than FCL.</td>"));
+  EXPECT_THAT(html, HasSubstr("Collide: 30 times faster than FCL.</td>"));
   EXPECT_THAT(html, HasSubstr("<td class=\"holds\">holds</td><td class=\"number\">60"));
   EXPECT_THAT(html, HasSubstr("<td class=\"refuted\">does not hold</td><td class=\"number\">10"));
   EXPECT_THAT(html, HasSubstr("<td class=\"open\">open</td>")) << "edges were asked of one only";
