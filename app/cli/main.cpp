@@ -158,6 +158,12 @@ CLI::App* addReport(CLI::App& app, ReportOptions& options) {
   return report;
 }
 
+CLI::App* addBenchmarkPage(CLI::App& app, std::string& folder) {
+  CLI::App* page = app.add_subcommand("benchmark-page", "Write the page of results of packaging/benchmarks.sh");
+  page->add_option("DIR", folder, "Folder of results")->required();
+  return page;
+}
+
 CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
   CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
   replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was cut off")->required();
@@ -179,6 +185,7 @@ int run(int argc, char** argv) {
   StudyOptions study;
   MergeOptions merge;
   ReportOptions report;
+  std::string benchmarks;
   const CLI::App* planCommand = addPlan(app, plan);
   const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
@@ -187,6 +194,7 @@ int run(int argc, char** argv) {
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
   const CLI::App* reportCommand = addReport(app, report);
+  const CLI::App* benchmarkCommand = addBenchmarkPage(app, benchmarks);
   addConvert(app, convert);
   try {
     app.parse(argc, argv);
@@ -201,6 +209,7 @@ int run(int argc, char** argv) {
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);
+  if (benchmarkCommand->parsed()) return runBenchmarkPage(benchmarks);
   return runConvert(convert);
 }
 

@@ -25,7 +25,7 @@ std::string status(const SessionSnapshot& end) {
   if (end.state == SessionState::Stopped) return "interrupted";
   switch (end.problem ? end.problem->kind : ErrorKind::Internal) {
     case ErrorKind::LimitReached: return "limit-reached";
-    case ErrorKind::NoPath: return "no-path";
+    case ErrorKind::NoPath: return end.counts.rejectedPaths > 0 ? "not-certified" : "no-path";
     case ErrorKind::InCollision: return "in-collision";
     case ErrorKind::Usage:
     case ErrorKind::MalformedInput: return "malformed";
@@ -90,11 +90,13 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
   if (!end.member.empty()) report["member"] = end.member;
   report["wall_s"] = end.planningSeconds;
   report["planning_s"] = end.planningSeconds;
+  report["planning_cpu_s"] = end.planningCpuSeconds;
   report["virtual_s"] = end.virtualSeconds;
   report["nodes"] = counts.nodes;
   report["nodes_by_author"] = byAuthor(end.nodesByAuthor);
   report["edges"] = counts.edges;
   report["dropped_edges"] = counts.droppedEdges;
+  report["rejected_paths"] = counts.rejectedPaths;
   report["iterations"] = counts.iterations;
   report["steps"] = counts.steps;
   report["random_configurations"] = counts.randomConfigurations;

@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/study_report.h"
 #include "engine/base/file.h"
+#include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/study_report.h"
 #include "engine/study/study_runner.h"
 #include "engine/study/study_tables.h"
@@ -116,6 +117,15 @@ int runReport(const ReportOptions& options) {
   reportWarnings(warnings);
   if (!written) return reportError(written.error(), Format::Text);
   std::cout << out << "/report.html\n";
+  return 0;
+}
+
+int runBenchmarkPage(const std::string& folder) {
+  Warnings warnings;
+  const Outcome written = writeBenchmarkPage(folder, warnings);
+  reportWarnings(warnings);
+  if (!written) return reportError(written.error(), Format::Text);
+  std::cout << folder << "/benchmarks.html\n";
   return 0;
 }
 

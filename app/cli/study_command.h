@@ -38,4 +38,7 @@ struct ReportOptions {
 /// glissade-cli report: writes report.html of a folder of results.
 int runReport(const ReportOptions& options);
 
+/// glissade-cli benchmark-page: writes benchmarks.html of a folder that packaging/benchmarks.sh filled.
+int runBenchmarkPage(const std::string& folder);
+
 }  // namespace glissade::cli

@@ -50,7 +50,7 @@ void addOptions(QCommandLineParser& parser) {
       {"size", "Size of the window in pixels", "WxH", "1280x720"},
       {"script", "Carry out a script and leave", "FILE"},
       {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
-      {"report-pdf", "Write the report of the study in DIR as DIR/report.pdf", "DIR"},
+      {"report-pdf", "Write the report of the study (or the page of the benchmarks) in DIR as PDF there", "DIR"},
       {"theme", "light or dark", "THEME", "light"},
       {"language", "en or fr", "LANGUAGE", "en"},
       {"seed", "Seed of everything random", "SEED"},
@@ -125,7 +125,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     if (const auto why = takeStudyPictures(parser.value("study-pictures"), window)) return fail(*why);
   }
   if (parser.isSet("report-pdf")) {
-    if (const auto why = writeStudyPdf(parser.value("report-pdf"))) return fail(*why);
+    if (const auto why = writeFolderPdf(parser.value("report-pdf"))) return fail(*why);
   }
   if (parser.isSet("screenshot")) {
     const QString file = parser.value("screenshot");

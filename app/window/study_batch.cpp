@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QImage>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include "app/window/main_window.h"
 #include "app/window/study_controller.h"
 #include "engine/base/file.h"
+#include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/cell_value.h"
 #include "widgets/studies/report_pdf.h"
 
@@ -74,6 +76,12 @@ void say(const Warnings& warnings) {
   for (const Diagnostic& warning : warnings) std::cerr << "glissade: " << toString(warning) << "\n";
 }
 
+Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
+  const auto folder = StudyFolder::open(path.toStdString());
+  if (!folder) return folder.error();
+  return reportOf(*folder, warnings);
+}
+
 }  // namespace
 
 std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& window) {
@@ -95,13 +103,14 @@ std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& win
   return std::nullopt;
 }
 
-std::optional<Diagnostic> writeStudyPdf(const QString& path) {
-  const auto folder = StudyFolder::open(path.toStdString());
-  if (!folder) return folder.error();
+std::optional<Diagnostic> writeFolderPdf(const QString& path) {
   Warnings warnings;
-  const StudyReport report = reportOf(*folder, warnings);
+  const bool isStudy = QFile::exists(path + QStringLiteral("/plan.json"));
+  const auto report = isStudy ? studyReport(path, warnings) : benchmarkPage(path.toStdString(), warnings);
+  if (!report) return report.error();
   say(warnings);
-  const Outcome written = writeReportPdf(report, QString::fromStdString(folder->file("report.pdf")));
+  const Outcome written =
+      writeReportPdf(*report, path + QStringLiteral("/%1.pdf").arg(isStudy ? "report" : "benchmarks"));
   return written ? std::nullopt : std::optional<Diagnostic>(written.error());
 }
 

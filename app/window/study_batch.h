@@ -13,7 +13,7 @@ class MainWindow;
 /// as DIR/pictures/cellN.png with its caption in cellN.txt. What went wrong, or nothing.
 std::optional<Diagnostic> takeStudyPictures(const QString& folder, MainWindow& window);
 
-/// Writes DIR/report.pdf.
-std::optional<Diagnostic> writeStudyPdf(const QString& folder);
+/// Writes DIR/report.pdf of a study's results, or DIR/benchmarks.pdf of what packaging/benchmarks.sh filled.
+std::optional<Diagnostic> writeFolderPdf(const QString& folder);
 
 }  // namespace glissade

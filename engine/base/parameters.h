@@ -31,6 +31,8 @@ enum class ParameterId : std::size_t {
   Smoothing,
   GuidanceRepulsion,
   GuidanceAttraction,
+  OmplRange,
+  OmplResolution,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

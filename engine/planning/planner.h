@@ -27,8 +27,9 @@ struct PlannerCounts {
   std::uint64_t operatorConfigurations = 0;
   std::uint64_t contactConfigurations = 0;
   std::uint64_t nodes = 0;
-  std::uint64_t edges = 0;         ///< both directions, as the papers count
-  std::uint64_t droppedEdges = 0;  ///< removed because a candidate path failed its certificate there
+  std::uint64_t edges = 0;          ///< both directions, as the papers count
+  std::uint64_t droppedEdges = 0;   ///< removed because a candidate path failed its certificate there
+  std::uint64_t rejectedPaths = 0;  ///< whole paths that failed their certificate (OMPL's planners)
   QueryCounts queries;
 };
 

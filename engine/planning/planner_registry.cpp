@@ -59,6 +59,23 @@ void addOmplPlanners(PlannerRegistry& registry) {
   add("ompl-est", "OMPL: EST", "One tree that grows where it is sparse (Hsu et al. 1999).", OmplAlgorithm::Est);
 }
 
+/// To be measured beside ours.
+void addPeers(PlannerRegistry& registry) {
+  const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
+    registry.add({std::move(id), "OMPL as it is: " + algorithm,
+                  algorithm + " as OMPL's users run it: collisions by FCL, edges looked at every so often; the first "
+                              "path is judged by our certificate.",
+                  false, false, [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                    return std::make_unique<OmplPlanner>(problem, seed, which, OmplManner::AsItIs);
+                  }});
+  };
+  add("peer-rrtconnect", "RRT-Connect", OmplAlgorithm::RrtConnect);
+  add("peer-rrt", "RRT", OmplAlgorithm::Rrt);
+  add("peer-trrt", "TRRT", OmplAlgorithm::Trrt);
+  add("peer-bitrrt", "BiTRRT", OmplAlgorithm::BiTrrt);
+  add("peer-bkpiece", "BKPIECE", OmplAlgorithm::Bkpiece);
+}
+
 }  // namespace
 
 void PlannerRegistry::add(PlannerEntry entry) { entries_.push_back(std::move(entry)); }
@@ -106,6 +123,7 @@ PlannerRegistry makePlannerRegistry() {
                           "where they fit best, and the next best way where one fails."));
   registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
   addOmplPlanners(registry);
+  addPeers(registry);
   return registry;
 }
 

@@ -65,8 +65,9 @@ struct SessionSnapshot {
   std::uint64_t seed = 0;
   ParameterValues parameters{1.0};
   PlannerCounts counts;
-  double virtualSeconds = 0.0;   ///< the operator's clock: real time in the window, lockstep time headless
-  double planningSeconds = 0.0;  ///< time spent planning, pauses excluded
+  double virtualSeconds = 0.0;      ///< the operator's clock: real time in the window, lockstep time headless
+  double planningSeconds = 0.0;     ///< time spent planning, pauses excluded
+  double planningCpuSeconds = 0.0;  ///< of the planner's thread; known between its turns only
   Author authority = Author::Computer;
   bool contactMode = false;
   OperatorSample device;  ///< q_device and its nearest obstacle

@@ -1,5 +1,7 @@
 #include "engine/session/session_core.h"
 
+#include <time.h>
+
 #include <exception>
 #include <sstream>
 
@@ -20,6 +22,13 @@ std::string grouped(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3) digits.insert(static_cast<std::size_t>(i), ",");
   return digits;
+}
+
+/// What this thread has had of the processor.
+double threadCpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace
@@ -122,6 +131,7 @@ void SessionCore::startRun() {
   logger_.start({plannerId_, seed_, parameters_, scene.edits,
                  scene.knowledge ? std::make_optional(scene.knowledge->source) : std::nullopt});
   spent_ = std::chrono::duration<double>(0);
+  cpuSpent_ = 0.0;
   const Outcome startable = checkStart(problem_, parameters_[ParameterId::RequiredClearance]);
   if (!startable) {
     fail(startable.error());
@@ -140,6 +150,7 @@ void SessionCore::startRun() {
 void SessionCore::plan(const Hooks& hooks) {
   Host host(*this, hooks);
   planningSince_ = std::chrono::steady_clock::now();
+  const double cpuBefore = threadCpuSeconds();
   try {
     if (planner_->solve(host)) {
       planned_ = std::make_shared<const Path>(*planner_->path());
@@ -154,6 +165,7 @@ void SessionCore::plan(const Hooks& hooks) {
   }
   spent_ += std::chrono::steady_clock::now() - *planningSince_;
   planningSince_.reset();
+  cpuSpent_ += threadCpuSeconds() - cpuBefore;
 }
 
 /// The delivered path has its clearance bounded closely, where there is time for it.
@@ -219,6 +231,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.seed = seed_;
   snapshot.parameters = parameters_;
   snapshot.planningSeconds = planningSeconds();
+  snapshot.planningCpuSeconds = cpuSpent_;
   snapshot.path = path_;
   snapshot.smoothed = path_ && smoothed_;
   if (planner_) {

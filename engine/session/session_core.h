@@ -81,6 +81,7 @@ class SessionCore {
   bool smoothed_ = false;                ///< path_ is not planned_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
+  double cpuSpent_ = 0.0;  ///< seconds
   std::optional<std::chrono::steady_clock::time_point> planningSince_;
 };
 

@@ -62,7 +62,7 @@ std::string readOneOf(const JsonCursor& at, const std::vector<std::string>& know
 }
 
 Quantity readQuantity(const JsonCursor& at) {
-  std::vector<std::string> measures{"success_rate", "planning_s", "wall_s"};
+  std::vector<std::string> measures{"success_rate", "planning_s", "planning_cpu_s", "wall_s", "cpu_s"};
   for (const ResultColumn& column : resultColumns()) measures.emplace_back(column.name);
   Quantity quantity;
   quantity.measure = readOneOf(at.at("measure"), measures, "measure");

@@ -53,6 +53,10 @@ std::string contentOf(int fd) {
   return content;
 }
 
+double secondsOf(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 Diagnostic cannotStart(const std::string& program) {
   return {ErrorKind::Internal, program, "", std::string("cannot be started: ") + std::strerror(errno),
           "Run fewer jobs at once, or free some memory."};
@@ -120,6 +124,7 @@ std::optional<ProcessEnd> LimitedProcess::poll() {
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end.exitCode = WEXITSTATUS(status);
   end.wallSeconds = lived.count();
+  end.cpuSeconds = secondsOf(usage.ru_utime) + secondsOf(usage.ru_stime);
   end.peakMemoryMb = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return end;
 }

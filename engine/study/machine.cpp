@@ -1,8 +1,11 @@
 #include "engine/study/machine.h"
 
+#include <fcl/config.h>
+#include <ompl/config.h>
 #include <sys/sysinfo.h>
 #include <sys/utsname.h>
 
+#include <Eigen/Core>
 #include <fstream>
 #include <thread>
 
@@ -41,6 +44,14 @@ std::string describeMachine() {
   struct utsname system {};
   if (uname(&system) == 0) text += std::string(", ") + system.sysname + " " + system.machine;
   return text + "; built by " + compilerName();
+}
+
+std::string describeLibraries() {
+  const auto version = [](const char* name, int major, int minor, int patch) {
+    return std::string(name) + " " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+  };
+  return version("OMPL", OMPL_MAJOR_VERSION, OMPL_MINOR_VERSION, OMPL_PATCH_VERSION) + ", FCL " FCL_VERSION ", " +
+         version("Eigen", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
 }
 
 }  // namespace glissade

@@ -37,8 +37,8 @@ constexpr std::array<ResultColumn, kResultColumnCount> kColumns{{
     {"tolerance_m", "/certificate/tolerance_m", false},
 }};
 
-constexpr std::array<const char*, kRunStatusCount> kStatusNames{"solved", "no-path", "limit-reached", "in-collision",
-                                                                "error",  "time",    "memory",        "crashed"};
+constexpr std::array<const char*, kRunStatusCount> kStatusNames{
+    "solved", "no-path", "not-certified", "limit-reached", "in-collision", "error", "time", "memory", "crashed"};
 
 /// The first line of a text, and not too much of it.
 std::string firstLine(const std::string& text) {
@@ -102,6 +102,7 @@ bool dependsOnMachine(RunStatus status) {
 RunOutcome outcomeOf(const ProcessEnd& end, double timeLimit) {
   RunOutcome outcome;
   outcome.timing.wallSeconds = end.wallSeconds;
+  outcome.timing.cpuSeconds = end.cpuSeconds;
   outcome.timing.peakMemoryMb = end.peakMemoryMb;
   const Json report = Json::parse(end.output, nullptr, false);
   if (report.is_object()) {
@@ -110,6 +111,7 @@ RunOutcome outcomeOf(const ProcessEnd& end, double timeLimit) {
     }
     outcome.result.certificate = textAt(report, "/certificate/status");
     outcome.timing.planningSeconds = numberAt(report, "/planning_s");
+    outcome.timing.planningCpuSeconds = numberAt(report, "/planning_cpu_s");
   }
   outcome.result.message = messageOf(end, report);
   outcome.result.status = statusOf(end, report, outcome, timeLimit);
@@ -133,12 +135,19 @@ std::string writeRunRow(const RunRow& row) {
     if (result.numbers[i]) json["numbers"][std::string(kColumns[i].name)] = study_json::number(*result.numbers[i]);
   }
   json["timing"]["planning_s"] = timing.planningSeconds ? Json(*timing.planningSeconds) : Json(nullptr);
+  json["timing"]["planning_cpu_s"] = timing.planningCpuSeconds ? Json(*timing.planningCpuSeconds) : Json(nullptr);
   json["timing"]["wall_s"] = timing.wallSeconds;
+  json["timing"]["cpu_s"] = timing.cpuSeconds;
   json["timing"]["peak_memory_mb"] = timing.peakMemoryMb;
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 namespace {
+
+std::optional<double> readOptional(const JsonCursor& at) {
+  if (at.json().is_null()) return std::nullopt;
+  return at.number();
+}
 
 RunRow readRow(const JsonCursor& root) {
   root.allowOnly(
@@ -160,9 +169,10 @@ RunRow readRow(const JsonCursor& root) {
     if (const auto at = numbers.find(std::string(kColumns[i].name))) result.numbers[i] = at->number();
   }
   const JsonCursor timing = root.at("timing");
-  const JsonCursor planning = timing.at("planning_s");
-  if (!planning.json().is_null()) row.outcome.timing.planningSeconds = planning.number();
+  row.outcome.timing.planningSeconds = readOptional(timing.at("planning_s"));
+  row.outcome.timing.planningCpuSeconds = readOptional(timing.at("planning_cpu_s"));
   row.outcome.timing.wallSeconds = timing.at("wall_s").number();
+  row.outcome.timing.cpuSeconds = timing.at("cpu_s").number();
   row.outcome.timing.peakMemoryMb = timing.at("peak_memory_mb").number();
   return row;
 }

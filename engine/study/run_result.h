@@ -24,6 +24,7 @@ const std::array<ResultColumn, kResultColumnCount>& resultColumns();
 enum class RunStatus {
   Solved,
   NoPath,
+  NotCertified,  ///< a path was found, and our certificate refused it
   LimitReached,  ///< of steps or samples
   InCollision,   ///< start or goal
   Error,         ///< it ended by itself with another error
@@ -31,7 +32,7 @@ enum class RunStatus {
   Memory,        ///< over its memory limit
   Crashed        ///< ended by a signal, or without a report
 };
-inline constexpr std::size_t kRunStatusCount = 8;
+inline constexpr std::size_t kRunStatusCount = 9;
 const char* name(RunStatus status);
 std::optional<RunStatus> runStatusOf(std::string_view name);
 
@@ -53,7 +54,9 @@ struct RunResult {
 /// What it took on this machine.
 struct RunTiming {
   std::optional<double> planningSeconds;
-  double wallSeconds = 0.0;  ///< of the whole process, with loading
+  std::optional<double> planningCpuSeconds;  ///< a loaded machine matters less to it
+  double wallSeconds = 0.0;                  ///< of the whole process, with loading
+  double cpuSeconds = 0.0;                   ///< of the whole process, with loading
   double peakMemoryMb = 0.0;
 };
 
@@ -70,6 +73,7 @@ struct ProcessEnd {
   int signal = 0;       ///< that ended it; 0: it ended by itself
   int exitCode = 0;     ///< meaningful when signal is 0
   double wallSeconds = 0.0;
+  double cpuSeconds = 0.0;  ///< user's and system's, with its children
   double peakMemoryMb = 0.0;
 };
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "engine/base/number_text.h"
 #include "engine/study/cell_value.h"
 #include "engine/study/study_axes.h"
 
@@ -20,6 +21,9 @@ bool isLimit(ParameterId id) {
   return id == ParameterId::MaxSteps || id == ParameterId::MaxSamples || id == ParameterId::TimeLimit ||
          id == ParameterId::StepsPerSecond;
 }
+
+/// Settings of the peers: they tell series apart, and panels, and are no axis of their own.
+bool isOfPeers(ParameterId id) { return id == ParameterId::OmplRange || id == ParameterId::OmplResolution; }
 
 std::vector<ParameterId> variedParameters(const Study& study) {
   std::map<ParameterId, std::set<double>> values;
@@ -65,13 +69,28 @@ bool differ(const Study& study, Get get) {
 
 void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
+/// One value of the resolution at which OMPL's planners look at edges; cells that set none are in every
+/// panel. Nothing: all cells.
+using Panel = std::optional<double>;
+
+std::vector<Panel> panelsOf(const Study& study) {
+  std::set<double> values;
+  for (const StudyCell& cell : study.cells) {
+    const auto setting = cell.settings.find(ParameterId::OmplResolution);
+    if (setting != cell.settings.end()) values.insert(setting->second);
+  }
+  if (values.size() < 2) return {Panel()};
+  return {values.rbegin(), values.rend()};
+}
+
 /// Makes the plots of one study over one parameter, or over scenarios.
 class Plotter {
  public:
-  Plotter(const Study& study, const std::vector<CellSummary>& summaries, std::optional<ParameterId> along)
+  Plotter(const Study& study, const std::vector<CellSummary>& summaries, std::optional<ParameterId> along, Panel panel)
       : study_(study),
         summaries_(summaries),
         along_(along),
+        panel_(panel),
         severalStrategies_(differ(study, [](const StudyCell& cell) { return cell.strategy; })),
         severalScenarios_(differ(study, [](const StudyCell& cell) { return cell.scenario; })) {
     for (const StudyCell& cell : study.cells) {
@@ -82,9 +101,11 @@ class Plotter {
 
   Plot plot(const PaperColumn& column) const {
     Plot plot;
-    plot.name = column.key + (along_ ? "-over-" + std::string(specOf(*along_).key) : "");
+    plot.name = column.key + (along_ ? "-over-" + std::string(specOf(*along_).key) : "") +
+                (panel_ ? "-at-" + toText(*panel_) : "");
     plot.kind = along_ ? PlotKind::Lines : PlotKind::Bars;
-    plot.title = column.title + " over " + (along_ ? std::string(specOf(*along_).label) : "scenario and strategy");
+    plot.title = column.title + " over " + (along_ ? std::string(specOf(*along_).label) : "scenario and strategy") +
+                 (panel_ ? ", OMPL's edges looked at every " + toText(100.0 * *panel_) + " %" : "");
     plot.caption = captionOf(column.quantity);
     addOurs(column, plot);
     if (plot.kind == PlotKind::Bars) spreadBars(plot);
@@ -108,6 +129,11 @@ class Plotter {
     return text;
   }
 
+  bool isInPanel(const StudyCell& cell) const {
+    const auto setting = cell.settings.find(ParameterId::OmplResolution);
+    return !panel_ || setting == cell.settings.end() || setting->second == *panel_;
+  }
+
   /// Where a cell lies along x; nothing where it does not set the parameter.
   std::optional<double> xOf(const StudyCell& cell) const {
     if (!along_) {
@@ -126,7 +152,7 @@ class Plotter {
     if (along_ && severalScenarios_) append(text, scenarioName(cell.scenario));
     for (const ParameterId id : variedParameters(study_)) {
       const auto setting = cell.settings.find(id);
-      if (id != along_ && setting != cell.settings.end()) {
+      if (id != along_ && id != ParameterId::OmplResolution && setting != cell.settings.end()) {
         append(text, std::string(specOf(id).key) + " " + shortNumber(setting->second));
       }
     }
@@ -146,7 +172,7 @@ class Plotter {
   void addOurs(const PaperColumn& column, Plot& plot) const {
     for (std::size_t i = 0; i < study_.cells.size(); ++i) {
       const auto x = xOf(study_.cells[i]);
-      if (!x) continue;
+      if (!x || !isInPanel(study_.cells[i])) continue;
       PlotSeries& series = seriesNamed(seriesName(study_.cells[i]), plot);
       const auto value = valueOf(summaries_[i], column.quantity);
       if (!value) continue;
@@ -242,6 +268,7 @@ class Plotter {
   const Study& study_;
   const std::vector<CellSummary>& summaries_;
   std::optional<ParameterId> along_;
+  Panel panel_;
   bool severalStrategies_;
   bool severalScenarios_;
   std::vector<std::string> scenarios_;
@@ -251,12 +278,16 @@ class Plotter {
 
 std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries) {
   std::vector<std::optional<ParameterId>> axes;
-  for (const ParameterId id : variedParameters(study)) axes.emplace_back(id);
+  for (const ParameterId id : variedParameters(study)) {
+    if (!isOfPeers(id)) axes.emplace_back(id);
+  }
   if (axes.empty()) axes.emplace_back();
   std::vector<Plot> plots;
   for (const auto& along : axes) {
-    const Plotter plotter(study, summaries, along);
-    for (const PaperColumn& column : quantitiesOf(study.heading)) plots.push_back(plotter.plot(column));
+    for (const Panel& panel : panelsOf(study)) {
+      const Plotter plotter(study, summaries, along, panel);
+      for (const PaperColumn& column : quantitiesOf(study.heading)) plots.push_back(plotter.plot(column));
+    }
   }
   return plots;
 }

@@ -119,7 +119,7 @@ StudyReport reportOf(const StudyFolder& folder, Warnings& warnings) {
   add(ReportHeading{"Time on the machine"});
   add(
       ReportText{"Seconds and memory are those of the machines that carried out the runs; they differ from machine to "
-                 "machine, and nothing above depends on them. This report was written on " +
+                 "machine, and of what stands above only what names them depends on them. This report was written on " +
                  describeMachine() + "."});
   add(study_report::timingTable(study, summaries));
   return report;

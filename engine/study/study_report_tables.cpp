@@ -1,5 +1,7 @@
 #include "engine/study/study_report_tables.h"
 
+#include <algorithm>
+
 #include "engine/study/cell_value.h"
 #include "engine/study/finding_check.h"
 
@@ -25,6 +27,12 @@ std::string solvedText(const CellSummary& summary) {
 
 bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
 
+/// Some row has a number of the paper's there.
+bool isPrinted(const Study& study, const PaperColumn& column) {
+  return std::any_of(study.cells.begin(), study.cells.end(),
+                     [&](const StudyCell& cell) { return cell.paper.count(column.key) > 0; });
+}
+
 std::string noteOf(const StudyCell& cell) {
   const auto found = cell.paper.find("note");
   const auto* text = found == cell.paper.end() ? nullptr : std::get_if<std::string>(&found->second);
@@ -39,14 +47,15 @@ ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summa
       "Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.";
   table.columns = {{"Row"}, {"Solved", true}, {"Success", true}};
   for (const PaperColumn& column : study.heading.paper) {
-    table.columns.push_back({column.title + ", paper", true});
-    if (!isSuccess(column)) table.columns.push_back({column.title + ", ours", true});
+    const bool printed = isPrinted(study, column);
+    if (printed) table.columns.push_back({column.title + ", paper", true});
+    if (!isSuccess(column)) table.columns.push_back({column.title + (printed ? ", ours" : ""), true});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
     Row row{cell.label, solvedText(summaries[i]), successText(summaries[i])};
     for (const PaperColumn& column : study.heading.paper) {
-      row.push_back(paperText(cell, column));
+      if (isPrinted(study, column)) row.push_back(paperText(cell, column));
       if (!isSuccess(column)) row.push_back(spreadText(valueOf(summaries[i], column.quantity)));
     }
     table.rows.push_back(std::move(row));
@@ -98,12 +107,18 @@ ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& sum
 ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries) {
   ReportTable table;
   table.caption = "Median and quartiles over all runs.";
-  table.columns = {{"Row"}, {"Planning (s)", true}, {"Process (s)", true}, {"Memory (MB)", true}};
+  table.columns = {{"Row"},
+                   {"Planning (s)", true},
+                   {"Planning (CPU s)", true},
+                   {"Process (s)", true},
+                   {"Process (CPU s)", true},
+                   {"Memory (MB)", true}};
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const auto show = [&](const char* measure) {
       return spreadText(valueOf(summaries[i], {measure, "median", "all"}));
     };
-    table.rows.push_back({study.cells[i].label, show("planning_s"), show("wall_s"), show("peak_memory_mb")});
+    table.rows.push_back({study.cells[i].label, show("planning_s"), show("planning_cpu_s"), show("wall_s"),
+                          show("cpu_s"), show("peak_memory_mb")});
   }
   return table;
 }

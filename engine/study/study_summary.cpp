@@ -33,7 +33,9 @@ CellSummary summarise(const StudyCell& cell, const Outcomes& outcomes) {
   }
   summary.timing = {
       measure("planning_s", outcomes, [](const RunOutcome& outcome) { return outcome.timing.planningSeconds; }),
+      measure("planning_cpu_s", outcomes, [](const RunOutcome& outcome) { return outcome.timing.planningCpuSeconds; }),
       measure("wall_s", outcomes, [](const RunOutcome& outcome) { return outcome.timing.wallSeconds; }),
+      measure("cpu_s", outcomes, [](const RunOutcome& outcome) { return outcome.timing.cpuSeconds; }),
       measure("peak_memory_mb", outcomes, [](const RunOutcome& outcome) { return outcome.timing.peakMemoryMb; })};
   return summary;
 }

@@ -23,7 +23,7 @@ struct CellSummary {
   std::array<std::size_t, kRunStatusCount> statuses{};
   Proportion success;                    ///< of the runs
   std::vector<MeasureSummary> measures;  ///< resultColumns() that are summarised
-  std::vector<MeasureSummary> timing;    ///< planning_s, wall_s, peak_memory_mb
+  std::vector<MeasureSummary> timing;    ///< planning_s, planning_cpu_s, wall_s, cpu_s, peak_memory_mb
 
   std::size_t solved() const { return statuses[static_cast<std::size_t>(RunStatus::Solved)]; }
 };

@@ -52,14 +52,16 @@ std::string runsTable(const Study& study, const StudyResults& results) {
 std::string timingTable(const Study& study, const StudyResults& results) {
   CsvTable table;
   nameCell(table);
-  table.header({"seed", "status", "planning_s", "wall_s", "peak_memory_mb"});
+  table.header({"seed", "status", "planning_s", "planning_cpu_s", "wall_s", "cpu_s", "peak_memory_mb"});
   for (const auto& [run, outcome] : results) {
     table.row();
     addCell(table, run.cell, study.cells[run.cell]);
     table.text(std::to_string(run.seed));
     table.text(name(outcome.result.status));
     table.number(outcome.timing.planningSeconds);
+    table.number(outcome.timing.planningCpuSeconds);
     table.number(outcome.timing.wallSeconds);
+    table.number(outcome.timing.cpuSeconds);
     table.number(outcome.timing.peakMemoryMb);
   }
   return table.content();

@@ -811,6 +811,26 @@
         <translation>OMPL : EST</translation>
     </message>
     <message>
+        <source>OMPL as it is: RRT-Connect</source>
+        <translation>OMPL tel quel : RRT-Connect</translation>
+    </message>
+    <message>
+        <source>OMPL as it is: RRT</source>
+        <translation>OMPL tel quel : RRT</translation>
+    </message>
+    <message>
+        <source>OMPL as it is: TRRT</source>
+        <translation>OMPL tel quel : TRRT</translation>
+    </message>
+    <message>
+        <source>OMPL as it is: BiTRRT</source>
+        <translation>OMPL tel quel : BiTRRT</translation>
+    </message>
+    <message>
+        <source>OMPL as it is: BKPIECE</source>
+        <translation>OMPL tel quel : BKPIECE</translation>
+    </message>
+    <message>
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>

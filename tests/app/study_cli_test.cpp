@@ -199,13 +199,43 @@ TEST_F(StudyCli, ADryRunWritesNothing) {
 /// Every shipped study can be run, in both sizes.
 TEST_F(StudyCli, ShippedStudiesAreSound) {
   for (const char* name :
-       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like"}) {
+       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like", "automatic"}) {
     const std::string study = std::string(GLISSADE_SOURCE_DIR "/samples/studies/") + name + ".json";
     for (const char* size : {"", "--quick"}) {
       EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run " + size), 0) << said;
       EXPECT_THAT(said, HasSubstr("0 of them done"));
     }
   }
+}
+
+TEST_F(StudyCli, PublicProblemsAreSoundOrSaidToBeMissing) {
+  const std::string study = GLISSADE_SOURCE_DIR "/samples/studies/public-problems.json";
+  const bool there = fs::exists(GLISSADE_SOURCE_DIR "/../shared/problems/omplapp");
+  EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run"), there ? 0 : 3) << said;
+  EXPECT_THAT(said, HasSubstr(there ? "55 cells" : "Easy.cfg"));
+}
+
+/// A peer's run is judged and timed like ours: a study of one box in the way.
+TEST_F(StudyCli, PeersRunBesideOurs) {
+  auto study = test::tinyStudy();
+  study["strategies"] = {"auto", "peer-rrtconnect", "peer-rrt", "peer-trrt", "peer-bitrrt", "peer-bkpiece"};
+  study["rows"] = {{{"label", "fine"}, {"parameters", {{"ompl_resolution", 0.002}}}},
+                   {{"label", "coarse"}, {"parameters", {{"ompl_resolution", 1}, {"ompl_range", 1}}}}};
+  study["seeds"] = {1};
+  study.erase("quick");
+  use(study);
+  ASSERT_EQ(shell(command("out", "--jobs 2")), 0) << said;
+  const Json summary = Json::parse(test::readWhole(path("out") + "/summary.json"));
+  ASSERT_EQ(summary["cells"].size(), 12U);
+  std::size_t refused = 0;
+  for (const Json& cell : summary["cells"]) {
+    const Json& ended = cell["statuses"];
+    EXPECT_EQ(ended["error"].get<int>() + ended["crashed"].get<int>(), 0) << cell["label"];
+    if (cell["strategy"] == "auto") EXPECT_EQ(ended["solved"], 1) << cell["label"];
+    refused += ended["not-certified"].get<std::size_t>();
+  }
+  EXPECT_GE(refused, 1U) << "an edge from start to goal passes through the wall, and nobody looks";
+  EXPECT_THAT(test::readWhole(path("out") + "/timing.csv"), HasSubstr("planning_cpu_s"));
 }
 
 TEST_F(StudyCli, AQuickStudyOfThePaperHoldsItsNumbers) {

@@ -1,7 +1,5 @@
 // The kernel against FCL (OBBRSS) in one run: same meshes, same poses, one core. Surfaces alone in both,
 // so that neither pays for our test of containment. Prints the ratios and their geometric means.
-#include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include "engine/collision/fcl_query.h"
 #include "engine/collision/kernel/kernel_query.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/benchmarks/benchmark_program.h"
 
 namespace glissade {
 namespace {
@@ -179,6 +178,7 @@ void printRatios(const std::map<std::string, double>& times) {
 
 int run(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+  addMachineContext();
   const std::vector<Model> models = loadModels();
   for (const Model& model : models) {
     for (const auto& [kind, poses] : model.poses) registerQuestions(model, kind);

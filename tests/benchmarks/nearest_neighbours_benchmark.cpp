@@ -1,9 +1,8 @@
 // The nearest neighbour in a tree that grows, against the plain scan over all configurations.
-#include <benchmark/benchmark.h>
-
 #include <limits>
 
 #include "engine/planning/nearest_neighbours.h"
+#include "tests/benchmarks/benchmark_program.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -24,7 +23,7 @@ void treeOfBoxes(benchmark::State& state) {
   RandomStream stream(2, "questions");
   for (auto _ : state) benchmark::DoNotOptimize(neighbours.nearest(randomPose(stream, 1.0)));
 }
-BENCHMARK(treeOfBoxes)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(treeOfBoxes)->Name("nearest/tree")->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMicrosecond);
 
 void plainScan(benchmark::State& state) {
   const std::vector<Pose> poses = configurations(state.range(0));
@@ -36,9 +35,9 @@ void plainScan(benchmark::State& state) {
     benchmark::DoNotOptimize(least);
   }
 }
-BENCHMARK(plainScan)->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(plainScan)->Name("nearest/scan")->RangeMultiplier(10)->Range(1000, 1000000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace glissade
 
-BENCHMARK_MAIN();
+GLISSADE_BENCHMARK_MAIN()

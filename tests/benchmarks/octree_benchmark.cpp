@@ -1,10 +1,9 @@
 // What moving one small body costs against building the octree afresh (paper 2, section 5.1.2: only
 // the cells that the body leaves or enters are rebuilt).
-#include <benchmark/benchmark.h>
-
 #include "engine/base/random_stream.h"
 #include "engine/environment/octree.h"
 #include "engine/geometry/primitives.h"
+#include "tests/benchmarks/benchmark_program.h"
 
 namespace glissade {
 namespace {
@@ -66,4 +65,4 @@ BENCHMARK(moveOnePart)->Unit(benchmark::kMillisecond);
 }  // namespace
 }  // namespace glissade
 
-BENCHMARK_MAIN();
+GLISSADE_BENCHMARK_MAIN()

@@ -5,9 +5,13 @@
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/est/EST.h>
 #include <ompl/geometric/planners/kpiece/BKPIECE1.h>
+#include <ompl/geometric/planners/rrt/BiTRRT.h>
+#include <ompl/geometric/planners/rrt/RRT.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/TRRT.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
+#include <ompl/util/String.h>
 
 #include <algorithm>
 #include <exception>
@@ -34,6 +38,14 @@ constexpr double kBkpieceRange = 0.06;
 /// How many more draws to wait for until nodes are collected: it costs as much as there are nodes.
 constexpr std::uint64_t kCollectEvery = 64;
 constexpr std::uint64_t kCollectFraction = 16;
+/// As it is OMPL must not pay for us: pieces of many draws, and nodes collected when they have doubled.
+constexpr int kAsItIsPiece = 64;
+constexpr std::uint64_t kAsItIsCollectFraction = 1;
+
+bool growsTwoTrees(OmplAlgorithm algorithm) {
+  return algorithm == OmplAlgorithm::RrtConnect || algorithm == OmplAlgorithm::Bkpiece ||
+         algorithm == OmplAlgorithm::BiTrrt;
+}
 
 template <class OmplType>
 ob::PlannerPtr withRange(const ob::SpaceInformationPtr& information, const Problem& problem, double range) {
@@ -49,22 +61,37 @@ ob::PlannerPtr makePlanner(OmplAlgorithm algorithm, const ob::SpaceInformationPt
     case OmplAlgorithm::Bkpiece: return withRange<og::BKPIECE1>(information, world.problem, kBkpieceRange);
     case OmplAlgorithm::Prm: return std::make_shared<OmplPrm>(information, world);
     case OmplAlgorithm::Est: return withRange<og::EST>(information, world.problem, kRange);
+    case OmplAlgorithm::Rrt: return withRange<og::RRT>(information, world.problem, kRange);
+    case OmplAlgorithm::Trrt: return withRange<og::TRRT>(information, world.problem, kRange);
+    case OmplAlgorithm::BiTrrt: return withRange<og::BiTRRT>(information, world.problem, kRange);
   }
   return nullptr;
+}
+
+/// OMPL's range is its default where it is 0.
+void setUpAsItIs(ob::Planner& planner, const ParameterValues& parameters) {
+  const auto& space = planner.getSpaceInformation()->getStateSpace();
+  space->setLongestValidSegmentFraction(parameters[ParameterId::OmplResolution]);
+  planner.getSpaceInformation()->setup();
+  const double range = parameters[ParameterId::OmplRange] * space->getMaximumExtent();
+  planner.params().setParam("range", ompl::toString(range));
+  planner.setup();
 }
 
 }  // namespace
 
 /// OMPL's side. Destroyed in reverse order: the planner frees its states through the space.
 struct OmplPlanner::Engine {
-  Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm)
-      : world(problem, seed), twoTrees(algorithm == OmplAlgorithm::RrtConnect || algorithm == OmplAlgorithm::Bkpiece) {
+  Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner)
+      : world(problem, seed), asItIs(manner == OmplManner::AsItIs), twoTrees(growsTwoTrees(algorithm)) {
+    if (asItIs) world.surfaces.emplace(makeFclGeometry(problem.world->obstacles(), problem.world->object()));
     // PRM tries again by itself, and looks at its termination condition in between.
     constexpr unsigned kAttempts = 100;  // OMPL's default
     const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
     ompl::msg::noOutputHandler();
     ompl::RNG::setSeed((RandomStream(seed, "ompl seed").bits() >> 33U) + 1);
-    information = makeSpaceInformation(world, algorithm == OmplAlgorithm::Prm ? 1 : kAttempts);
+    information = asItIs ? makePlainSpaceInformation(world)
+                         : makeSpaceInformation(world, algorithm == OmplAlgorithm::Prm ? 1 : kAttempts);
     definition = std::make_shared<ob::ProblemDefinition>(information);
     const ob::ScopedState<> start = scoped(problem.start);
     definition->addStartState(start);
@@ -78,7 +105,12 @@ struct OmplPlanner::Engine {
     definition->setGoal(goal);
     planner = makePlanner(algorithm, information, world);
     planner->setProblemDefinition(definition);
-    planner->setup();
+    if (!asItIs) planner->setup();
+  }
+
+  /// What the parameters decide: before the first piece.
+  void begin(const ParameterValues& parameters) {
+    if (asItIs && !planner->isSetup()) setUpAsItIs(*planner, parameters);
   }
 
   ob::ScopedState<> scoped(const Pose& q) const {
@@ -89,7 +121,7 @@ struct OmplPlanner::Engine {
 
   /// One draw, or one for each tree: OMPL's planners with two begin every call with the start's.
   ob::PlannerStatus solvePiece() {
-    const int rounds = twoTrees ? 2 : 1;
+    const int rounds = asItIs ? kAsItIsPiece : twoTrees ? 2 : 1;
     int done = 0;
     std::uint64_t seen = world.draws;
     const ob::PlannerTerminationCondition ptc([&] {
@@ -108,6 +140,7 @@ struct OmplPlanner::Engine {
   }
 
   OmplWorld world;
+  bool asItIs;
   bool twoTrees;
   std::vector<Pose> goals;
   std::unordered_map<std::uint64_t, std::uint32_t> nodeOf;  ///< by the state's serial number
@@ -117,12 +150,12 @@ struct OmplPlanner::Engine {
   ob::PlannerPtr planner;
 };
 
-OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm) {
+OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner) {
   nodes_.push_back({problem.start, Author::Computer, TreeSide::Start});
   counts_.nodes = 1;
   try {
-    engine_ = std::make_unique<Engine>(problem, seed, algorithm);
-    counts_.queries = engine_->world.query->counts();
+    engine_ = std::make_unique<Engine>(problem, seed, algorithm, manner);
+    counts_.queries = engine_->world.queryCounts();
     if (engine_->goals.empty()) {
       fail(ErrorKind::NoPath, "OMPL's planners need a free goal within the bounds, and there is none",
            "Widen the bounds, or give another goal.");
@@ -166,6 +199,7 @@ void OmplPlanner::grow(PlannerHost& host) {
   world.extensionStep = host.parameters()[ParameterId::ExtensionStep];
   world.requiredClearance = host.parameters()[ParameterId::RequiredClearance];
   world.stop = host.stopToken();
+  engine_->begin(host.parameters());
   const std::uint64_t before = world.draws;
   ++counts_.iterations;
   const ob::PlannerStatus status = engine_->solvePiece();
@@ -176,10 +210,11 @@ void OmplPlanner::grow(PlannerHost& host) {
   engine_->definition->clearSolutionPaths();  // approximate ones: every piece leaves one
   owedSteps_ = std::max<std::uint64_t>(1, world.draws - before);
   counts_.randomConfigurations = world.draws;
-  counts_.queries = world.query->counts();
+  counts_.queries = world.queryCounts();
   if (world.draws >= nextCollection_ || path_) {
     collect();
-    nextCollection_ = world.draws + std::max(std::min(world.draws, kCollectEvery), world.draws / kCollectFraction) + 1;
+    const std::uint64_t fraction = engine_->asItIs ? kAsItIsCollectFraction : kCollectFraction;
+    nextCollection_ = world.draws + std::max(std::min(world.draws, kCollectEvery), world.draws / fraction) + 1;
   }
 }
 
@@ -201,7 +236,13 @@ void OmplPlanner::deliverPath(PlannerHost& host) {
     path_ = std::move(path);
   } else if (!host.stopToken().stopRequested()) {
     collect();
-    engine_->restart();
+    ++counts_.rejectedPaths;
+    if (engine_->asItIs) {
+      fail(ErrorKind::NoPath, "OMPL's path is not certified: it touches or passes through an obstacle",
+           "Lower " + std::string(specOf(ParameterId::OmplResolution).option) + ", or plan with 'auto'.");
+    } else {
+      engine_->restart();
+    }
   }
 }
 

@@ -12,19 +12,33 @@ enum class OmplAlgorithm {
   RrtConnect,  ///< Kuffner and LaValle 2000
   Bkpiece,     ///< Sucan and Kavraki 2009, two trees
   Prm,         ///< Kavraki et al. 1996
-  Est          ///< Hsu et al. 1999
+  Est,         ///< Hsu et al. 1999
+  Rrt,         ///< LaValle 1998
+  Trrt,        ///< Jaillet, Cortés and Siméon 2010
+  BiTrrt       ///< Devaurs, Siméon and Cortés 2013, two trees
+};
+
+/// How OMPL's planners are used.
+enum class OmplManner {
+  /// As one of ours: our metric, extensions, collision checks and certified paths.
+  Adapted,
+  /// As OMPL's users run them, to be measured beside ours: OMPL's SE(3), its defaults (but for the
+  /// parameters ompl_range and ompl_resolution) and edges looked at every so often, collisions of the
+  /// surfaces by FCL. The first path is the result, and our certificate judges it: one that fails is the end of the
+  /// run, and counted (PlannerCounts::rejectedPaths).
+  AsItIs
 };
 
 /// One of OMPL's planners behind our interface, with our metric, random configurations, collision
-/// checks along the edges and certificate. OMPL's planner is called in pieces of one or two draws. A
-/// path that fails its certificate makes it start afresh, with random numbers that go on, and with
-/// edges that are certified while they grow, so that it happens once; the nodes
-/// grown so far stay listed.
-/// Deviations: a step of the lockstep clock is a draw, not a configuration kept; what a piece grew is
-/// published every so many draws, in the order in which it grew.
+/// checks along the edges and certificate (OmplManner::Adapted). OMPL's planner is called in pieces of
+/// one or two draws (AsItIs: of many). A path that fails its certificate makes it start afresh, with random numbers
+/// that go on, and with edges that are certified while they grow, so that it happens once; the nodes grown so far stay
+/// listed. Deviations: a step of the lockstep clock is a draw, not a configuration kept; what a piece grew is published
+/// every so many draws, in the order in which it grew.
 class OmplPlanner final : public Planner {
  public:
-  OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm);
+  OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm,
+              OmplManner manner = OmplManner::Adapted);
   ~OmplPlanner() override;
 
   bool solve(PlannerHost& host) override;

@@ -54,6 +54,30 @@ class Sampler final : public ob::StateSampler {
   OmplWorld& world_;
 };
 
+/// OMPL's own sampler, its draws counted.
+class CountingSampler final : public ob::StateSampler {
+ public:
+  CountingSampler(const ob::StateSpace* space, OmplWorld& world)
+      : StateSampler(space), own_(space->allocDefaultStateSampler()), world_(world) {}
+
+  void sampleUniform(ob::State* state) override {
+    ++world_.draws;
+    own_->sampleUniform(state);
+  }
+  void sampleUniformNear(ob::State* state, const ob::State* near, double distance) override {
+    ++world_.draws;
+    own_->sampleUniformNear(state, near, distance);
+  }
+  void sampleGaussian(ob::State* state, const ob::State* mean, double deviation) override {
+    ++world_.draws;
+    own_->sampleGaussian(state, mean, deviation);
+  }
+
+ private:
+  ob::StateSamplerPtr own_;
+  OmplWorld& world_;
+};
+
 class ValidityChecker final : public ob::StateValidityChecker {
  public:
   ValidityChecker(ob::SpaceInformation* space, OmplWorld& world) : StateValidityChecker(space), world_(world) {}
@@ -138,7 +162,18 @@ Pose OmplWorld::drawNear(const Pose& near, double distance, bool normal) {
   return length > distance ? interpolate(near, towards, distance / length) : towards;
 }
 
-bool OmplWorld::isFree(const Pose& q) { return problem.bounds.contains(q.position) && !query->collides(q); }
+bool OmplWorld::isFree(const Pose& q) {
+  if (!problem.bounds.contains(q.position)) return false;
+  if (!surfaces) return !query->collides(q);
+  ++surfaceQueries;
+  return !surfaces->touches(q);
+}
+
+QueryCounts OmplWorld::queryCounts() const {
+  QueryCounts counts = query->counts();
+  counts.collision += surfaceQueries;
+  return counts;
+}
 
 double OmplWorld::freeFraction(const Pose& from, const Pose& to) {
   if (!problem.bounds.contains(to.position)) return 0.0;
@@ -152,22 +187,22 @@ double OmplWorld::freeFraction(const Pose& from, const Pose& to) {
   return check.status == CertificateStatus::Certified ? t : 0.0;
 }
 
-OmplSpace::OmplSpace(const Problem& problem) : bounds_(problem.bounds), metric_(problem.metric()) {
+SerialSpace::SerialSpace(const Problem& problem) {
   ob::RealVectorBounds bounds(3);
   for (unsigned axis = 0; axis < 3; ++axis) {
-    bounds.setLow(axis, bounds_.min()[axis]);
-    bounds.setHigh(axis, bounds_.max()[axis]);
+    bounds.setLow(axis, problem.bounds.min()[axis]);
+    bounds.setHigh(axis, problem.bounds.max()[axis]);
   }
   setBounds(bounds);
 }
 
-Pose OmplSpace::poseOf(const ob::State* state) {
+Pose SerialSpace::poseOf(const ob::State* state) {
   const auto* q = state->as<StateType>();
   const ob::SO3StateSpace::StateType& rotation = q->rotation();
   return {Vector3(q->getX(), q->getY(), q->getZ()), Quaternion(rotation.w, rotation.x, rotation.y, rotation.z)};
 }
 
-void OmplSpace::setPose(ob::State* state, const Pose& q) {
+void SerialSpace::setPose(ob::State* state, const Pose& q) {
   auto* target = state->as<StateType>();
   target->setXYZ(q.position.x(), q.position.y(), q.position.z());
   target->rotation().x = q.orientation.x();
@@ -176,14 +211,17 @@ void OmplSpace::setPose(ob::State* state, const Pose& q) {
   target->rotation().w = q.orientation.w();
 }
 
-std::uint64_t OmplSpace::serialOf(const ob::State* state) { return static_cast<const SerialState*>(state)->serial; }
+std::uint64_t SerialSpace::serialOf(const ob::State* state) { return static_cast<const SerialState*>(state)->serial; }
 
-ob::State* OmplSpace::allocState() const {
+ob::State* SerialSpace::allocState() const {
   auto* state = new SerialState;  // OMPL's contract; it frees with freeState(), through the virtual destructor
   state->serial = allocated_++;
   allocStateComponents(state);
   return state;
 }
+
+OmplSpace::OmplSpace(const Problem& problem)
+    : SerialSpace(problem), bounds_(problem.bounds), metric_(problem.metric()) {}
 
 double OmplSpace::distance(const ob::State* a, const ob::State* b) const {
   return metric_.distance(poseOf(a), poseOf(b));
@@ -213,6 +251,17 @@ ob::SpaceInformationPtr makeSpaceInformation(OmplWorld& world, unsigned attempts
     return sampler;
   });
   information->setup();
+  return information;
+}
+
+ob::SpaceInformationPtr makePlainSpaceInformation(OmplWorld& world) {
+  const auto space = std::make_shared<SerialSpace>(world.problem);
+  space->setStateSamplerAllocator([&world](const ob::StateSpace* owner) -> ob::StateSamplerPtr {
+    const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());
+    return std::make_shared<CountingSampler>(owner, world);
+  });
+  auto information = std::make_shared<ob::SpaceInformation>(space);
+  information->setStateValidityChecker(std::make_shared<ValidityChecker>(information.get(), world));
   return information;
 }
 

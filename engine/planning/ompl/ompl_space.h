@@ -9,7 +9,9 @@
 #include <ompl/base/spaces/SE3StateSpace.h>
 
 #include <mutex>
+#include <optional>
 
+#include "engine/collision/fcl_query.h"
 #include "engine/planning/planner.h"
 
 namespace glissade {
@@ -27,7 +29,9 @@ struct OmplWorld {
   double extensionStep = 0.0;
   double requiredClearance = 0.0;
   StopToken stop;
-  bool certifyEdges = false;  ///< a path has failed its certificate: from now on edges are certified
+  bool certifyEdges = false;                ///< a path has failed its certificate: from now on edges are certified
+  std::optional<FclSurfaceQuery> surfaces;  ///< where it is there, it is asked instead of `query`
+  std::uint64_t surfaceQueries = 0;
 
   /// Uniform in the problem's region, or its bounds where it has none, and in SO(3).
   Pose draw();
@@ -36,6 +40,7 @@ struct OmplWorld {
   /// configuration towards one drawn there.
   Pose drawNear(const Pose& near, double distance, bool normal);
   bool isFree(const Pose& q);
+  QueryCounts queryCounts() const;
   /// As glissade::freeFraction, but 0 where the end is out of bounds, and a blocked motion ends at a
   /// multiple of the extension step, as our own planners' (tolerance::kGuidedExtensionStep): OMPL
   /// keeps such ends as nodes, and nothing that touches an obstacle can be certified.
@@ -46,18 +51,28 @@ struct OmplWorld {
 /// which another planner's thread must not draw from in between.
 std::recursive_mutex& omplSeedMutex();
 
-/// SE(3) with our metric and our interpolation (OMPL's own distance is |dp| + weight * angle / 2,
-/// which weights cannot turn into ours). Every state carries the number of its allocation, so that
+/// OMPL's SE(3) within a problem's bounds. Every state carries the number of its allocation, so that
 /// what a planner grew can be listed in the order in which it grew.
-class OmplSpace final : public ompl::base::SE3StateSpace {
+class SerialSpace : public ompl::base::SE3StateSpace {
  public:
-  explicit OmplSpace(const Problem& problem);
+  explicit SerialSpace(const Problem& problem);
 
   static Pose poseOf(const ompl::base::State* state);
   static void setPose(ompl::base::State* state, const Pose& q);
   static std::uint64_t serialOf(const ompl::base::State* state);
 
   ompl::base::State* allocState() const override;
+
+ private:
+  mutable std::uint64_t allocated_ = 0;
+};
+
+/// SE(3) with our metric and our interpolation (OMPL's own distance is |dp| + weight * angle / 2,
+/// which weights cannot turn into ours).
+class OmplSpace final : public SerialSpace {
+ public:
+  explicit OmplSpace(const Problem& problem);
+
   double distance(const ompl::base::State* a, const ompl::base::State* b) const override;
   double getMaximumExtent() const override;
   void interpolate(const ompl::base::State* from, const ompl::base::State* to, double t,
@@ -67,11 +82,13 @@ class OmplSpace final : public ompl::base::SE3StateSpace {
  private:
   Box3 bounds_;
   Se3Metric metric_;
-  mutable std::uint64_t allocated_ = 0;
 };
 
 /// Space, sampling and checks put together. `world` must outlive what is returned.
 /// `attempts`: draws that a planner's search for one free configuration may take.
 ompl::base::SpaceInformationPtr makeSpaceInformation(OmplWorld& world, unsigned attempts);
+
+/// OMPL's own space, samplers and motion checks; ours are only the bounds and the collision check.
+ompl::base::SpaceInformationPtr makePlainSpaceInformation(OmplWorld& world);
 
 }  // namespace glissade

@@ -1,7 +1,9 @@
 // What the adapter promises beyond the contract of every planner (planner_conformance_test.cpp).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "engine/planning/ompl/ompl_planner.h"
@@ -184,6 +186,9 @@ std::string testName(const testing::TestParamInfo<OmplAlgorithm>& parameter) {
     case OmplAlgorithm::Bkpiece: return "Bkpiece";
     case OmplAlgorithm::Prm: return "Prm";
     case OmplAlgorithm::Est: return "Est";
+    case OmplAlgorithm::Rrt: return "Rrt";
+    case OmplAlgorithm::Trrt: return "Trrt";
+    case OmplAlgorithm::BiTrrt: return "BiTrrt";
   }
   return "";
 }
@@ -191,6 +196,73 @@ std::string testName(const testing::TestParamInfo<OmplAlgorithm>& parameter) {
 INSTANTIATE_TEST_SUITE_P(Algorithms, OmplPlannerTest,
                          testing::Values(OmplAlgorithm::RrtConnect, OmplAlgorithm::Bkpiece, OmplAlgorithm::Prm,
                                          OmplAlgorithm::Est),
+                         testName);
+
+/// Planners that are OMPL as it is.
+class OmplPeerTest : public testing::TestWithParam<OmplAlgorithm> {
+ protected:
+  std::unique_ptr<OmplPlanner> make(const Problem& problem) const {
+    return std::make_unique<OmplPlanner>(problem, 1, GetParam(), OmplManner::AsItIs);
+  }
+};
+
+/// The start and the goal on the two sides of a thin wall that leaves little room around it.
+Problem thinWallProblem() {
+  Problem problem = windowProblem();
+  problem.world = CollisionWorld::build({boxBody("wall", {0.002, 3.9, 3.9}, Pose::identity())},
+                                        std::make_shared<const TriangleMesh>(makeBox({0.01, 0.01, 0.01})));
+  problem.goal = Pose::translation({1.5, 0.0, 0.0});
+  return problem;
+}
+
+TEST_P(OmplPeerTest, ItsFirstPathIsTheResult) {
+  const Problem problem = windowProblem();
+  TestHost host(problem, kSteps);
+  ASSERT_TRUE(host.values.set(ParameterId::OmplResolution, 1e-3));
+  const auto planner = make(problem);
+  const bool solved = planner->solve(host);
+  EXPECT_NE(solved, planner->failure().has_value());
+  EXPECT_EQ(planner->counts().rejectedPaths, solved ? 0U : 1U);
+  EXPECT_GT(planner->counts().queries.collision, 0U);
+  EXPECT_EQ(planner->counts().nodes, planner->nodes().size());
+  if (solved) EXPECT_EQ(planner->path()->certificate.status, CertificateStatus::Certified);
+}
+
+TEST_P(OmplPeerTest, ACoarseResolutionTunnelsAndIsRefused) {
+  const Problem problem = thinWallProblem();
+  TestHost host(problem, kSteps);
+  ASSERT_TRUE(host.values.set(ParameterId::OmplResolution, 0.05));
+  const auto planner = make(problem);
+  EXPECT_FALSE(planner->solve(host));
+  EXPECT_EQ(planner->path(), nullptr);
+  EXPECT_EQ(planner->counts().rejectedPaths, 1U);
+  ASSERT_TRUE(planner->failure());
+  EXPECT_EQ(planner->failure()->kind, ErrorKind::NoPath);
+}
+
+TEST_P(OmplPeerTest, TheRangeIsTheLongestEdge) {
+  const Problem problem = closedProblem();
+  const auto longest = [&](double range) {
+    TestHost host(problem, 2000);
+    EXPECT_TRUE(host.values.set(ParameterId::OmplRange, range));
+    const auto planner = make(problem);
+    planner->solve(host);
+    planner->completeRoadmap();
+    double most = 0.0;
+    for (const RoadmapEdge& edge : planner->edges()) {
+      most = std::max(most, (planner->nodes()[edge.from].q.position - planner->nodes()[edge.to].q.position).norm());
+    }
+    return most;
+  };
+  const double extent = problem.bounds.diagonal().norm() + std::acos(-1.0) / 2.0;  // OMPL's, with weights of 1
+  const double bound = std::sqrt(3.0) * 0.02 * extent;  // some of its samplers draw from a cube
+  EXPECT_LE(longest(0.02), bound + 1e-9);
+  EXPECT_GT(longest(0.0), bound) << "the default is a fifth";
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, OmplPeerTest,
+                         testing::Values(OmplAlgorithm::RrtConnect, OmplAlgorithm::Rrt, OmplAlgorithm::Trrt,
+                                         OmplAlgorithm::BiTrrt, OmplAlgorithm::Bkpiece),
                          testName);
 
 TEST(OmplPlanners, AreInBothRegistries) {

@@ -39,6 +39,14 @@ TEST(LimitedProcess, GivesWhatItSaidAndHowItEnded) {
   EXPECT_GT(end.peakMemoryMb, 0.1);
 }
 
+TEST(LimitedProcess, CountsTheProcessorsTimeAndNotTheWaiting) {
+  const ProcessEnd waiting = endOf("sleep 0.3");
+  EXPECT_GE(waiting.wallSeconds, 0.3);
+  EXPECT_LT(waiting.cpuSeconds, waiting.wallSeconds);
+  const ProcessEnd working = endOf("i=0; while [ $i -lt 200000 ]; do i=$((i+1)); done");
+  EXPECT_GT(working.cpuSeconds, waiting.cpuSeconds);
+}
+
 TEST(LimitedProcess, MuchOutputDoesNotBlockIt) {
   const ProcessEnd end = endOf("head -c 3000000 /dev/zero; exit 3");
   EXPECT_EQ(end.output.size(), 3'000'000U);

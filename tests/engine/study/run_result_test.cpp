@@ -8,7 +8,8 @@
 namespace glissade {
 namespace {
 
-constexpr const char* kSolved = R"({"solved": true, "status": "solved", "planning_s": 1.5, "virtual_s": 20.25,
+constexpr const char* kSolved =
+    R"({"solved": true, "status": "solved", "planning_s": 1.5, "planning_cpu_s": 1.25, "virtual_s": 20.25,
   "nodes": 100, "edges": 198, "iterations": 90, "steps": 110, "random_configurations": 12,
   "nodes_by_author": {"computer": 60, "operator": 30, "contact": 10},
   "path": {"configurations": 7, "length_m": 3.5, "rotation_rad": 1.25},
@@ -19,6 +20,7 @@ ProcessEnd saying(const std::string& output, int exitCode = 0) {
   end.output = output;
   end.exitCode = exitCode;
   end.wallSeconds = 2.5;
+  end.cpuSeconds = 2.25;
   return end;
 }
 
@@ -41,7 +43,9 @@ TEST(RunResult, ReadsTheReportOfARun) {
   EXPECT_EQ(numberOf(outcome.result, "coarse_configurations"), std::nullopt);
   EXPECT_EQ(outcome.result.certificate, "certified");
   EXPECT_EQ(outcome.timing.planningSeconds, 1.5);
+  EXPECT_EQ(outcome.timing.planningCpuSeconds, 1.25);
   EXPECT_EQ(outcome.timing.wallSeconds, 2.5);
+  EXPECT_EQ(outcome.timing.cpuSeconds, 2.25);
 }
 
 TEST(RunResult, TellsTheWaysToEndApart) {
@@ -53,6 +57,7 @@ TEST(RunResult, TellsTheWaysToEndApart) {
   EXPECT_EQ(status(saying(report("limit-reached", "the step limit", 3.0), 5)), RunStatus::LimitReached);
   EXPECT_EQ(status(saying(report("limit-reached", "the time limit", 60.01), 5)), RunStatus::Time);
   EXPECT_EQ(status(saying(report("no-path", "no way", 3.0), 1)), RunStatus::NoPath);
+  EXPECT_EQ(status(saying(report("not-certified", "it touches", 3.0), 1)), RunStatus::NotCertified);
   EXPECT_EQ(status(saying(report("in-collision", "start", 0.0), 4)), RunStatus::InCollision);
   EXPECT_EQ(status(saying(report("error", "the planner failed: std::bad_alloc", 3.0), 70)), RunStatus::Memory);
   EXPECT_EQ(status(saying(report("error", "the planner failed: x", 3.0), 70)), RunStatus::Error);

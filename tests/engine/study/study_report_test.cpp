@@ -86,6 +86,25 @@ TEST_F(Report, PlotsVaryWhatTheStudyVaries) {
   EXPECT_THAT(plots[0].caption, HasSubstr("Not on this axis: plain."));
 }
 
+TEST(StudyPlots, SettingsOfPeersArePanelsAndSeriesNotAxes) {
+  auto json = test::tinyStudy();
+  json["strategies"] = {"peer-rrtconnect"};
+  json["rows"] = {{{"label", "ours"}, {"strategies", {"auto"}}},
+                  {{"label", "peers"}, {"grid", {{"ompl_range", {0, 0.03}}, {"ompl_resolution", {0.01, 0.001}}}}}};
+  const test::StudyFiles files(json);
+  Warnings warnings;
+  const auto plan = planStudy(files.file, false, warnings);
+  ASSERT_TRUE(plan.ok()) << toString(plan.error());
+  const auto plots = plotsOf(plan->study, summarise(plan->study, {}));
+  ASSERT_EQ(plots.size(), 4U);  // two columns, two resolutions
+  EXPECT_EQ(plots[0].name, "time_s-at-0.01");
+  EXPECT_EQ(plots[2].name, "time_s-at-0.001");
+  EXPECT_EQ(plots[0].kind, PlotKind::Bars);
+  ASSERT_EQ(plots[0].series.size(), 3U);
+  EXPECT_EQ(plots[0].series[0].name, "auto");
+  EXPECT_EQ(plots[0].series[2].name, "peer-rrtconnect, ompl_range 0.03");
+}
+
 TEST(Base64, KnowsTheVectorsOfRfc4648) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");

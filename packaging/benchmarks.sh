@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Measures Glissade beside its peers, all in one run on this machine, and writes one page of results:
+# OUT/benchmarks.html. Leave the machine alone meanwhile. Takes hours; --quick, some minutes. What OUT holds
+# of a study already is gone on with.
+# usage: packaging/benchmarks.sh OUT [--quick] [--jobs N]
+set -euo pipefail
+caller=$PWD
+cd "$(dirname "$0")/.."
+
+usage() {
+  echo "usage: packaging/benchmarks.sh OUT [--quick] [--jobs N]" >&2
+  exit 2
+}
+out='' quick='' jobs=1
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --quick) quick=--quick ;;
+    --jobs) [ $# -ge 2 ] || usage; jobs=$2; shift ;;
+    -*) usage ;;
+    *) [ -z "$out" ] || usage; out=$1 ;;
+  esac
+  shift
+done
+[ -n "$out" ] || usage
+case "$out" in /*) ;; *) out=$caller/$out ;; esac
+
+programs=(collision nearest_neighbours octree growth)
+studies=(automatic public-problems)
+
+packaging/setup.sh build run bench
+# shellcheck disable=SC2086
+packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" -- -DGLISSADE_BENCHMARKS=ON
+
+mkdir -p "$out"
+: >"$out/commands.txt"
+commit=$(git describe --always --dirty 2>/dev/null || echo unknown)
+
+# measure COMMAND...: carries it out, and notes it for the page.
+measure() {
+  local line=$*
+  echo "${line//"$out"/OUT}" >>"$out/commands.txt"
+  echo "$line"
+  "build/release/bin/$1" "${@:2}"
+}
+
+for program in "${programs[@]}"; do
+  options=("--benchmark_out=$out/$program.json" --benchmark_out_format=json "--benchmark_context=commit=$commit")
+  if [ -n "$quick" ]; then
+    options+=(--benchmark_min_time=0.02)
+    case "$program" in
+      growth|nearest_neighbours) options+=('--benchmark_filter=/(100|1000|10000)(/|$)') ;;
+    esac
+  fi
+  measure "${program}_benchmark" "${options[@]}"
+done
+
+for study in "${studies[@]}"; do
+  if [ "$study" = public-problems ] && [ ! -d ../shared/problems/omplapp ]; then
+    echo "public-problems: left out, ../shared/problems/omplapp is not there" | tee -a "$out/commands.txt"
+    continue
+  fi
+  # shellcheck disable=SC2086
+  measure glissade-cli study "samples/studies/$study.json" --out "$out/$study" --jobs "$jobs" $quick
+done
+
+echo "glissade-cli benchmark-page OUT" >>"$out/commands.txt"
+build/release/bin/glissade-cli benchmark-page "$out"

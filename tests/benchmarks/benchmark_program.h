@@ -1,0 +1,26 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+#include <glissade/version.h>
+
+#include "engine/study/machine.h"
+
+namespace glissade {
+
+/// What the page of results says of where the numbers are from: call before the benchmarks are run.
+inline void addMachineContext() {
+  benchmark::AddCustomContext("glissade", kVersion);
+  benchmark::AddCustomContext("machine", describeMachine());
+  benchmark::AddCustomContext("libraries", describeLibraries());
+}
+
+}  // namespace glissade
+
+/// As BENCHMARK_MAIN, with the machine in the context.
+#define GLISSADE_BENCHMARK_MAIN()        \
+  int main(int argc, char** argv) {      \
+    benchmark::Initialize(&argc, argv);  \
+    glissade::addMachineContext();       \
+    benchmark::RunSpecifiedBenchmarks(); \
+    return 0;                            \
+  }
