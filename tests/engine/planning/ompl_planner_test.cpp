@@ -225,7 +225,9 @@ TEST_P(OmplPeerTest, ItsFirstPathIsTheResult) {
   EXPECT_EQ(planner->counts().rejectedPaths, solved ? 0U : 1U);
   EXPECT_GT(planner->counts().queries.collision, 0U);
   EXPECT_EQ(planner->counts().nodes, planner->nodes().size());
-  if (solved) EXPECT_EQ(planner->path()->certificate.status, CertificateStatus::Certified);
+  if (solved) {
+    EXPECT_EQ(planner->path()->certificate.status, CertificateStatus::Certified);
+  }
 }
 
 TEST_P(OmplPeerTest, ACoarseResolutionTunnelsAndIsRefused) {
