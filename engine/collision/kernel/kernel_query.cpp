@@ -13,6 +13,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxPair kRoots{};
+/// A motion that meets something is mostly found to at one of these, far apart first.
+constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
 void addTriangles(const TriangleMesh& mesh, int body, std::vector<OwnedTriangle>& triangles) {
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -118,7 +120,8 @@ void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   alignas(32) std::array<float, lanes::kWidth> squared;
   traversal_.distances(opened, squared.data());
   const std::size_t begin = candidates_.size();
-  for (unsigned lane = 0; lane < opened.lanes; ++lane) {
+  for (unsigned mask = opened.mask; mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
     if (squared[lane] > bound) continue;
     const Candidate candidate{opened[lane], squared[lane]};
     std::size_t at = candidates_.size();
@@ -225,10 +228,19 @@ bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
 }
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
-                                                    const StopToken& stop) {
+                                                    SeekViolation seek, const StopToken& stop) {
   if (geometry_->obstacles.empty() || geometry_->object.empty())
     return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
-  return MotionSearch(traversal_, from, to, required).run(stop);
+  std::uint64_t tried = 0;
+  if (seek == SeekViolation::Any) {
+    for (const double t : kTriedFirst) {
+      ++tried;
+      if (touches(interpolate(from, to, t))) return MotionCheck{CertificateStatus::Violated, 0.0, t, tried};
+    }
+  }
+  MotionCheck check = MotionSearch(traversal_, from, to, required, seek).run(stop);
+  check.configurations += tried;
+  return check;
 }
 
 }  // namespace glissade

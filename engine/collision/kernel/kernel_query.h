@@ -27,7 +27,7 @@ class KernelQuery final : public SurfaceQuery {
   std::optional<int> touchingBody(const Pose& X_WB) override;
   NearestObstacle nearest(const Pose& X_WB, double enough) override;
   bool isWithin(const Pose& X_WB, double bound) override;
-  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
 
  private:

@@ -18,6 +18,7 @@ inline constexpr float kALot = 1e30F;
 inline constexpr float kNearlyParallel = 1e-8F;
 /// Takes the rounding of a few products away.
 inline constexpr float kRoundedDown = 0.999999F;
+inline constexpr float kRoundedUp = 1.000002F;
 
 template <class F>
 struct Vec3 {
@@ -40,6 +41,7 @@ struct Vec3 {
   friend Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  friend Vec3 absolute(const Vec3& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
   friend F sumOfAbsolutes(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 };
 
@@ -73,6 +75,40 @@ struct Arithmetic {
       p.x.store(placed.coordinate[0] + half);
       p.y.store(placed.coordinate[1] + half);
       p.z.store(placed.coordinate[2] + half);
+    }
+  }
+
+  /// What a point (one in each lane) goes in a sweep besides the way of the pivot.
+  static V turned(const FloatSweep& X, const V& p) {
+    const V arm = p - V{F::all(X.pivot[0]), F::all(X.pivot[1]), F::all(X.pivot[2])};
+    const auto row = [&](int i) {
+      return F::all(X.turn[i][0]) * arm.x + F::all(X.turn[i][1]) * arm.y + F::all(X.turn[i][2]) * arm.z;
+    };
+    return {row(0), row(1), row(2)};
+  }
+
+  static V wayOfPivot(const FloatSweep& X) { return {F::all(X.way[0]), F::all(X.way[1]), F::all(X.way[2])}; }
+
+  /// A point at distance r from the axis leaves its tangent by at most r angle^2 / 2.
+  static void sweepBoxes(const BoxLanes& placed, const float* radius, const FloatSweep& X, SweepLanes& sweep) {
+    const V turn = turned(X, V::load(placed.centre));
+    const V way = turn + wayOfPivot(X);
+    way.store(sweep.way);
+    const F spread = F::all(kRoundedUp * X.angle) * F::load(radius);
+    const F bend = F::all(kRoundedUp * 0.5F * X.angle) * (sqrt(dot(turn, turn)) + spread);
+    bend.store(sweep.bend);
+    (spread + bend).store(sweep.rest);
+    (F::all(kRoundedUp) * sqrt(dot(way, way)) + spread + bend).store(sweep.length);
+  }
+
+  static void sweepTriangles(const TriangleLanes& placed, const FloatSweep& X, TriangleLanes& ways) {
+    for (std::size_t half = 0; half < 16; half += kWidth) {
+      const V way = turned(X, {F::load(placed.coordinate[0] + half), F::load(placed.coordinate[1] + half),
+                               F::load(placed.coordinate[2] + half)}) +
+                    wayOfPivot(X);
+      way.x.store(ways.coordinate[0] + half);
+      way.y.store(ways.coordinate[1] + half);
+      way.z.store(ways.coordinate[2] + half);
     }
   }
 
@@ -130,21 +166,27 @@ struct Arithmetic {
     V separationByEdges(int k) const {
       const int k1 = (k + 1) % 3;
       const int k2 = (k + 2) % 3;
-      const F gap1 = k == 0 ? gapA.y : k == 1 ? gapA.z : gapA.x;
-      const F gap2 = k == 0 ? gapA.z : k == 1 ? gapA.x : gapA.y;
+      const V gap = alongEdges(gapA, k);
       const F half1 = k == 0 ? halfA.y : k == 1 ? halfA.z : halfA.x;
       const F half2 = k == 0 ? halfA.z : k == 1 ? halfA.x : halfA.y;
-      const auto separation = [&](F c1, F c2, F a1, F a2, F r1, F h1, F r2, F h2) {
-        return abs(gap2 * c1 - gap1 * c2) - (half1 * a2 + half2 * a1 + h1 * r2 + h2 * r1);
+      const auto separation = [&](F along, F a1, F a2, F r1, F h1, F r2, F h2) {
+        return along - (half1 * a2 + half2 * a1 + h1 * r2 + h2 * r1);
       };
-      const V& c1 = axes[k1];
-      const V& c2 = axes[k2];
       const V& a1 = absolute[k1];
       const V& a2 = absolute[k2];
       const V& a0 = absolute[k];
-      return {separation(c1.x, c2.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
-              separation(c1.y, c2.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
-              separation(c1.z, c2.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
+      return {separation(gap.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
+              separation(gap.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
+              separation(gap.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
+    }
+    /// How long a vector, given along the axes of the eight, is along the products of their axis k and
+    /// the one's axes.
+    V alongEdges(const V& v, int k) const {
+      const F v1 = k == 0 ? v.y : k == 1 ? v.z : v.x;
+      const F v2 = k == 0 ? v.z : k == 1 ? v.x : v.y;
+      const V& c1 = axes[(k + 1) % 3];
+      const V& c2 = axes[(k + 2) % 3];
+      return {abs(v2 * c1.x - v1 * c2.x), abs(v2 * c1.y - v1 * c2.y), abs(v2 * c1.z - v1 * c2.z)};
     }
   };
 
@@ -154,6 +196,23 @@ struct Arithmetic {
     const F limit = F::all(slack + reach);
     unsigned separated = bits(less(limit, max(largest(pairs.separationA()), largest(pairs.separationB()))));
     for (int k = 0; k < 3 && separated != 0xFFU; ++k) separated |= pairs.separatedByEdges(k, limit);
+    return ~separated & 0xFFU;
+  }
+
+  static unsigned boxesWithinSweep(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane,
+                                   const SweepLanes& sweep, bool sweepOfBoxes, float slack, float reach) {
+    const BoxPairs pairs(boxes, other, lane);
+    const V way = sweepOfBoxes ? V::load(sweep.way) : V::broadcast(sweep.way, lane);
+    const F limit = (sweepOfBoxes ? F::load(sweep.rest) : F::all(sweep.rest[lane])) + F::all(slack + reach);
+    const auto along = [&](const V& axis) { return dot(way, axis); };
+    const V wayA{along(V::load(boxes.axis[0])), along(V::load(boxes.axis[1])), along(V::load(boxes.axis[2]))};
+    const V wayB{along(V::broadcast(other.axis[0], lane)), along(V::broadcast(other.axis[1], lane)),
+                 along(V::broadcast(other.axis[2], lane))};
+    unsigned separated = bits(
+        less(limit, max(largest(pairs.separationA() - absolute(wayA)), largest(pairs.separationB() - absolute(wayB)))));
+    for (int k = 0; k < 3 && separated != 0xFFU; ++k) {
+      separated |= bits(less(limit, largest(pairs.separationByEdges(k) - pairs.alongEdges(wayA, k))));
+    }
     return ~separated & 0xFFU;
   }
 
@@ -212,6 +271,23 @@ struct Arithmetic {
       const F highB = max(max(b0, b1), b2);
       return max(lowB - highA, lowA - highB);
     }
+    /// The same while the corners of b go their ways to both sides.
+    F gapAlong(const V& axis, const V (&ways)[3]) const {
+      const F zero = F::all(0.0F);
+      const F a1 = dot(ea[0], axis);
+      const F a2 = a1 + dot(ea[1], axis);
+      const F lowA = min(min(a1, a2), zero);
+      const F highA = max(max(a1, a2), zero);
+      const F b0 = dot(b[0] - a[0], axis);
+      const F b1 = b0 + dot(eb[0], axis);
+      const F b2 = b1 + dot(eb[1], axis);
+      const F w0 = abs(dot(ways[0], axis));
+      const F w1 = abs(dot(ways[1], axis));
+      const F w2 = abs(dot(ways[2], axis));
+      const F lowB = min(min(b0 - w0, b1 - w1), b2 - w2);
+      const F highB = max(max(b0 + w0, b1 + w1), b2 + w2);
+      return max(lowB - highA, lowA - highB);
+    }
     /// Bits of the pairs that this axis separates: any axis is right, whatever its own rounding.
     unsigned separatedBy(const V& axis, F slack) const {
       return bits(less(slack * sumOfAbsolutes(axis), gapAlong(axis)));
@@ -235,6 +311,37 @@ struct Arithmetic {
   static unsigned trianglesMayMeet(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack) {
     const F s = F::all(slack);
     return mayMeet(a, b, 0, s) | (count > 2 ? mayMeet(a, b, 2, s) << kWidth : 0U);
+  }
+
+  /// Triangles `b` of the pairs go `ways` to both sides, corner by corner.
+  static unsigned mayMeetInSweep(const TriangleLanes& la, const TriangleLanes& lb, const TriangleLanes& lways,
+                                 std::size_t first, F slack, F reach) {
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
+    V ways[3];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::size_t at = corner * kLeafTriangles + first;
+      ways[corner] = {F::halves(lways.coordinate[0] + at), F::halves(lways.coordinate[1] + at),
+                      F::halves(lways.coordinate[2] + at)};
+    }
+    unsigned separated = 0;
+    const auto tryAxis = [&](const V& axis) {
+      if (separated == 0xFFU) return;
+      const F limit = slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis));
+      separated |= bits(less(limit, pairs.gapAlong(axis, ways)));
+    };
+    tryAxis(cross(pairs.ea[0], pairs.ea[1]));
+    tryAxis(cross(pairs.eb[0], pairs.eb[1]));
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) tryAxis(cross(pairs.ea[i], pairs.eb[k]));
+    }
+    return ~separated & 0xFFU;
+  }
+
+  static unsigned trianglesMayMeetInSweep(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
+                                          unsigned count, float slack, float reach) {
+    const F s = F::all(slack);
+    const F r = F::all(reach);
+    return mayMeetInSweep(a, b, ways, 0, s, r) | (count > 2 ? mayMeetInSweep(a, b, ways, 2, s, r) << kWidth : 0U);
   }
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
@@ -345,8 +452,12 @@ constexpr LaneFunctions table(std::string_view name) {
           A::placeBoxes,
           A::placeTriangles,
           A::boxesWithin,
+          A::sweepBoxes,
+          A::boxesWithinSweep,
+          A::sweepTriangles,
           A::boxDistances,
           A::trianglesMayMeet,
+          A::trianglesMayMeetInSweep,
           A::triangleDistances,
           exactDistances<D>};
 }

@@ -212,7 +212,7 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
       const Pose from = randomPoseIn(world, stream);
       Pose to = randomPoseIn(world, stream);
       if (stream.uniform() < 0.5) to = interpolate(from, to, 0.1);
-      const MotionCheck check = query->checkMotion(from, to, kRequired, {});
+      const MotionCheck check = query->checkMotion(from, to, kRequired, SeekViolation::First, {});
       ASSERT_NE(check.status, CertificateStatus::Undecided);
       const bool isFree = check.status == CertificateStatus::Certified;
       ++(isFree ? certified : violated);
