@@ -115,20 +115,24 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
 
-/// The opened pairs that may still matter, the nearest on top.
+/// Adds the opened pairs that may still matter to the heap.
 void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   alignas(32) std::array<float, lanes::kWidth> squared;
   traversal_.distances(opened, squared.data());
-  const std::size_t begin = candidates_.size();
   for (unsigned mask = opened.mask; mask != 0; mask &= mask - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
     if (squared[lane] > bound) continue;
-    const Candidate candidate{opened[lane], squared[lane]};
-    std::size_t at = candidates_.size();
-    candidates_.push_back(candidate);
-    for (; at > begin && candidates_[at - 1].squared < candidate.squared; --at) candidates_[at] = candidates_[at - 1];
-    candidates_[at] = candidate;
+    candidates_.push_back({opened[lane], squared[lane]});
+    std::push_heap(candidates_.begin(), candidates_.end(), farther);
   }
+}
+
+/// Takes the nearest from the heap.
+KernelQuery::Candidate KernelQuery::pop() {
+  std::pop_heap(candidates_.begin(), candidates_.end(), farther);
+  const Candidate nearest = candidates_.back();
+  candidates_.pop_back();
+  return nearest;
 }
 
 /// Gathers in `triangles_` every pair of triangles that may be the nearest or as near as `bound`
@@ -137,9 +141,8 @@ float KernelQuery::collect(float bound, bool byEstimates) {
   triangles_.clear();
   candidates_.assign(1, {kRoots, 0.0F});
   while (!candidates_.empty()) {
-    const Candidate candidate = candidates_.back();
-    candidates_.pop_back();
-    if (candidate.squared > bound) continue;
+    const Candidate candidate = pop();
+    if (candidate.squared > bound) break;
     if (!traversal_.bothLeaves(candidate.pair)) {
       push(traversal_.open(candidate.pair), bound);
       continue;
@@ -207,8 +210,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
   candidates_.assign(1, {kRoots, 0.0F});
   while (!candidates_.empty()) {
-    const Candidate candidate = candidates_.back();
-    candidates_.pop_back();
+    const Candidate candidate = pop();
     if (!traversal_.bothLeaves(candidate.pair)) {
       push(traversal_.open(candidate.pair), reach);
       continue;

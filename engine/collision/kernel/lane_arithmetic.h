@@ -346,39 +346,71 @@ struct Arithmetic {
 
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
 
+  /// An edge with what all questions about it share.
+  struct Edge {
+    V from, along;
+    F squared, inverse;  ///< length
+
+    Edge(const V& p, const V& u) : from(p), along(u), squared(dot(u, u)), inverse(inverseOf(squared)) {}
+  };
+
+  static F inverseOf(F positive) { return F::all(1.0F) / max(positive, F::tiny()); }
+
   /// Two segments p + s u and r + t v, by Ericson 2005, 5.1.9, without branches.
   struct Segments {
-    V u, v, w;
-    F a, b, c, d, e;
+    const Edge& first;
+    const Edge& second;
+    V w;
+    F b, d, e;
 
-    Segments(const V& p, const V& u_, F a_, const V& r, const V& v_, F c_)
-        : u(u_), v(v_), w(p - r), a(a_), b(dot(u, v)), c(c_), d(dot(u, w)), e(dot(v, w)) {}
+    Segments(const Edge& first_, const Edge& second_)
+        : first(first_),
+          second(second_),
+          w(first.from - second.from),
+          b(dot(first.along, second.along)),
+          d(dot(first.along, w)),
+          e(dot(second.along, w)) {}
 
-    F determinant() const { return a * c - b * b; }
+    F determinant() const { return first.squared * second.squared - b * b; }
     F squaredFrom(F s0) const {
-      const F tiny = F::tiny();
-      const F t = clamped((b * s0 + e) / max(c, tiny));
-      const F s = clamped((b * t - d) / max(a, tiny));
-      const V gap = w + s * u - t * v;
+      const F t = clamped((b * s0 + e) * second.inverse);
+      const F s = clamped((b * t - d) * first.inverse);
+      const V gap = w + s * first.along - t * second.along;
       return dot(gap, gap);
     }
-    F squared() const { return squaredFrom(clamped((b * e - c * d) / max(determinant(), F::tiny()))); }
+    F squared() const { return squaredFrom(clamped((b * e - second.squared * d) / max(determinant(), F::tiny()))); }
     /// Where some are nearly parallel the ends of the first are tried besides.
     F squaredRefined() const {
       const F found = squared();
-      if (bits(less(F::all(kNearlyParallel) * a * c, determinant())) == F::kAllBits) return found;
+      if (bits(less(F::all(kNearlyParallel) * first.squared * second.squared, determinant())) == F::kAllBits) {
+        return found;
+      }
       return min(found, min(squaredFrom(F::all(0.0F)), squaredFrom(F::all(1.0F))));
     }
   };
 
-  /// Squared distance of p from the face where its foot lies on it, else a lot.
-  static F faceSquared(const V& p, const V (&corners)[3], const V (&edges)[3], const V& n, F inverseArea, F faceless) {
-    const F zero = F::all(0.0F);
-    const auto inner = [&](int i) { return dot(n, cross(edges[i], p - corners[i])); };
-    const F least = min(min(inner(0), inner(1)), inner(2));
-    const F height = dot(n, p - corners[0]);
-    return select(less(least, zero), F::all(kALot), height * height * inverseArea + faceless);
-  }
+  /// A triangle's inside: where the products with the three inward normals of its edges are positive.
+  struct Face {
+    V corners[3];
+    V normal;
+    V inward[3];
+    F inverseArea;
+    F faceless;  ///< a lot where it has no area
+
+    Face(const V (&c)[3], const V (&edges)[3]) : corners{c[0], c[1], c[2]}, normal(cross(edges[0], edges[1])) {
+      for (int i = 0; i < 3; ++i) inward[i] = cross(normal, edges[i]);
+      const F area = dot(normal, normal);
+      inverseArea = inverseOf(area);
+      faceless = select(less(F::tiny(), area), F::all(0.0F), F::all(kALot));
+    }
+    /// Squared distance of p where its foot lies on the face, else a lot.
+    F squaredFrom(const V& p) const {
+      const V arm = p - corners[0];
+      const F least = min(min(dot(inward[0], arm), dot(inward[1], p - corners[1])), dot(inward[2], arm));
+      const F height = dot(normal, arm);
+      return select(less(least, F::all(0.0F)), F::all(kALot), height * height * inverseArea + faceless);
+    }
+  };
 
   /// Squared distances, and the squared lengths that their errors grow with.
   struct SquaredDistances {
@@ -388,31 +420,20 @@ struct Arithmetic {
 
   template <bool kRefined>
   static SquaredDistances squaredDistances(const TrianglePairs& pairs) {
-    F lengthA[3], lengthB[3];
-    for (int i = 0; i < 3; ++i) {
-      lengthA[i] = dot(pairs.ea[i], pairs.ea[i]);
-      lengthB[i] = dot(pairs.eb[i], pairs.eb[i]);
-    }
-    const V na = cross(pairs.ea[0], pairs.ea[1]);
-    const V nb = cross(pairs.eb[0], pairs.eb[1]);
-    const F areaA = dot(na, na);
-    const F areaB = dot(nb, nb);
-    const F tiny = F::tiny();
-    const F inverseA = F::all(1.0F) / max(areaA, tiny);
-    const F inverseB = F::all(1.0F) / max(areaB, tiny);
-    const F facelessA = select(less(tiny, areaA), F::all(0.0F), F::all(kALot));
-    const F facelessB = select(less(tiny, areaB), F::all(0.0F), F::all(kALot));
+    const Face faceA(pairs.a, pairs.ea);
+    const Face faceB(pairs.b, pairs.eb);
+    const Edge edgesA[3]{{pairs.a[0], pairs.ea[0]}, {pairs.a[1], pairs.ea[1]}, {pairs.a[2], pairs.ea[2]}};
+    const Edge edgesB[3]{{pairs.b[0], pairs.eb[0]}, {pairs.b[1], pairs.eb[1]}, {pairs.b[2], pairs.eb[2]}};
     F best = F::all(kALot);
     for (int i = 0; i < 3; ++i) {
-      best = min(best, faceSquared(pairs.a[i], pairs.b, pairs.eb, nb, inverseB, facelessB));
-      best = min(best, faceSquared(pairs.b[i], pairs.a, pairs.ea, na, inverseA, facelessA));
+      best = min(best, min(faceB.squaredFrom(pairs.a[i]), faceA.squaredFrom(pairs.b[i])));
       for (int k = 0; k < 3; ++k) {
-        const Segments segments(pairs.a[i], pairs.ea[i], lengthA[i], pairs.b[k], pairs.eb[k], lengthB[k]);
+        const Segments segments(edgesA[i], edgesB[k]);
         best = min(best, kRefined ? segments.squaredRefined() : segments.squared());
       }
     }
     const V gap = pairs.b[0] - pairs.a[0];
-    return {best, dot(gap, gap) + lengthA[0] + lengthA[2] + lengthB[0] + lengthB[2]};
+    return {best, dot(gap, gap) + edgesA[0].squared + edgesA[2].squared + edgesB[0].squared + edgesB[2].squared};
   }
 
   static void distances(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, float* squared,
