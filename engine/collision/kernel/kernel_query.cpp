@@ -13,6 +13,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxPair kRoots{};
+/// Two of the object's triangles with four of the obstacles' fill the lanes; larger leaves fit badly.
+constexpr std::size_t kMostInALeafOfObstacles = 4;
+constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
 constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
@@ -45,7 +48,8 @@ float roundedUp(double value) {
 }  // namespace
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : obstacles(trianglesOf(obstacleBodies)), object(trianglesOf(objectMesh)) {}
+    : obstacles(trianglesOf(obstacleBodies), kMostInALeafOfObstacles),
+      object(trianglesOf(objectMesh), kMostInALeafOfObject) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)),
@@ -76,6 +80,20 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
   return found;
 }
 
+/// The opened pairs that may meet, the deepest on top.
+void KernelQuery::pushMeeting(const PairTraversal::Opened& opened) {
+  alignas(32) std::array<float, lanes::kWidth> separation;
+  std::array<unsigned, lanes::kWidth> lanes;
+  std::size_t count = 0;
+  for (unsigned mask = traversal_.mayMeet(opened, separation.data()); mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
+    std::size_t at = count++;
+    for (; at > 0 && separation[lanes[at - 1]] < separation[lane]; --at) lanes[at] = lanes[at - 1];
+    lanes[at] = lane;
+  }
+  for (std::size_t i = 0; i < count; ++i) stack_.push_back(opened[lanes[i]]);
+}
+
 bool KernelQuery::touches(const Pose& X_WB) {
   if (!moveTo(X_WB, 0.0)) return false;
   int body = 0;
@@ -87,10 +105,7 @@ bool KernelQuery::touches(const Pose& X_WB) {
       if (leavesMeet(pair, std::numeric_limits<int>::max(), body)) return true;
       continue;
     }
-    const auto opened = traversal_.open(pair);
-    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
-      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
-    }
+    pushMeeting(traversal_.open(pair));
   }
   return false;
 }
@@ -107,10 +122,7 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
       leavesMeet(pair, lowest, lowest);
       continue;
     }
-    const auto opened = traversal_.open(pair);
-    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
-      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
-    }
+    pushMeeting(traversal_.open(pair));
   }
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }

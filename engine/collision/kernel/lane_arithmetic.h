@@ -190,11 +190,13 @@ struct Arithmetic {
     }
   };
 
-  static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack,
-                              float reach) {
+  static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack, float reach,
+                              float* separation) {
     const BoxPairs pairs(boxes, other, lane);
     const F limit = F::all(slack + reach);
-    unsigned separated = bits(less(limit, max(largest(pairs.separationA()), largest(pairs.separationB()))));
+    const F widest = max(largest(pairs.separationA()), largest(pairs.separationB()));
+    widest.store(separation);
+    unsigned separated = bits(less(limit, widest));
     for (int k = 0; k < 3 && separated != 0xFFU; ++k) separated |= pairs.separatedByEdges(k, limit);
     return ~separated & 0xFFU;
   }

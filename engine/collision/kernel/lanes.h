@@ -66,8 +66,10 @@ struct LaneFunctions {
   void (*placeBoxes)(const BoxLanes& boxes, const FloatPose& X, BoxLanes& placed);
   void (*placeTriangles)(const TriangleLanes& triangles, const FloatPose& X, TriangleLanes& placed);
   /// Bit i is clear only if box i and box `lane` of `other` are certainly farther apart than `reach`
-  /// on one of their 15 separating axes.
-  unsigned (*boxesWithin)(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack, float reach);
+  /// on one of their 15 separating axes. separation[i] is the widest along the axes of the two boxes, the
+  /// more negative the deeper they overlap.
+  unsigned (*boxesWithin)(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack, float reach,
+                          float* separation);
   void (*sweepBoxes)(const BoxLanes& placed, const float* radius, const FloatSweep& X, SweepLanes& sweep);
   /// The same of boxes that move: bit i is clear only if they are farther apart than `reach` all the way.
   /// `sweep` is of `boxes` or (its box `lane`) of `other`.

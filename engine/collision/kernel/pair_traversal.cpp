@@ -5,24 +5,14 @@
 
 namespace glissade {
 
-PairTraversal::Opened PairTraversal::open(const BoxPair& pair) const {
-  const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
-                        (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
-  if (obstacle) {
-    const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
-    return {{static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, (1U << obstacles.counts[node]) - 1U};
-  }
-  const std::uint32_t node = object.nodeOf(pair.object);
-  return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
-}
-
-unsigned PairTraversal::within(const Opened& opened, float reach) {
+unsigned PairTraversal::mayMeet(const Opened& opened, float* separation) {
   const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
-  const unsigned near =
-      opened.obstacle
-          ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object), placed.slack(), reach)
-          : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle), placed.slack(), reach);
+  const unsigned near = opened.obstacle
+                            ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object),
+                                                     placed.slack(), 0.0F, separation)
+                            : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle),
+                                                     placed.slack(), 0.0F, separation);
   return near & opened.mask;
 }
 

@@ -38,11 +38,21 @@ class PairTraversal {
       return obstacle ? BoxPair{first.obstacle + lane, first.object} : BoxPair{first.obstacle, first.object + lane};
     }
   };
-  Opened open(const BoxPair& pair) const;
+  Opened open(const BoxPair& pair) const {
+    const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
+                          (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
+    if (obstacle) {
+      const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
+      return {
+          {static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, (1U << obstacles.counts[node]) - 1U};
+    }
+    const std::uint32_t node = object.nodeOf(pair.object);
+    return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
+  }
 
-  /// Bits of the opened pairs that may be nearer than `reach`.
-  unsigned within(const Opened& opened, float reach);
-  /// The same at any time of the sweep.
+  /// Bits of the opened pairs that may meet, and separations to order them by.
+  unsigned mayMeet(const Opened& opened, float* separation);
+  /// Bits of those that may be nearer than `reach` at any time of the sweep.
   unsigned withinSweep(const Opened& opened, float reach);
   /// Lower bounds on the squared distances of the opened pairs.
   void distances(const Opened& opened, float* squared);

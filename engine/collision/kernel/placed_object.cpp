@@ -26,7 +26,7 @@ void PlacedObject::moveTo(const Pose& X_WB) {
   X_WB_ = X_WB;
   swept_ = false;
   const Eigen::Matrix3d rotation = X_WB.orientation.toRotationMatrix();
-  const Vector3 translation = X_WB * object_.centre - obstacles_.centre;
+  const Vector3 translation = rotation * object_.centre + (X_WB.position - obstacles_.centre);
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) X_.rotation[i][k] = static_cast<float>(rotation(i, k));
     X_.translation[i] = static_cast<float>(translation[i]);
