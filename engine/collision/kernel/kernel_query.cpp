@@ -83,15 +83,16 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
 /// The opened pairs that may meet, the deepest on top.
 void KernelQuery::pushMeeting(const PairTraversal::Opened& opened) {
   alignas(32) std::array<float, lanes::kWidth> separation;
-  std::array<unsigned, lanes::kWidth> lanes;
-  std::size_t count = 0;
-  for (unsigned mask = traversal_.mayMeet(opened, separation.data()); mask != 0; mask &= mask - 1) {
+  unsigned mask = traversal_.mayMeet(opened, separation.data());
+  if (mask == 0) return;
+  auto deepest = static_cast<unsigned>(__builtin_ctz(mask));
+  for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
     const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
-    std::size_t at = count++;
-    for (; at > 0 && separation[lanes[at - 1]] < separation[lane]; --at) lanes[at] = lanes[at - 1];
-    lanes[at] = lane;
+    const bool deeper = separation[lane] < separation[deepest];
+    stack_.push_back(opened[deeper ? deepest : lane]);
+    deepest = deeper ? lane : deepest;
   }
-  for (std::size_t i = 0; i < count; ++i) stack_.push_back(opened[lanes[i]]);
+  stack_.push_back(opened[deepest]);
 }
 
 bool KernelQuery::touches(const Pose& X_WB) {
