@@ -89,6 +89,7 @@ TEST(Kernel, EveryInstructionSetGivesTheSameBits) {
           ASSERT_EQ(a->status, b->status);
           ASSERT_EQ(a->certified, b->certified);
           ASSERT_EQ(a->at, b->at);
+          ASSERT_EQ(a->configurations, b->configurations);
         }
         if (plain.touches(q)) continue;
         const NearestObstacle a = plain.nearest(q, kInfinity);
