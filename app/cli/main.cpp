@@ -72,8 +72,14 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_option("--strategy", options.strategy, "Planner: " + plannerNames() + " (default: the scenario's)");
   const std::map<std::string, CollisionBackend> backends{{"kernel", CollisionBackend::Kernel},
                                                          {"fcl", CollisionBackend::Fcl}};
-  plan->add_option("--collision", options.collision, "Who answers for collisions: kernel or fcl (default: kernel)")
-      ->transform(CLI::CheckedTransformer(backends));
+  plan->add_option_function<std::string>(
+      "--collision",
+      [&options, backends](const std::string& name) {
+        const auto backend = backends.find(name);
+        if (backend == backends.end()) throw CLI::ValidationError("--collision", "'" + name + "' is not kernel or fcl");
+        options.collision = backend->second;
+      },
+      "Who answers for collisions: kernel or fcl (default: kernel)");
   plan->add_option("--operator", options.operatorName,
                    "Who holds the device: none, novice, default, expert, simulated-haptic or replay:FILE");
   addParameters(*plan, options.parameters);

@@ -32,11 +32,17 @@ enum class CertificateStatus {
   Undecided   ///< stopped, or out of steps, before either was shown
 };
 
+/// Which violation of a motion is of interest.
+enum class SeekViolation {
+  Any,   ///< yes or no: the cheapest
+  First  ///< to within a thousandth of the object's size, and all before it proved
+};
+
 /// Yes or no about a whole motion, without the distances on the way (those are in MotionCertificate).
 struct MotionCheck {
   CertificateStatus status = CertificateStatus::Undecided;
   double certified = 0.0;            ///< the requirement is proved on [0, certified]
-  double at = 1.0;                   ///< where the first violation was found, if Violated
+  double at = 1.0;                   ///< where a violation was found, if Violated
   std::uint64_t configurations = 0;  ///< looked at
 };
 
@@ -65,9 +71,9 @@ class CollisionQuery {
   virtual double distanceUpTo(const Pose& X_WB, double enough) = 0;
   /// The distance is larger than `bound` (>= 0): ends at the first pair that is not.
   virtual bool clearAbove(const Pose& X_WB, double bound) = 0;
-  /// Whether the straight motion keeps the required clearance (> 0): proved, or where it is first
-  /// violated (to within a thousandth of the object's size).
-  virtual MotionCheck checkMotion(const Pose& from, const Pose& to, double required, const StopToken& stop) = 0;
+  /// Whether the straight motion keeps the required clearance (> 0): proved, or where it is violated.
+  virtual MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
+                                  const StopToken& stop) = 0;
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;

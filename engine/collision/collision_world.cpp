@@ -60,9 +60,10 @@ class SolidQuery final : public CollisionQuery {
     return !inCollision(X_WB) && !surfaces_->isWithin(X_WB, bound);
   }
 
-  MotionCheck checkMotion(const Pose& from, const Pose& to, double required, const StopToken& stop) override {
+  MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
+                          const StopToken& stop) override {
     ++counts_.motion;
-    auto check = surfaces_->checkMotion(from, to, required, stop);
+    auto check = surfaces_->checkMotion(from, to, required, seek, stop);
     if (!check) {
       const MotionCertificate certificate = certifyMotion(*this, from, to, required, stop);
       check = {certificate.status, certificate.certified, certificate.at, certificate.distanceQueries};

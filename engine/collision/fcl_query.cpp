@@ -100,7 +100,8 @@ bool FclSurfaceQuery::isWithin(const Pose& X_WB, double bound) {
   return nearest(X_WB, std::numeric_limits<double>::infinity()).distance <= bound;
 }
 
-std::optional<MotionCheck> FclSurfaceQuery::checkMotion(const Pose&, const Pose&, double, const StopToken&) {
+std::optional<MotionCheck> FclSurfaceQuery::checkMotion(const Pose&, const Pose&, double, SeekViolation,
+                                                        const StopToken&) {
   return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ class FclSurfaceQuery final : public SurfaceQuery {
   NearestObstacle nearest(const Pose& X_WB, double enough) override;
   bool isWithin(const Pose& X_WB, double bound) override;
   /// Nothing: its continuous collision is wrong.
-  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
 
  private:

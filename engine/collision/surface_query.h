@@ -22,7 +22,7 @@ class SurfaceQuery {
   /// Some pair is at `bound` or nearer. Precondition: the surfaces do not touch.
   virtual bool isWithin(const Pose& X_WB, double bound) = 0;
   /// As CollisionQuery::checkMotion, of the surfaces; nothing from a library that cannot.
-  virtual std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+  virtual std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                                  const StopToken& stop) = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/geometry/mesh_audit.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -85,16 +86,30 @@ MeshAudit audit(const TriangleMesh& input) {
 }
 
 std::vector<TriangleMesh> connectedComponents(const TriangleMesh& input) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   const TriangleMesh mesh = welded(input);
   Components components = connectedVertices(mesh);
-  std::map<std::uint32_t, std::size_t> partOf;
+  std::vector<std::uint32_t> partOf(mesh.vertices.size(), kNone);  // by the vertex that stands for it
+  std::vector<std::uint32_t> placeOf(mesh.vertices.size(), kNone);
   std::vector<TriangleMesh> parts;
-  for (const auto& triangle : mesh.triangles) {
-    const auto [entry, inserted] = partOf.try_emplace(components.find(triangle[0]), parts.size());
-    if (inserted) parts.push_back({mesh.vertices, {}});
-    parts[entry->second].triangles.push_back(triangle);
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    std::uint32_t& part = partOf[components.find(triangle[0])];
+    if (part == kNone) {
+      part = static_cast<std::uint32_t>(parts.size());
+      parts.emplace_back();
+    }
+    TriangleMesh& target = parts[part];
+    TriangleIndices moved;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& place = placeOf[triangle[i]];
+      if (place == kNone) {
+        place = static_cast<std::uint32_t>(target.vertices.size());
+        target.vertices.push_back(mesh.vertices[triangle[i]]);
+      }
+      moved[i] = place;
+    }
+    target.triangles.push_back(moved);
   }
-  for (TriangleMesh& part : parts) part = welded(part);
   return parts;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -97,6 +98,31 @@ TEST_F(Cli, PlansCertifiesAndChecks) {
     EXPECT_EQ(check.exitCode, 0) << ending << check.out << check.err;
     EXPECT_EQ(Json::parse(check.out)["valid"], true);
   }
+}
+
+TEST_F(Cli, BothCollisionBackendsPlanTheSamePathAndBothCertifyIt) {
+  const std::string file = scenario([](Json&) {});
+  std::map<std::string, std::string> paths;
+  for (const std::string backend : {"kernel", "fcl"}) {
+    const std::string path = (folder / (backend + ".csv")).string();
+    const Finished plan = run("plan " + file + " --seed 3 --collision " + backend + " --json --out " + path);
+    ASSERT_EQ(plan.exitCode, 0) << backend << plan.err;
+    EXPECT_EQ(Json::parse(plan.out)["certificate"]["status"], "certified") << backend;
+    EXPECT_EQ(run("check " + file + " " + path).exitCode, 0) << backend;
+    paths[backend] = read(path);
+  }
+  EXPECT_FALSE(paths["fcl"].empty());
+  EXPECT_EQ(paths["fcl"], paths["kernel"]);
+}
+
+TEST_F(Cli, AnUnknownCollisionBackendIsOneClearErrorOfUsage) {
+  const Finished plan = run("plan " + scenario([](Json&) {}) + " --collision bullet");
+  EXPECT_EQ(plan.exitCode, 2);
+  EXPECT_EQ(plan.out, "");
+  EXPECT_NE(plan.err.find("--collision"), std::string::npos) << plan.err;
+  EXPECT_NE(plan.err.find("kernel"), std::string::npos) << plan.err;
+  EXPECT_NE(plan.err.find("fcl"), std::string::npos) << plan.err;
+  EXPECT_EQ(plan.err.find("--collision"), plan.err.rfind("--collision")) << plan.err;
 }
 
 TEST_F(Cli, APathThroughTheWallIsInvalid) {

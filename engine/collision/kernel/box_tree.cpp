@@ -9,9 +9,6 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kBins = 16;
-/// A pair of triangles fits its box well, and one of boxes costs far less than one of leaves: leaves
-/// are not filled.
-constexpr std::size_t kMostInALeaf = 2;
 
 /// Smallest float not below the value.
 float roundedUp(double value) {
@@ -97,7 +94,8 @@ struct BoxTree::Part {
   std::size_t size() const { return last - first; }
 };
 
-BoxTree::BoxTree(std::vector<OwnedTriangle> all) : triangles(std::move(all)) {
+BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf)
+    : triangles(std::move(all)), mostInALeaf_(mostInALeaf) {
   if (empty()) return;
   Box3 box;
   for (const OwnedTriangle& triangle : triangles) {
@@ -128,7 +126,7 @@ void BoxTree::fillNode(std::uint32_t node, std::vector<Part> parts) {
   for (std::size_t lane = 0; lane < parts.size(); ++lane) {
     const Part& part = parts[lane];
     const std::size_t box = node * lanes::kWidth + lane;
-    if (part.size() <= kMostInALeaf) {
+    if (part.size() <= mostInALeaf_) {
       child[box] = addLeaf(part);
       continue;
     }
@@ -144,7 +142,7 @@ std::vector<BoxTree::Part> BoxTree::divided(const Part& whole) {
   while (parts.size() < lanes::kWidth) {
     auto widest = parts.end();
     for (auto part = parts.begin(); part != parts.end(); ++part) {
-      if (part->size() <= kMostInALeaf) continue;
+      if (part->size() <= mostInALeaf_) continue;
       if (widest == parts.end() || part->box.surface() > widest->box.surface()) widest = part;
     }
     if (widest == parts.end()) break;

@@ -28,7 +28,7 @@ class BoxTree {
     lanes::TriangleLanes lanes{};
   };
 
-  explicit BoxTree(std::vector<OwnedTriangle> triangles);
+  BoxTree(std::vector<OwnedTriangle> triangles, std::size_t mostInALeaf);
 
   bool empty() const { return triangles.empty(); }
   bool isLeaf(Box box) const { return child[box] < 0; }
@@ -57,6 +57,8 @@ class BoxTree {
   std::vector<Part> divided(const Part& whole);
   void setBox(Box box, const Part& part);
   std::int32_t addLeaf(const Part& part);
+
+  std::size_t mostInALeaf_;
 };
 
 }  // namespace glissade

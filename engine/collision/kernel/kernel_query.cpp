@@ -13,6 +13,11 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 constexpr BoxPair kRoots{};
+/// Two of the object's triangles with four of the obstacles' fill the lanes; larger leaves fit badly.
+constexpr std::size_t kMostInALeafOfObstacles = 4;
+constexpr std::size_t kMostInALeafOfObject = 2;
+/// A motion that meets something is mostly found to at one of these, far apart first.
+constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
 void addTriangles(const TriangleMesh& mesh, int body, std::vector<OwnedTriangle>& triangles) {
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -43,7 +48,8 @@ float roundedUp(double value) {
 }  // namespace
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : obstacles(trianglesOf(obstacleBodies)), object(trianglesOf(objectMesh)) {}
+    : obstacles(trianglesOf(obstacleBodies), kMostInALeafOfObstacles),
+      object(trianglesOf(objectMesh), kMostInALeafOfObject) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)),
@@ -74,6 +80,21 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
   return found;
 }
 
+/// The opened pairs that may meet, the deepest on top.
+void KernelQuery::pushMeeting(const PairTraversal::Opened& opened) {
+  alignas(32) std::array<float, lanes::kWidth> separation;
+  unsigned mask = traversal_.mayMeet(opened, separation.data());
+  if (mask == 0) return;
+  auto deepest = static_cast<unsigned>(__builtin_ctz(mask));
+  for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
+    const bool deeper = separation[lane] < separation[deepest];
+    stack_.push_back(opened[deeper ? deepest : lane]);
+    deepest = deeper ? lane : deepest;
+  }
+  stack_.push_back(opened[deepest]);
+}
+
 bool KernelQuery::touches(const Pose& X_WB) {
   if (!moveTo(X_WB, 0.0)) return false;
   int body = 0;
@@ -85,10 +106,7 @@ bool KernelQuery::touches(const Pose& X_WB) {
       if (leavesMeet(pair, std::numeric_limits<int>::max(), body)) return true;
       continue;
     }
-    const auto opened = traversal_.open(pair);
-    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
-      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
-    }
+    pushMeeting(traversal_.open(pair));
   }
   return false;
 }
@@ -105,27 +123,29 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
       leavesMeet(pair, lowest, lowest);
       continue;
     }
-    const auto opened = traversal_.open(pair);
-    for (unsigned mask = traversal_.within(opened, 0.0F); mask != 0; mask &= mask - 1) {
-      stack_.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
-    }
+    pushMeeting(traversal_.open(pair));
   }
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
 
-/// The opened pairs that may still matter, the nearest on top.
+/// Adds the opened pairs that may still matter to the heap.
 void KernelQuery::push(const PairTraversal::Opened& opened, float bound) {
   alignas(32) std::array<float, lanes::kWidth> squared;
   traversal_.distances(opened, squared.data());
-  const std::size_t begin = candidates_.size();
-  for (unsigned lane = 0; lane < opened.lanes; ++lane) {
+  for (unsigned mask = opened.mask; mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
     if (squared[lane] > bound) continue;
-    const Candidate candidate{opened[lane], squared[lane]};
-    std::size_t at = candidates_.size();
-    candidates_.push_back(candidate);
-    for (; at > begin && candidates_[at - 1].squared < candidate.squared; --at) candidates_[at] = candidates_[at - 1];
-    candidates_[at] = candidate;
+    candidates_.push_back({opened[lane], squared[lane]});
+    std::push_heap(candidates_.begin(), candidates_.end(), farther);
   }
+}
+
+/// Takes the nearest from the heap.
+KernelQuery::Candidate KernelQuery::pop() {
+  std::pop_heap(candidates_.begin(), candidates_.end(), farther);
+  const Candidate nearest = candidates_.back();
+  candidates_.pop_back();
+  return nearest;
 }
 
 /// Gathers in `triangles_` every pair of triangles that may be the nearest or as near as `bound`
@@ -134,9 +154,8 @@ float KernelQuery::collect(float bound, bool byEstimates) {
   triangles_.clear();
   candidates_.assign(1, {kRoots, 0.0F});
   while (!candidates_.empty()) {
-    const Candidate candidate = candidates_.back();
-    candidates_.pop_back();
-    if (candidate.squared > bound) continue;
+    const Candidate candidate = pop();
+    if (candidate.squared > bound) break;
     if (!traversal_.bothLeaves(candidate.pair)) {
       push(traversal_.open(candidate.pair), bound);
       continue;
@@ -204,8 +223,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
   candidates_.assign(1, {kRoots, 0.0F});
   while (!candidates_.empty()) {
-    const Candidate candidate = candidates_.back();
-    candidates_.pop_back();
+    const Candidate candidate = pop();
     if (!traversal_.bothLeaves(candidate.pair)) {
       push(traversal_.open(candidate.pair), reach);
       continue;
@@ -225,10 +243,19 @@ bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
 }
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
-                                                    const StopToken& stop) {
+                                                    SeekViolation seek, const StopToken& stop) {
   if (geometry_->obstacles.empty() || geometry_->object.empty())
     return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
-  return MotionSearch(traversal_, from, to, required).run(stop);
+  std::uint64_t tried = 0;
+  if (seek == SeekViolation::Any) {
+    for (const double t : kTriedFirst) {
+      ++tried;
+      if (touches(interpolate(from, to, t))) return MotionCheck{CertificateStatus::Violated, 0.0, t, tried};
+    }
+  }
+  MotionCheck check = MotionSearch(traversal_, from, to, required, seek).run(stop);
+  check.configurations += tried;
+  return check;
 }
 
 }  // namespace glissade

@@ -27,7 +27,7 @@ class KernelQuery final : public SurfaceQuery {
   std::optional<int> touchingBody(const Pose& X_WB) override;
   NearestObstacle nearest(const Pose& X_WB, double enough) override;
   bool isWithin(const Pose& X_WB, double bound) override;
-  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required,
+  std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                          const StopToken& stop) override;
 
  private:
@@ -35,6 +35,7 @@ class KernelQuery final : public SurfaceQuery {
     BoxPair pair;
     float squared;  ///< lower bound
   };
+  static bool farther(const Candidate& a, const Candidate& b) { return a.squared > b.squared; }
   struct TriangleCandidate {
     TrianglePair pair;
     float squared;  ///< lower bound
@@ -48,7 +49,9 @@ class KernelQuery final : public SurfaceQuery {
   /// False where there is nothing, or spheres around all are farther apart than `bound`.
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
+  void pushMeeting(const PairTraversal::Opened& opened);
   void push(const PairTraversal::Opened& opened, float bound);
+  Candidate pop();
   float collect(float bound, bool byEstimates);
   void decide(Best& best);
 
@@ -56,7 +59,7 @@ class KernelQuery final : public SurfaceQuery {
   const lanes::LaneFunctions& functions_;
   PairTraversal traversal_;
   std::vector<BoxPair> stack_;
-  std::vector<Candidate> candidates_;
+  std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be
   std::vector<TriangleCandidate> triangles_;
   std::optional<TrianglePair> last_;  ///< nearest triangles of the last search
 };

@@ -18,6 +18,7 @@ inline constexpr float kALot = 1e30F;
 inline constexpr float kNearlyParallel = 1e-8F;
 /// Takes the rounding of a few products away.
 inline constexpr float kRoundedDown = 0.999999F;
+inline constexpr float kRoundedUp = 1.000002F;
 
 template <class F>
 struct Vec3 {
@@ -40,6 +41,7 @@ struct Vec3 {
   friend Vec3 cross(const Vec3& a, const Vec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
   }
+  friend Vec3 absolute(const Vec3& a) { return {abs(a.x), abs(a.y), abs(a.z)}; }
   friend F sumOfAbsolutes(const Vec3& a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 };
 
@@ -73,6 +75,40 @@ struct Arithmetic {
       p.x.store(placed.coordinate[0] + half);
       p.y.store(placed.coordinate[1] + half);
       p.z.store(placed.coordinate[2] + half);
+    }
+  }
+
+  /// What a point (one in each lane) goes in a sweep besides the way of the pivot.
+  static V turned(const FloatSweep& X, const V& p) {
+    const V arm = p - V{F::all(X.pivot[0]), F::all(X.pivot[1]), F::all(X.pivot[2])};
+    const auto row = [&](int i) {
+      return F::all(X.turn[i][0]) * arm.x + F::all(X.turn[i][1]) * arm.y + F::all(X.turn[i][2]) * arm.z;
+    };
+    return {row(0), row(1), row(2)};
+  }
+
+  static V wayOfPivot(const FloatSweep& X) { return {F::all(X.way[0]), F::all(X.way[1]), F::all(X.way[2])}; }
+
+  /// A point at distance r from the axis leaves its tangent by at most r angle^2 / 2.
+  static void sweepBoxes(const BoxLanes& placed, const float* radius, const FloatSweep& X, SweepLanes& sweep) {
+    const V turn = turned(X, V::load(placed.centre));
+    const V way = turn + wayOfPivot(X);
+    way.store(sweep.way);
+    const F spread = F::all(kRoundedUp * X.angle) * F::load(radius);
+    const F bend = F::all(kRoundedUp * 0.5F * X.angle) * (sqrt(dot(turn, turn)) + spread);
+    bend.store(sweep.bend);
+    (spread + bend).store(sweep.rest);
+    (F::all(kRoundedUp) * sqrt(dot(way, way)) + spread + bend).store(sweep.length);
+  }
+
+  static void sweepTriangles(const TriangleLanes& placed, const FloatSweep& X, TriangleLanes& ways) {
+    for (std::size_t half = 0; half < 16; half += kWidth) {
+      const V way = turned(X, {F::load(placed.coordinate[0] + half), F::load(placed.coordinate[1] + half),
+                               F::load(placed.coordinate[2] + half)}) +
+                    wayOfPivot(X);
+      way.x.store(ways.coordinate[0] + half);
+      way.y.store(ways.coordinate[1] + half);
+      way.z.store(ways.coordinate[2] + half);
     }
   }
 
@@ -130,30 +166,55 @@ struct Arithmetic {
     V separationByEdges(int k) const {
       const int k1 = (k + 1) % 3;
       const int k2 = (k + 2) % 3;
-      const F gap1 = k == 0 ? gapA.y : k == 1 ? gapA.z : gapA.x;
-      const F gap2 = k == 0 ? gapA.z : k == 1 ? gapA.x : gapA.y;
+      const V gap = alongEdges(gapA, k);
       const F half1 = k == 0 ? halfA.y : k == 1 ? halfA.z : halfA.x;
       const F half2 = k == 0 ? halfA.z : k == 1 ? halfA.x : halfA.y;
-      const auto separation = [&](F c1, F c2, F a1, F a2, F r1, F h1, F r2, F h2) {
-        return abs(gap2 * c1 - gap1 * c2) - (half1 * a2 + half2 * a1 + h1 * r2 + h2 * r1);
+      const auto separation = [&](F along, F a1, F a2, F r1, F h1, F r2, F h2) {
+        return along - (half1 * a2 + half2 * a1 + h1 * r2 + h2 * r1);
       };
-      const V& c1 = axes[k1];
-      const V& c2 = axes[k2];
       const V& a1 = absolute[k1];
       const V& a2 = absolute[k2];
       const V& a0 = absolute[k];
-      return {separation(c1.x, c2.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
-              separation(c1.y, c2.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
-              separation(c1.z, c2.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
+      return {separation(gap.x, a1.x, a2.x, a0.y, halfB.y, a0.z, halfB.z),
+              separation(gap.y, a1.y, a2.y, a0.z, halfB.z, a0.x, halfB.x),
+              separation(gap.z, a1.z, a2.z, a0.x, halfB.x, a0.y, halfB.y)};
+    }
+    /// How long a vector, given along the axes of the eight, is along the products of their axis k and
+    /// the one's axes.
+    V alongEdges(const V& v, int k) const {
+      const F v1 = k == 0 ? v.y : k == 1 ? v.z : v.x;
+      const F v2 = k == 0 ? v.z : k == 1 ? v.x : v.y;
+      const V& c1 = axes[(k + 1) % 3];
+      const V& c2 = axes[(k + 2) % 3];
+      return {abs(v2 * c1.x - v1 * c2.x), abs(v2 * c1.y - v1 * c2.y), abs(v2 * c1.z - v1 * c2.z)};
     }
   };
 
-  static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack,
-                              float reach) {
+  static unsigned boxesWithin(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane, float slack, float reach,
+                              float* separation) {
     const BoxPairs pairs(boxes, other, lane);
     const F limit = F::all(slack + reach);
-    unsigned separated = bits(less(limit, max(largest(pairs.separationA()), largest(pairs.separationB()))));
+    const F widest = max(largest(pairs.separationA()), largest(pairs.separationB()));
+    widest.store(separation);
+    unsigned separated = bits(less(limit, widest));
     for (int k = 0; k < 3 && separated != 0xFFU; ++k) separated |= pairs.separatedByEdges(k, limit);
+    return ~separated & 0xFFU;
+  }
+
+  static unsigned boxesWithinSweep(const BoxLanes& boxes, const BoxLanes& other, std::size_t lane,
+                                   const SweepLanes& sweep, bool sweepOfBoxes, float slack, float reach) {
+    const BoxPairs pairs(boxes, other, lane);
+    const V way = sweepOfBoxes ? V::load(sweep.way) : V::broadcast(sweep.way, lane);
+    const F limit = (sweepOfBoxes ? F::load(sweep.rest) : F::all(sweep.rest[lane])) + F::all(slack + reach);
+    const auto along = [&](const V& axis) { return dot(way, axis); };
+    const V wayA{along(V::load(boxes.axis[0])), along(V::load(boxes.axis[1])), along(V::load(boxes.axis[2]))};
+    const V wayB{along(V::broadcast(other.axis[0], lane)), along(V::broadcast(other.axis[1], lane)),
+                 along(V::broadcast(other.axis[2], lane))};
+    unsigned separated = bits(
+        less(limit, max(largest(pairs.separationA() - absolute(wayA)), largest(pairs.separationB() - absolute(wayB)))));
+    for (int k = 0; k < 3 && separated != 0xFFU; ++k) {
+      separated |= bits(less(limit, largest(pairs.separationByEdges(k) - pairs.alongEdges(wayA, k))));
+    }
     return ~separated & 0xFFU;
   }
 
@@ -212,6 +273,23 @@ struct Arithmetic {
       const F highB = max(max(b0, b1), b2);
       return max(lowB - highA, lowA - highB);
     }
+    /// The same while the corners of b go their ways to both sides.
+    F gapAlong(const V& axis, const V (&ways)[3]) const {
+      const F zero = F::all(0.0F);
+      const F a1 = dot(ea[0], axis);
+      const F a2 = a1 + dot(ea[1], axis);
+      const F lowA = min(min(a1, a2), zero);
+      const F highA = max(max(a1, a2), zero);
+      const F b0 = dot(b[0] - a[0], axis);
+      const F b1 = b0 + dot(eb[0], axis);
+      const F b2 = b1 + dot(eb[1], axis);
+      const F w0 = abs(dot(ways[0], axis));
+      const F w1 = abs(dot(ways[1], axis));
+      const F w2 = abs(dot(ways[2], axis));
+      const F lowB = min(min(b0 - w0, b1 - w1), b2 - w2);
+      const F highB = max(max(b0 + w0, b1 + w1), b2 + w2);
+      return max(lowB - highA, lowA - highB);
+    }
     /// Bits of the pairs that this axis separates: any axis is right, whatever its own rounding.
     unsigned separatedBy(const V& axis, F slack) const {
       return bits(less(slack * sumOfAbsolutes(axis), gapAlong(axis)));
@@ -237,41 +315,104 @@ struct Arithmetic {
     return mayMeet(a, b, 0, s) | (count > 2 ? mayMeet(a, b, 2, s) << kWidth : 0U);
   }
 
+  /// Triangles `b` of the pairs go `ways` to both sides, corner by corner.
+  static unsigned mayMeetInSweep(const TriangleLanes& la, const TriangleLanes& lb, const TriangleLanes& lways,
+                                 std::size_t first, F slack, F reach) {
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
+    V ways[3];
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const std::size_t at = corner * kLeafTriangles + first;
+      ways[corner] = {F::halves(lways.coordinate[0] + at), F::halves(lways.coordinate[1] + at),
+                      F::halves(lways.coordinate[2] + at)};
+    }
+    unsigned separated = 0;
+    const auto tryAxis = [&](const V& axis) {
+      if (separated == 0xFFU) return;
+      const F limit = slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis));
+      separated |= bits(less(limit, pairs.gapAlong(axis, ways)));
+    };
+    tryAxis(cross(pairs.ea[0], pairs.ea[1]));
+    tryAxis(cross(pairs.eb[0], pairs.eb[1]));
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) tryAxis(cross(pairs.ea[i], pairs.eb[k]));
+    }
+    return ~separated & 0xFFU;
+  }
+
+  static unsigned trianglesMayMeetInSweep(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
+                                          unsigned count, float slack, float reach) {
+    const F s = F::all(slack);
+    const F r = F::all(reach);
+    return mayMeetInSweep(a, b, ways, 0, s, r) | (count > 2 ? mayMeetInSweep(a, b, ways, 2, s, r) << kWidth : 0U);
+  }
+
   static F clamped(F value) { return min(max(value, F::all(0.0F)), F::all(1.0F)); }
+
+  /// An edge with what all questions about it share.
+  struct Edge {
+    V from, along;
+    F squared, inverse;  ///< length
+
+    Edge(const V& p, const V& u) : from(p), along(u), squared(dot(u, u)), inverse(inverseOf(squared)) {}
+  };
+
+  static F inverseOf(F positive) { return F::all(1.0F) / max(positive, F::tiny()); }
 
   /// Two segments p + s u and r + t v, by Ericson 2005, 5.1.9, without branches.
   struct Segments {
-    V u, v, w;
-    F a, b, c, d, e;
+    const Edge& first;
+    const Edge& second;
+    V w;
+    F b, d, e;
 
-    Segments(const V& p, const V& u_, F a_, const V& r, const V& v_, F c_)
-        : u(u_), v(v_), w(p - r), a(a_), b(dot(u, v)), c(c_), d(dot(u, w)), e(dot(v, w)) {}
+    Segments(const Edge& first_, const Edge& second_)
+        : first(first_),
+          second(second_),
+          w(first.from - second.from),
+          b(dot(first.along, second.along)),
+          d(dot(first.along, w)),
+          e(dot(second.along, w)) {}
 
-    F determinant() const { return a * c - b * b; }
+    F determinant() const { return first.squared * second.squared - b * b; }
     F squaredFrom(F s0) const {
-      const F tiny = F::tiny();
-      const F t = clamped((b * s0 + e) / max(c, tiny));
-      const F s = clamped((b * t - d) / max(a, tiny));
-      const V gap = w + s * u - t * v;
+      const F t = clamped((b * s0 + e) * second.inverse);
+      const F s = clamped((b * t - d) * first.inverse);
+      const V gap = w + s * first.along - t * second.along;
       return dot(gap, gap);
     }
-    F squared() const { return squaredFrom(clamped((b * e - c * d) / max(determinant(), F::tiny()))); }
+    F squared() const { return squaredFrom(clamped((b * e - second.squared * d) / max(determinant(), F::tiny()))); }
     /// Where some are nearly parallel the ends of the first are tried besides.
     F squaredRefined() const {
       const F found = squared();
-      if (bits(less(F::all(kNearlyParallel) * a * c, determinant())) == F::kAllBits) return found;
+      if (bits(less(F::all(kNearlyParallel) * first.squared * second.squared, determinant())) == F::kAllBits) {
+        return found;
+      }
       return min(found, min(squaredFrom(F::all(0.0F)), squaredFrom(F::all(1.0F))));
     }
   };
 
-  /// Squared distance of p from the face where its foot lies on it, else a lot.
-  static F faceSquared(const V& p, const V (&corners)[3], const V (&edges)[3], const V& n, F inverseArea, F faceless) {
-    const F zero = F::all(0.0F);
-    const auto inner = [&](int i) { return dot(n, cross(edges[i], p - corners[i])); };
-    const F least = min(min(inner(0), inner(1)), inner(2));
-    const F height = dot(n, p - corners[0]);
-    return select(less(least, zero), F::all(kALot), height * height * inverseArea + faceless);
-  }
+  /// A triangle's inside: where the products with the three inward normals of its edges are positive.
+  struct Face {
+    V corners[3];
+    V normal;
+    V inward[3];
+    F inverseArea;
+    F faceless;  ///< a lot where it has no area
+
+    Face(const V (&c)[3], const V (&edges)[3]) : corners{c[0], c[1], c[2]}, normal(cross(edges[0], edges[1])) {
+      for (int i = 0; i < 3; ++i) inward[i] = cross(normal, edges[i]);
+      const F area = dot(normal, normal);
+      inverseArea = inverseOf(area);
+      faceless = select(less(F::tiny(), area), F::all(0.0F), F::all(kALot));
+    }
+    /// Squared distance of p where its foot lies on the face, else a lot.
+    F squaredFrom(const V& p) const {
+      const V arm = p - corners[0];
+      const F least = min(min(dot(inward[0], arm), dot(inward[1], p - corners[1])), dot(inward[2], arm));
+      const F height = dot(normal, arm);
+      return select(less(least, F::all(0.0F)), F::all(kALot), height * height * inverseArea + faceless);
+    }
+  };
 
   /// Squared distances, and the squared lengths that their errors grow with.
   struct SquaredDistances {
@@ -281,31 +422,20 @@ struct Arithmetic {
 
   template <bool kRefined>
   static SquaredDistances squaredDistances(const TrianglePairs& pairs) {
-    F lengthA[3], lengthB[3];
-    for (int i = 0; i < 3; ++i) {
-      lengthA[i] = dot(pairs.ea[i], pairs.ea[i]);
-      lengthB[i] = dot(pairs.eb[i], pairs.eb[i]);
-    }
-    const V na = cross(pairs.ea[0], pairs.ea[1]);
-    const V nb = cross(pairs.eb[0], pairs.eb[1]);
-    const F areaA = dot(na, na);
-    const F areaB = dot(nb, nb);
-    const F tiny = F::tiny();
-    const F inverseA = F::all(1.0F) / max(areaA, tiny);
-    const F inverseB = F::all(1.0F) / max(areaB, tiny);
-    const F facelessA = select(less(tiny, areaA), F::all(0.0F), F::all(kALot));
-    const F facelessB = select(less(tiny, areaB), F::all(0.0F), F::all(kALot));
+    const Face faceA(pairs.a, pairs.ea);
+    const Face faceB(pairs.b, pairs.eb);
+    const Edge edgesA[3]{{pairs.a[0], pairs.ea[0]}, {pairs.a[1], pairs.ea[1]}, {pairs.a[2], pairs.ea[2]}};
+    const Edge edgesB[3]{{pairs.b[0], pairs.eb[0]}, {pairs.b[1], pairs.eb[1]}, {pairs.b[2], pairs.eb[2]}};
     F best = F::all(kALot);
     for (int i = 0; i < 3; ++i) {
-      best = min(best, faceSquared(pairs.a[i], pairs.b, pairs.eb, nb, inverseB, facelessB));
-      best = min(best, faceSquared(pairs.b[i], pairs.a, pairs.ea, na, inverseA, facelessA));
+      best = min(best, min(faceB.squaredFrom(pairs.a[i]), faceA.squaredFrom(pairs.b[i])));
       for (int k = 0; k < 3; ++k) {
-        const Segments segments(pairs.a[i], pairs.ea[i], lengthA[i], pairs.b[k], pairs.eb[k], lengthB[k]);
+        const Segments segments(edgesA[i], edgesB[k]);
         best = min(best, kRefined ? segments.squaredRefined() : segments.squared());
       }
     }
     const V gap = pairs.b[0] - pairs.a[0];
-    return {best, dot(gap, gap) + lengthA[0] + lengthA[2] + lengthB[0] + lengthB[2]};
+    return {best, dot(gap, gap) + edgesA[0].squared + edgesA[2].squared + edgesB[0].squared + edgesB[2].squared};
   }
 
   static void distances(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, float* squared,
@@ -345,8 +475,12 @@ constexpr LaneFunctions table(std::string_view name) {
           A::placeBoxes,
           A::placeTriangles,
           A::boxesWithin,
+          A::sweepBoxes,
+          A::boxesWithinSweep,
+          A::sweepTriangles,
           A::boxDistances,
           A::trianglesMayMeet,
+          A::trianglesMayMeetInSweep,
           A::triangleDistances,
           exactDistances<D>};
 }

@@ -1,7 +1,6 @@
 #include "engine/collision/kernel/motion_search.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,113 +13,150 @@ constexpr double kSlimmestMargin = 1e-3;
 constexpr double kLocated = 1e-3;
 constexpr std::uint64_t kMostConfigurations = 200'000;
 /// Boxes this much smaller than the way they go are not opened: halving time says more.
-constexpr float kWorthOpening = 1.0F;
+constexpr double kWorthOpening = 1.0;
 /// Triangles this much larger than the way they go are worth a plane between them.
-constexpr double kWorthAPlane = 4.0;
-
-/// The sense of a turn by half a circle is a matter of rounding.
-constexpr double kNearlyHalfATurn = 3.1;
-
+constexpr double kWorthAPlane = 1.0;
 float above(double value) { return static_cast<float>(value) * 1.000001F + 1e-37F; }
+
+/// The sense of a turn by half a circle is a matter of rounding: that of half of it is not.
+Velocity velocityOf(const Pose& from, const Pose& to) {
+  Velocity velocity(from, interpolate(from, to, 0.5));
+  velocity.translation_W = to.position - from.position;
+  velocity.rotation *= 2.0;
+  return velocity;
+}
+
+double longestWay(const BoxTree& object, const Velocity& velocity) {
+  const double arm = velocity.axis_B.cross(object.centre).norm() + object.reach;
+  return (velocity.translation_W.norm() + velocity.rotation * arm) * (1.0 + 1e-12);
+}
 
 }  // namespace
 
-MotionSearch::MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required)
+MotionSearch::MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required,
+                           SeekViolation seek)
     : traversal_(traversal),
       from_(from),
       to_(to),
-      velocity_(from, to),
-      speed_(velocity_.translation_W.norm()),
+      velocity_(velocityOf(from, to)),
+      longest_(longestWay(traversal.object, velocity_)),
       middle_(from),
-      required_(required) {}
-
-double MotionSearch::way(BoxTree::Box box, double half) const {
-  const lanes::BoxLanes& node = traversal_.object.nodes[BoxTree::nodeAround(box)];
-  const std::size_t lane = BoxTree::laneOf(box);
-  const Vector3 centre =
-      traversal_.object.centre + Vector3(node.centre[0][lane], node.centre[1][lane], node.centre[2][lane]);
-  const double arm = velocity_.axis_B.cross(centre).norm() + traversal_.object.radius[box];
-  return half * (speed_ + velocity_.rotation * arm) * (1.0 + 1e-12);
-}
+      required_(required),
+      seek_(seek) {}
 
 MotionCheck MotionSearch::run(const StopToken& stop) {
-  MotionCheck result;
-  const double located = std::max(required_, kLocated * traversal_.object.reach);
-  std::vector<Interval> todo{{0.0, 1.0, {BoxPair{}}}, {0.0, 0.0, {BoxPair{}}}};
-  while (!todo.empty()) {
-    if (stop.stopRequested() || ++result.configurations > kMostConfigurations) return result;
-    Interval interval = std::move(todo.back());
-    todo.pop_back();
-    const double middle = interval.middle();
-    const double longest = way(0, interval.half());
-    middle_ = interpolate(from_, to_, middle);
-    traversal_.placed.moveTo(middle_);
-    const Finding finding = examine(interval);
-    if (finding == Finding::Clear) {
-      result.certified = interval.end;
-      continue;
-    }
-    const bool violated = finding == Finding::Violation || longest <= kSlimmestMargin * required_;
-    if (violated) {
-      result.status = CertificateStatus::Violated;
-      result.at = middle;
-      todo.clear();  // what is later does not matter any more
-    }
-    const bool known = result.status == CertificateStatus::Violated;
-    if (known && (longest <= located || interval.half() <= 0.0)) return result;
-    if (!violated) todo.push_back({middle, interval.end, interval.pairs});
-    todo.push_back({interval.begin, middle, std::move(interval.pairs)});
-  }
-  if (result.status == CertificateStatus::Undecided) result.status = CertificateStatus::Certified;
-  return result;
+  const BoxPair roots;
+  doubts_.push_back({roots, true, 1U});
+  const Doubts all{0, 1};
+  const bool startIsClear = seek_ == SeekViolation::Any || prove({0.0, 0.0}, all, stop);
+  if (startIsClear && prove({0.0, 1.0}, all, stop)) check_.status = CertificateStatus::Certified;
+  return check_;
 }
 
-MotionSearch::Finding MotionSearch::examine(Interval& interval) {
+bool MotionSearch::prove(const Interval& interval, const Doubts& doubts, const StopToken& stop) {
+  if (stop.stopRequested() || ++check_.configurations > kMostConfigurations) return false;
   const double half = interval.half();
-  std::vector<BoxPair>& pairs = interval.pairs;
-  if (traversal_.placed.sphereGap() > required_ + way(0, half)) pairs.clear();
-  while (!pairs.empty()) {
-    const BoxPair pair = pairs.back();
-    const double mayGo = way(pair.object, half);
-    const float size = std::max(traversal_.obstacles.radius[pair.obstacle], traversal_.object.radius[pair.object]);
-    if (size < kWorthOpening * static_cast<float>(mayGo)) return Finding::Doubtful;
-    if (traversal_.bothLeaves(pair)) {
-      const Finding finding = examineLeaves(pair, half, mayGo);
-      if (finding != Finding::Clear) return finding;
-      pairs.pop_back();
-      continue;
+  const double middle = interval.middle();
+  middle_ = interpolate(from_, to_, middle);
+  spin_W_ = velocity_.rotation * (middle_.orientation * velocity_.axis_B);
+  traversal_.placed.moveTo(middle_);
+  traversal_.placed.sweep(velocity_, half);
+  const std::size_t begin = doubts_.size();
+  const bool clear = examine(interval, doubts);
+  const Doubts left{begin, doubts_.size()};
+  if (clear && left.begin == left.end) {
+    check_.certified = interval.end;
+    return true;
+  }
+  const double longest = half * longest_;
+  const bool violated = !clear || longest <= kSlimmestMargin * required_;
+  if (violated) {
+    check_.status = CertificateStatus::Violated;
+    check_.at = middle;
+    if (seek_ == SeekViolation::Any) return false;
+  }
+  const bool known = check_.status == CertificateStatus::Violated;
+  const double located = std::max(required_, kLocated * traversal_.object.reach);
+  if (known && (longest <= located || half <= 0.0)) return false;
+  // What a violation cut short is looked at anew.
+  const Doubts& halves = clear ? left : doubts;
+  const bool proved =
+      prove({interval.begin, middle}, halves, stop) && !violated && prove({middle, interval.end}, halves, stop);
+  doubts_.resize(begin);
+  return proved;
+}
+
+bool MotionSearch::examine(const Interval& interval, const Doubts& doubts) {
+  const double half = interval.half();
+  if (traversal_.placed.sphereGap() > required_ + half * longest_) return true;
+  for (std::size_t i = doubts.begin; i < doubts.end; ++i) {
+    open_.assign(1, doubts_[i]);
+    while (!open_.empty()) {
+      const Opened opened = open_.back();
+      open_.pop_back();
+      if (!examine(opened, half)) return false;
     }
-    pairs.pop_back();
-    const auto opened = traversal_.open(pair);
-    for (unsigned mask = traversal_.within(opened, above(required_ + mayGo)); mask != 0; mask &= mask - 1) {
-      pairs.push_back(opened[static_cast<unsigned>(__builtin_ctz(mask))]);
+  }
+  return true;
+}
+
+double MotionSearch::sizeOf(const BoxPair& pair) const {
+  return std::max(traversal_.obstacles.radius[pair.obstacle], traversal_.object.radius[pair.object]);
+}
+
+bool MotionSearch::examine(Opened opened, double half) {
+  unsigned doubtful = 0;
+  for (unsigned mask = traversal_.withinSweep(opened, above(required_)); mask != 0; mask &= mask - 1) {
+    const auto lane = static_cast<unsigned>(__builtin_ctz(mask));
+    const BoxPair pair = opened[lane];
+    if (sizeOf(pair) < kWorthOpening * traversal_.wayOf(pair.object)) {
+      doubtful |= 1U << lane;
+    } else if (!traversal_.bothLeaves(pair)) {
+      open_.push_back(traversal_.open(pair));
+    } else {
+      const Finding finding = examine(pair, half);
+      if (finding == Finding::Violation) return false;
+      if (finding == Finding::Doubtful) doubtful |= 1U << lane;
     }
+  }
+  if (doubtful != 0) doubts_.push_back({opened.first, opened.obstacle, doubtful});
+  return true;
+}
+
+MotionSearch::Finding MotionSearch::examine(const BoxPair& leaves, double half) {
+  const double way = traversal_.wayOf(leaves.object);
+  const bool planes = sizeOf(leaves) >= kWorthAPlane * way;
+  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
+  const float reach = above(required_ + static_cast<double>(traversal_.bendOf(leaves.object)));
+  for (unsigned mask = traversal_.mayMeetInSweep(leaves, reach); mask != 0; mask &= mask - 1) {
+    if (!planes) return Finding::Doubtful;
+    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
+    const TrianglePair pair{firstObstacle + bit % lanes::kLeafTriangles, firstObject + bit / lanes::kLeafTriangles};
+    const Finding finding = examine(pair, half, way);
+    if (finding != Finding::Clear) return finding;
   }
   return Finding::Clear;
 }
 
-bool MotionSearch::meets(const BoxPair& leaves) {
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
-  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
-  for (unsigned mask = traversal_.mayMeet(leaves); mask != 0; mask &= mask - 1) {
-    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
-    if (trianglesMeet(traversal_.obstacleTriangle(firstObstacle + bit % lanes::kLeafTriangles),
-                      traversal_.placed.triangle(firstObject + bit / lanes::kLeafTriangles))) {
-      return true;
-    }
-  }
-  return false;
+MotionSearch::Finding MotionSearch::examine(const TrianglePair& pair, double half, double way) {
+  const Triangle& obstacle = traversal_.obstacleTriangle(pair.obstacle);
+  const Triangle object = traversal_.placed.triangle(pair.object);
+  if (trianglesMeet(obstacle, object)) return Finding::Violation;
+  const TriangleDistance distance = triangleDistance(obstacle, object);
+  if (distance.squared < required_ * required_) return Finding::Violation;
+  const double reach = required_ + way;
+  return distance.squared > reach * reach || keptApart(pair, distance, half) ? Finding::Clear : Finding::Doubtful;
 }
 
 bool MotionSearch::keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const {
-  if (distance.squared <= 0.0 || velocity_.rotation > kNearlyHalfATurn) return false;
+  if (distance.squared <= 0.0) return false;
   const Vector3 normal = (distance.onB - distance.onA).normalized();
-  const Vector3 spin_W = velocity_.rotation * (middle_.orientation * velocity_.axis_B);
   const double turned = velocity_.rotation * half;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Vector3& corner : traversal_.placed.triangle(pair.object)) {
     const Vector3 arm = corner - middle_.position;
-    const double towards = std::abs(normal.dot(velocity_.translation_W + spin_W.cross(arm)));
+    const double towards = std::abs(normal.dot(velocity_.translation_W + spin_W_.cross(arm)));
     // What a circle leaves its tangent by.
     const double bend = 0.5 * turned * turned * arm.norm();
     lowest = std::min(lowest, normal.dot(corner - distance.onA) - (half * towards + bend) * (1.0 + 1e-9));
@@ -130,24 +166,6 @@ bool MotionSearch::keptApart(const TrianglePair& pair, const TriangleDistance& d
     highest = std::max(highest, normal.dot(corner - distance.onA));
   }
   return lowest - highest > required_;
-}
-
-MotionSearch::Finding MotionSearch::examineLeaves(const BoxPair& leaves, double half, double way) {
-  if (meets(leaves)) return Finding::Violation;
-  const auto distances = traversal_.triangleDistances(leaves);
-  const double reach = required_ + way;
-  const float bound = above(reach * reach);
-  const double size = std::max(traversal_.obstacles.radius[leaves.obstacle], traversal_.object.radius[leaves.object]);
-  const bool planes = size > kWorthAPlane * way;
-  for (std::size_t i = 0; i < distances.squared.size(); ++i) {
-    if (distances.squared[i] > bound) continue;
-    const TrianglePair pair = distances[i];
-    const TriangleDistance distance =
-        triangleDistance(traversal_.obstacleTriangle(pair.obstacle), traversal_.placed.triangle(pair.object));
-    if (distance.squared < required_ * required_) return Finding::Violation;
-    if (distance.squared <= reach * reach && (!planes || !keptApart(pair, distance, half))) return Finding::Doubtful;
-  }
-  return Finding::Clear;
 }
 
 }  // namespace glissade

@@ -6,46 +6,59 @@
 
 namespace glissade {
 
-/// Proves a whole straight motion by halving time: in the middle of an interval a pair of boxes is
-/// ruled out for all of it if it is farther apart than the requirement and the way that the object's
-/// box can go in half the interval. The first pair that cannot be ruled out ends the look: it and what
-/// was not looked at yet are handed on to both halves, it first. So nothing is ruled out twice, and a
-/// narrow place costs what its own pairs cost. Of triangles only the speed towards each other counts, so
-/// that sliding along a surface costs no more than going through the open. Left halves come first: what is found is the
-/// first violation.
+/// Proves a whole straight motion by halving time. In the middle of an interval a pair of boxes is ruled
+/// out for all of it if some axis keeps them apart while the object's box goes its way to both sides:
+/// only the speed along that axis counts, so that sliding along a surface costs no more than going
+/// through the open. What is large for the way it goes is opened, what is small waits for both halves;
+/// so nothing is ruled out twice, and a narrow place costs what its own pairs cost. Left halves come
+/// first: what is found is the first violation.
 class MotionSearch {
  public:
-  MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required);
+  MotionSearch(PairTraversal& traversal, const Pose& from, const Pose& to, double required, SeekViolation seek);
 
   MotionCheck run(const StopToken& stop);
 
  private:
+  using Opened = PairTraversal::Opened;
+
   struct Interval {
     double begin;
     double end;
-    std::vector<BoxPair> pairs;  ///< not ruled out yet, the most doubtful last
 
     double half() const { return 0.5 * (end - begin); }
     double middle() const { return 0.5 * (begin + end); }
   };
+  /// A run in `doubts_`.
+  struct Doubts {
+    std::size_t begin;
+    std::size_t end;
+  };
   enum class Finding { Clear, Doubtful, Violation };
 
-  /// The way that box may go in time `half`, metres.
-  double way(BoxTree::Box box, double half) const;
-  /// Rules pairs out until one cannot be: that one is left on top.
-  Finding examine(Interval& interval);
-  Finding examineLeaves(const BoxPair& leaves, double half, double way);
+  /// False where it is not: then `check_` says why.
+  bool prove(const Interval& interval, const Doubts& doubts, const StopToken& stop);
+  /// What of the doubts is left in this interval goes to the end of `doubts_`. False where the
+  /// requirement is violated in its middle.
+  bool examine(const Interval& interval, const Doubts& doubts);
+  bool examine(Opened opened, double half);
+  Finding examine(const BoxPair& leaves, double half);
+  Finding examine(const TrianglePair& pair, double half, double way);
   /// The plane between the triangles at the interval's middle keeps them apart all the time.
   bool keptApart(const TrianglePair& pair, const TriangleDistance& distance, double half) const;
-  bool meets(const BoxPair& leaves);
+  double sizeOf(const BoxPair& pair) const;
 
   PairTraversal& traversal_;
   const Pose& from_;
   const Pose& to_;
   Velocity velocity_;
-  double speed_;  ///< of the reference point
-  Pose middle_;   ///< of the interval looked at
+  double longest_;  ///< way of any point in all the time
+  Pose middle_;     ///< of the interval looked at
+  Vector3 spin_W_ = Vector3::Zero();
   double required_;
+  SeekViolation seek_;
+  MotionCheck check_;
+  std::vector<Opened> doubts_;
+  std::vector<Opened> open_;
 };
 
 }  // namespace glissade

@@ -1,7 +1,8 @@
 #include "engine/collision/kernel/oriented_box.h"
 
 #include <Eigen/Eigenvalues>
-#include <array>
+#include <algorithm>
+#include <optional>
 
 namespace glissade {
 namespace {
@@ -27,33 +28,42 @@ Eigen::Matrix3d principalAxes(const std::vector<const Triangle*>& triangles) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
 }
 
-/// Identity where no triangle has an area.
-Eigen::Matrix3d axesOfLargestTriangle(const std::vector<const Triangle*>& triangles) {
-  double largest = 0.0;
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  for (const Triangle* triangle : triangles) {
-    const auto& [a, b, c] = *triangle;
-    const Vector3 normal = (b - a).cross(c - a);
-    if (normal.squaredNorm() <= largest) continue;
-    largest = normal.squaredNorm();
-    Vector3 edge = b - a;
-    for (const Vector3& other : {Vector3(c - b), Vector3(a - c)}) {
-      if (other.squaredNorm() > edge.squaredNorm()) edge = other;
-    }
-    axes.col(0) = edge.normalized();
-    axes.col(2) = normal.normalized();
-    axes.col(1) = axes.col(2).cross(axes.col(0)).normalized();
-  }
+/// Along an edge and the normal; nothing where the triangle has no area.
+std::optional<Eigen::Matrix3d> axesAlong(const Triangle& triangle, std::size_t edge) {
+  const Vector3 along = triangle[(edge + 1) % 3] - triangle[edge];
+  const Vector3 normal = along.cross(triangle[(edge + 2) % 3] - triangle[edge]);
+  if (normal.squaredNorm() <= 0.0) return std::nullopt;
+  Eigen::Matrix3d axes;
+  axes.col(0) = along.normalized();
+  axes.col(2) = normal.normalized();
+  axes.col(1) = axes.col(2).cross(axes.col(0)).normalized();
   return axes;
+}
+
+/// Some with the largest areas.
+std::vector<const Triangle*> leadingTriangles(std::vector<const Triangle*> triangles) {
+  constexpr std::size_t kMost = 8;
+  if (triangles.size() <= kMost) return triangles;
+  const auto area = [](const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm(); };
+  std::partial_sort(triangles.begin(), triangles.begin() + kMost, triangles.end(),
+                    [&](const Triangle* a, const Triangle* b) { return area(*a) > area(*b); });
+  triangles.resize(kMost);
+  return triangles;
 }
 
 }  // namespace
 
 OrientedBox fitBox(const std::vector<const Triangle*>& triangles) {
   OrientedBox best = boxAlong(Eigen::Matrix3d::Identity(), triangles);
-  for (const Eigen::Matrix3d& axes : {principalAxes(triangles), axesOfLargestTriangle(triangles)}) {
+  const auto tryAxes = [&](const Eigen::Matrix3d& axes) {
     const OrientedBox box = boxAlong(axes, triangles);
     if (box.surface() < 0.999 * best.surface()) best = box;
+  };
+  tryAxes(principalAxes(triangles));
+  for (const Triangle* triangle : leadingTriangles(triangles)) {
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+      if (const auto axes = axesAlong(*triangle, edge)) tryAxes(*axes);
+    }
   }
   return best;
 }

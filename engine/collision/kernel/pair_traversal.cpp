@@ -5,25 +5,29 @@
 
 namespace glissade {
 
-PairTraversal::Opened PairTraversal::open(const BoxPair& pair) const {
-  const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
-                        (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
-  if (obstacle) {
-    const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
-    return {{static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, obstacles.counts[node]};
-  }
-  const std::uint32_t node = object.nodeOf(pair.object);
-  return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, object.counts[node]};
-}
-
-unsigned PairTraversal::within(const Opened& opened, float reach) {
+unsigned PairTraversal::mayMeet(const Opened& opened, float* separation) {
   const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
-  const unsigned near =
-      opened.obstacle
-          ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object), placed.slack(), reach)
-          : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle), placed.slack(), reach);
-  return near & ((1U << opened.lanes) - 1U);
+  const unsigned near = opened.obstacle
+                            ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object),
+                                                     placed.slack(), 0.0F, separation)
+                            : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle),
+                                                     placed.slack(), 0.0F, separation);
+  return near & opened.mask;
+}
+
+unsigned PairTraversal::withinSweep(const Opened& opened, float reach) {
+  const std::uint32_t index = BoxTree::nodeAround(opened.first.object);
+  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& moved = placed.node(index);
+  const lanes::SweepLanes& sweep = placed.sweepOf(index);
+  const float slack = placed.slack() + placed.sweepSlack();
+  const unsigned near = opened.obstacle
+                            ? functions_.boxesWithinSweep(obstacle, moved, BoxTree::laneOf(opened.first.object), sweep,
+                                                          false, slack, reach)
+                            : functions_.boxesWithinSweep(moved, obstacle, BoxTree::laneOf(opened.first.obstacle),
+                                                          sweep, true, slack, reach);
+  return near & opened.mask;
 }
 
 void PairTraversal::distances(const Opened& opened, float* squared) {
@@ -36,14 +40,29 @@ void PairTraversal::distances(const Opened& opened, float* squared) {
   }
 }
 
+/// Bits of the triangles that two leaves have.
+unsigned PairTraversal::columnsOf(const BoxPair& leaves) const {
+  const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
+  return rows & (((1U << obstacles.leafOf(leaves.obstacle).count) - 1U) * 0x1111U);
+}
+
 unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
-  const BoxTree::Leaf& obstacle = obstacles.leafOf(leaves.obstacle);
   lanes::TriangleLanes moved;
   placed.leaf(leaves.object, moved);
-  const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
-  const unsigned columns = ((1U << obstacle.count) - 1U) * 0x1111U;
-  return functions_.trianglesMayMeet(obstacle.lanes, moved, object.leafOf(leaves.object).count, placed.slack()) & rows &
-         columns;
+  return functions_.trianglesMayMeet(obstacles.leafOf(leaves.obstacle).lanes, moved, object.leafOf(leaves.object).count,
+                                     placed.slack()) &
+         columnsOf(leaves);
+}
+
+unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach) {
+  lanes::TriangleLanes moved;
+  lanes::TriangleLanes ways;
+  placed.leaf(leaves.object, moved);
+  placed.sweepTriangles(moved, ways);
+  return functions_.trianglesMayMeetInSweep(obstacles.leafOf(leaves.obstacle).lanes, moved, ways,
+                                            object.leafOf(leaves.object).count, placed.slack() + placed.sweepSlack(),
+                                            reach) &
+         columnsOf(leaves);
 }
 
 PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {

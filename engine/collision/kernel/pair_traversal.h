@@ -28,25 +28,45 @@ class PairTraversal {
 
   bool bothLeaves(const BoxPair& pair) const { return obstacles.isLeaf(pair.obstacle) && object.isLeaf(pair.object); }
 
-  /// The eight pairs below one that is opened; `lanes` of them count.
+  /// The up to eight pairs below one that is opened.
   struct Opened {
     BoxPair first;
     bool obstacle;  ///< the lane is added to this side
-    unsigned lanes;
+    unsigned mask;  ///< of the lanes that count
 
     BoxPair operator[](unsigned lane) const {
       return obstacle ? BoxPair{first.obstacle + lane, first.object} : BoxPair{first.obstacle, first.object + lane};
     }
   };
-  Opened open(const BoxPair& pair) const;
+  Opened open(const BoxPair& pair) const {
+    const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
+                          (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
+    if (obstacle) {
+      const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
+      return {
+          {static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, (1U << obstacles.counts[node]) - 1U};
+    }
+    const std::uint32_t node = object.nodeOf(pair.object);
+    return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
+  }
 
-  /// Bits of the opened pairs that may be nearer than `reach`.
-  unsigned within(const Opened& opened, float reach);
+  /// Bits of the opened pairs that may meet, and separations to order them by.
+  unsigned mayMeet(const Opened& opened, float* separation);
+  /// Bits of those that may be nearer than `reach` at any time of the sweep.
+  unsigned withinSweep(const Opened& opened, float reach);
   /// Lower bounds on the squared distances of the opened pairs.
   void distances(const Opened& opened, float* squared);
 
   /// Bits 4 k + i of the pairs of triangles of two leaves that may meet.
   unsigned mayMeet(const BoxPair& leaves);
+  /// The same of those that may be nearer than `reach` at some time of the sweep.
+  unsigned mayMeetInSweep(const BoxPair& leaves, float reach);
+  /// How far a box of the object goes in the sweep, at most; and what its points may leave a straight
+  /// way by.
+  float wayOf(BoxTree::Box box) const {
+    return placed.sweepOf(BoxTree::nodeAround(box)).length[BoxTree::laneOf(box)] + placed.sweepSlack();
+  }
+  float bendOf(BoxTree::Box box) const { return placed.sweepOf(BoxTree::nodeAround(box)).bend[BoxTree::laneOf(box)]; }
   /// Lower bounds on their squared distances, and estimates (LaneFunctions); unused places hold
   /// +infinity.
   struct LeafDistances {
@@ -72,6 +92,8 @@ class PairTraversal {
   PlacedObject placed;
 
  private:
+  unsigned columnsOf(const BoxPair& leaves) const;
+
   const lanes::LaneFunctions& functions_;
 };
 

@@ -24,8 +24,9 @@ PlacedObject::PlacedObject(const BoxTree& obstacles, const BoxTree& object, cons
 
 void PlacedObject::moveTo(const Pose& X_WB) {
   X_WB_ = X_WB;
+  swept_ = false;
   const Eigen::Matrix3d rotation = X_WB.orientation.toRotationMatrix();
-  const Vector3 translation = X_WB * object_.centre - obstacles_.centre;
+  const Vector3 translation = rotation * object_.centre + (X_WB.position - obstacles_.centre);
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) X_.rotation[i][k] = static_cast<float>(rotation(i, k));
     X_.translation[i] = static_cast<float>(translation[i]);
@@ -41,12 +42,34 @@ void PlacedObject::moveTo(const Pose& X_WB) {
   }
 }
 
-const lanes::BoxLanes& PlacedObject::node(std::uint32_t index) {
-  if (placedAt_[index] != current_) {
-    placedAt_[index] = current_;
-    functions_.placeBoxes(object_.nodes[index], X_, placed_[index]);
+void PlacedObject::sweep(const Velocity& velocity, double half) {
+  swept_ = true;
+  sweeps_.resize(placed_.size());
+  const double angle = half * velocity.rotation;
+  const Vector3 turn = angle * (X_WB_.orientation * velocity.axis_B);
+  const Vector3 pivot = X_WB_.position - obstacles_.centre;
+  const Vector3 way = half * velocity.translation_W;
+  const Eigen::Matrix3d across{{0.0, -turn.z(), turn.y()}, {turn.z(), 0.0, -turn.x()}, {-turn.y(), turn.x(), 0.0}};
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) sweep_.turn[i][k] = static_cast<float>(across(i, k));
+    sweep_.pivot[i] = static_cast<float>(pivot[i]);
+    sweep_.way[i] = static_cast<float>(way[i]);
   }
-  return placed_[index];
+  sweep_.angle = static_cast<float>(angle);
+  const double coordinates = pivot.norm() + 2.0 * (object_.centre.norm() + object_.reach);
+  sweepSlack_ = static_cast<float>(kRoundings * kHalfUlp * (angle * coordinates + way.norm()));
+}
+
+void PlacedObject::place(std::uint32_t index) {
+  placedAt_[index] = current_;
+  functions_.placeBoxes(object_.nodes[index], X_, placed_[index]);
+  if (!swept_) return;
+  const float* radius = object_.radius.data() + std::size_t{index} * lanes::kWidth;
+  functions_.sweepBoxes(placed_[index], radius, sweep_, sweeps_[index]);
+}
+
+void PlacedObject::sweepTriangles(const lanes::TriangleLanes& placed, lanes::TriangleLanes& ways) const {
+  functions_.sweepTriangles(placed, sweep_, ways);
 }
 
 void PlacedObject::leaf(BoxTree::Box box, lanes::TriangleLanes& placed) const {

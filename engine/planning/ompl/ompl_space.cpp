@@ -183,7 +183,8 @@ double OmplWorld::freeFraction(const Pose& from, const Pose& to) {
     t = std::floor(t * length / extensionStep) * extensionStep / length;
   }
   if (!certifyEdges || t <= 0.0) return t;
-  const MotionCheck check = query->checkMotion(from, interpolate(from, to, t), requiredClearance, stop);
+  const MotionCheck check =
+      query->checkMotion(from, interpolate(from, to, t), requiredClearance, SeekViolation::Any, stop);
   return check.status == CertificateStatus::Certified ? t : 0.0;
 }
 

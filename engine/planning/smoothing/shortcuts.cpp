@@ -123,7 +123,8 @@ class Shortener {
   bool isCertified(const Points& points) {
     const std::vector<EdgeDemand> demands = demandsOf(points, parameters_);
     for (std::size_t i = 0; i < demands.size(); ++i) {
-      const MotionCheck check = query_->checkMotion(points[i].q, points[i + 1].q, demands[i].clearance, stop_);
+      const MotionCheck check =
+          query_->checkMotion(points[i].q, points[i + 1].q, demands[i].clearance, SeekViolation::Any, stop_);
       if (check.status != CertificateStatus::Certified) return false;
     }
     return true;

@@ -212,9 +212,11 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
       const Pose from = randomPoseIn(world, stream);
       Pose to = randomPoseIn(world, stream);
       if (stream.uniform() < 0.5) to = interpolate(from, to, 0.1);
-      const MotionCheck check = query->checkMotion(from, to, kRequired, {});
+      const MotionCheck check = query->checkMotion(from, to, kRequired, SeekViolation::First, {});
       ASSERT_NE(check.status, CertificateStatus::Undecided);
       const bool isFree = check.status == CertificateStatus::Certified;
+      const MotionCheck any = query->checkMotion(from, to, kRequired, SeekViolation::Any, {});
+      ASSERT_EQ(any.status, check.status) << world.name << ", motion " << i;
       ++(isFree ? certified : violated);
       for (int k = 0; k < 20 && check.certified > 0.0; ++k) {
         const Pose q = interpolate(from, to, check.certified * stream.uniform());
@@ -223,6 +225,7 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
       }
       if (isFree) continue;
       EXPECT_LT(query->nearestObstacle(interpolate(from, to, check.at)).distance, kRequired * 1.002);
+      EXPECT_LT(query->nearestObstacle(interpolate(from, to, any.at)).distance, kRequired * 1.002);
     }
     EXPECT_GT(certified, 10) << world.name;
     EXPECT_GT(violated, 10) << world.name;

@@ -84,11 +84,12 @@ TEST(Kernel, EveryInstructionSetGivesTheSameBits) {
         ASSERT_EQ(plain.touches(q), query.touches(q)) << sets[i]->name;
         ASSERT_EQ(plain.touchingBody(q), query.touchingBody(q)) << sets[i]->name;
         if (k % 10 == 0) {
-          const auto a = plain.checkMotion(q, to, 1e-3, {});
-          const auto b = query.checkMotion(q, to, 1e-3, {});
+          const auto a = plain.checkMotion(q, to, 1e-3, SeekViolation::First, {});
+          const auto b = query.checkMotion(q, to, 1e-3, SeekViolation::First, {});
           ASSERT_EQ(a->status, b->status);
           ASSERT_EQ(a->certified, b->certified);
           ASSERT_EQ(a->at, b->at);
+          ASSERT_EQ(a->configurations, b->configurations);
         }
         if (plain.touches(q)) continue;
         const NearestObstacle a = plain.nearest(q, kInfinity);

@@ -31,6 +31,21 @@ TEST(MeshAudit, CountsComponentsAndDegenerateTriangles) {
   EXPECT_EQ(result.degenerateTriangles, 1U);
 }
 
+TEST(MeshAudit, PartsHaveTheirOwnVerticesOnly) {
+  TriangleMesh many;
+  for (int i = 0; i < 2000; ++i) {
+    append(many, transformed(makeBox(Vector3::Constant(0.5)), Pose::translation({double(i), 0, 0})));
+  }
+  const std::vector<TriangleMesh> parts = connectedComponents(many);
+  ASSERT_EQ(parts.size(), 2000U);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    ASSERT_EQ(parts[i].vertices.size(), 8U);
+    ASSERT_EQ(parts[i].triangles.size(), 12U);
+    ASSERT_TRUE(audit(parts[i]).closed());
+    ASSERT_NEAR(boundingBox(parts[i]).center().x(), static_cast<double>(i), 1e-12);
+  }
+}
+
 TEST(MeshAudit, SplitVerticesCountAsOne) {
   // As importers deliver them: every triangle with corners of its own.
   const TriangleMesh box = makeBox(Vector3::Ones());
