@@ -53,6 +53,8 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
     {Id::Smoothing, "smoothing", "--smoothing", "", "Smoothing", "", 0.0, 1e6, 0.0, Scale::Absolute, true, false,
      "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."},
+    {Id::Tuning, "tuning", "--tuning", "", "Automatic tuning", "", 0.0, 7.0, 0.0, Scale::Absolute, true, true,
+     "What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

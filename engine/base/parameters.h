@@ -29,6 +29,7 @@ enum class ParameterId : std::size_t {
   BorderSamples,
   CoarsePaths,
   Smoothing,
+  Tuning,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -571,6 +571,14 @@
         <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
         <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
     </message>
+    <message>
+        <source>&amp;Automatic tuning</source>
+        <translation>Réglage &amp;automatique</translation>
+    </message>
+    <message>
+        <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
+        <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -715,6 +723,14 @@
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
         <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
+    </message>
+    <message>
+        <source>Automatic tuning</source>
+        <translation>Réglage automatique</translation>
+    </message>
+    <message>
+        <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
+        <translation>Ce qui se règle seul pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : rien, 7 : les trois.</translation>
     </message>
 </context>
 <context>
@@ -1650,6 +1666,25 @@
     <message>
         <source>&amp;Study</source>
         <translation>É&amp;tude</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ParameterSlider</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>%1 sets itself</source>
+        <translation>%1 se règle seul</translation>
+    </message>
+    <message>
+        <source>Sets itself while planning. Press, or move the slider, to take it back; yours is %1</source>
+        <translation>Se règle seul pendant la planification. Appuyez ou déplacez le curseur pour le reprendre ; le vôtre est %1</translation>
+    </message>
+    <message>
+        <source>Let it set itself while planning</source>
+        <translation>Laisser se régler seul pendant la planification</translation>
     </message>
 </context>
 <context>
