@@ -54,7 +54,8 @@ void InteractiveContactBirrt::iterate(PlannerHost& host) {
   const InteractionSettings inForce = settings(host.parameters());
   std::optional<OperatorSample> device;
   if (operatorUse_ != OperatorUse::None) device = host.operatorSample();  // 2: found by the operator thread
-  const double a = authorityStream_.uniform();                            // 3
+  held_ = device.has_value();
+  const double a = authorityStream_.uniform();  // 3
   if (operatorUse_ == OperatorUse::ContactFirst && device && nearContact(*device, inForce.contactDistance)) {
     enterContactSampling(*device, host);
     contactSampling(host);
@@ -107,7 +108,7 @@ InteractionSettings InteractiveContactBirrt::settings(const ParameterValues& par
 /// Lets the tuner know what the step brought, where it has anything to set and somebody holds the object.
 void InteractiveContactBirrt::observeStep(std::size_t sizeBefore, PlannerHost& host) {
   tuned_ = operatorUse_ == OperatorUse::None ? 0 : host.parameters().integer(ParameterId::Tuning);
-  if (tuned_ == 0 || !host.operatorSample()) return;
+  if (tuned_ == 0 || !held_) return;
   tuner_.observe({authority_, roadmapSize() > sizeBefore, contactClearance_});
 }
 

@@ -77,6 +77,7 @@ class InteractiveContactBirrt final : public Planner {
   std::uint64_t usedAtRest_ = 0;  ///< configurations shot from that place
 
   InteractionTuner tuner_;
+  bool held_ = false;              ///< somebody held the object at the last iteration
   int tuned_ = 0;                  ///< bits of TunedSetting at the last step
   double contactClearance_ = 0.0;  ///< of the hand when contact mode was entered last
 
