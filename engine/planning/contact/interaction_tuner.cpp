@@ -6,12 +6,13 @@
 namespace glissade {
 namespace {
 
-constexpr double kAlphaGrid = 0.01;
-constexpr double kDistanceGrid = 0.001;  ///< times the object's radius
+// Settings lie on grids, so that sliders are calm and a platform's rounding does not matter.
+constexpr double kAlphaSteps = 100.0;      ///< from 0 to 1
+constexpr double kDistanceSteps = 1000.0;  ///< from 0 to the object's radius
 
-/// The point of a grid that a value between bounds is nearest to.
-std::size_t onGrid(double value, double least, double most, double grid) {
-  return static_cast<std::size_t>(std::lround(std::clamp(value, least, most) / grid));
+/// The step of a grid nearest to a value, or to the bound it is beyond.
+std::size_t stepOf(double value, double least, double most, double steps) {
+  return static_cast<std::size_t>(std::lround(std::clamp(value, least, most) * steps));
 }
 
 /// A mean that forgets.
@@ -21,10 +22,10 @@ void blend(double& mean, double value) { mean += (value - mean) / InteractionTun
 
 InteractionTuner::InteractionTuner(double objectRadius)
     : radius_(objectRadius),
-      contactClearance_(0.015 * objectRadius),
-      alphaMedian_(onGrid(kMostAlpha, 0.0, 1.0, kAlphaGrid)),
+      contactClearance_(0.02 * objectRadius),
+      alphaMedian_(stepOf(kMostAlpha, 0.0, 1.0, kAlphaSteps)),
       samplesMedian_(kMostSamples),
-      distanceMedian_(onGrid(kMostDistance, 0.0, 1.0, kDistanceGrid)) {
+      distanceMedian_(stepOf(kMostDistance, 0.0, 1.0, kDistanceSteps)) {
   tune();
 }
 
@@ -35,29 +36,28 @@ void InteractionTuner::observe(const StepOutcome& outcome) {
     blend(contactYield_, grew);
     if (outcome.grew) blend(contactClearance_, outcome.clearance);
   }
-  alphaMedian_.add(onGrid(settings_.alpha, 0.0, 1.0, kAlphaGrid));
+  alphaMedian_.add(stepOf(settings_.alpha, 0.0, 1.0, kAlphaSteps));
   samplesMedian_.add(static_cast<std::size_t>(settings_.contactSamples));
-  distanceMedian_.add(onGrid(settings_.contactDistance / radius_, 0.0, 1.0, kDistanceGrid));
+  distanceMedian_.add(stepOf(settings_.contactDistance / radius_, 0.0, 1.0, kDistanceSteps));
   if (++steps_ % kWindow == 0) tune();
 }
 
-/// On grids, so that sliders are calm and a platform's rounding does not matter.
 void InteractionTuner::tune() {
   const double alpha = computerYield_ * std::sqrt(computerYield_);
-  settings_.alpha = kAlphaGrid * static_cast<double>(onGrid(alpha, kLeastAlpha, kMostAlpha, kAlphaGrid));
+  settings_.alpha = static_cast<double>(stepOf(alpha, kLeastAlpha, kMostAlpha, kAlphaSteps)) / kAlphaSteps;
   const double samples = kNodesPerContact / std::max(contactYield_, kNodesPerContact / kMostSamples);
-  settings_.contactSamples = static_cast<int>(onGrid(samples, kLeastSamples, kMostSamples, 1.0));
+  settings_.contactSamples = static_cast<int>(stepOf(samples, kLeastSamples, kMostSamples, 1.0));
   const double distance = kReach * contactClearance_ / radius_;
   settings_.contactDistance =
-      radius_ * kDistanceGrid * static_cast<double>(onGrid(distance, kLeastDistance, kMostDistance, kDistanceGrid));
+      radius_ * static_cast<double>(stepOf(distance, kLeastDistance, kMostDistance, kDistanceSteps)) / kDistanceSteps;
 }
 
 TuningReport InteractionTuner::report() const {
   TuningReport report;
   report.now = settings_;
-  report.median.alpha = kAlphaGrid * static_cast<double>(alphaMedian_.value());
+  report.median.alpha = static_cast<double>(alphaMedian_.value()) / kAlphaSteps;
   report.median.contactSamples = static_cast<int>(samplesMedian_.value());
-  report.median.contactDistance = radius_ * kDistanceGrid * static_cast<double>(distanceMedian_.value());
+  report.median.contactDistance = radius_ * static_cast<double>(distanceMedian_.value()) / kDistanceSteps;
   return report;
 }
 

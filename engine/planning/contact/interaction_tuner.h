@@ -41,7 +41,7 @@ class InteractionTuner {
   static constexpr double kMostAlpha = 0.9;
   static constexpr int kLeastSamples = 3;
   static constexpr int kMostSamples = 60;
-  static constexpr double kLeastDistance = 0.02;  ///< times the object's radius
+  static constexpr double kLeastDistance = 0.04;  ///< times the object's radius
   static constexpr double kMostDistance = 0.12;
 
  private:
@@ -54,9 +54,9 @@ class InteractionTuner {
   double contactClearance_;  ///< of the hand where contact samples grew the roadmap, metres
   std::uint64_t steps_ = 0;
   InteractionSettings settings_;
-  StepMedian alphaMedian_;  ///< hundredths
+  StepMedian alphaMedian_;  ///< in steps of 1 / kAlphaSteps
   StepMedian samplesMedian_;
-  StepMedian distanceMedian_;  ///< thousandths of the radius
+  StepMedian distanceMedian_;  ///< in steps of the radius / kDistanceSteps
 };
 
 }  // namespace glissade
