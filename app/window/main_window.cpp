@@ -240,8 +240,8 @@ void MainWindow::connectActions() {
   on("run.stop", [this] { bridge_->post(command::Stop{}); });
   on("run.restart", [this] { restart(snapshot_->seed); });
   on("run.restart-new-seed", [this] { restart(snapshot_->seed + 1); });
-  on("run.tuning", [this](bool on) {
-    bridge_->post(command::SetParameter{ParameterId::Tuning, on ? 1.0 * kTunedAll : 0.0});
+  on("run.tuning", [this](bool tune) {
+    bridge_->post(command::SetParameter{ParameterId::Tuning, tune ? 1.0 * kTunedAll : 0.0});
   });
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
   connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);

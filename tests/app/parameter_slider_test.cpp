@@ -68,6 +68,8 @@ TEST(ParameterSlider, WhatSetsItselfShowsItAndIsGivenAndTakenByItsButton) {
   EXPECT_EQ(bar->palette().color(QPalette::Highlight), usual);
   EXPECT_TRUE(chosen.empty());
   button->click();
+  slider.setTuned(true, 0.15);  // the session has carried it out
+  EXPECT_NE(bar->palette().color(QPalette::Highlight), usual);
   button->click();
   EXPECT_EQ(chosen, (std::vector<bool>{true, false}));
   EXPECT_EQ(ParameterSlider(ParameterId::ContactRadius).findChild<QToolButton*>(QStringLiteral("tuning")), nullptr);

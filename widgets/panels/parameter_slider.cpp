@@ -101,16 +101,16 @@ void ParameterSlider::setTuned(bool tuned, double own) {
   tuning_->setToolTip(
       tuned ? tr("Sets itself while planning. Press, or move the slider, to take it back; yours is %1").arg(yours)
             : tr("Let it set itself while planning"));
-  if (tuning_->isChecked() == tuned) return;
   tuning_->setChecked(tuned);
+  if (tuned_ == tuned) return;
+  tuned_ = tuned;
   QPalette colours;
   if (tuned) colours.setColor(QPalette::Highlight, QColor(kTunedColour));
   slider_->setPalette(colours);
 }
 
 bool ParameterSlider::isBeingEdited() const {
-  const bool tuned = tuning_ != nullptr && tuning_->isChecked();
-  return slider_->isSliderDown() || number_->hasFocus() || (slider_->hasFocus() && !tuned);
+  return slider_->isSliderDown() || number_->hasFocus() || (slider_->hasFocus() && !tuned_);
 }
 
 double ParameterSlider::fromPosition(int position) const {

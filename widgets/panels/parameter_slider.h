@@ -48,6 +48,7 @@ class ParameterSlider final : public QWidget {
   bool logarithmic_ = false;
   QSlider* slider_;
   QDoubleSpinBox* number_;
+  bool tuned_ = false;
   QToolButton* tuning_;  ///< null where the parameter never sets itself
 };
 
