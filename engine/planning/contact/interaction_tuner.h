@@ -36,7 +36,7 @@ class InteractionTuner {
   static constexpr std::uint64_t kWindow = 40;  ///< steps: a second at the paper's pace
   static constexpr double kMemory = 100.0;      ///< configurations of one sampler
   static constexpr double kNodesPerContact = 8.0;
-  static constexpr double kReach = 2.2;  ///< a little above 2, so that d can grow
+  static constexpr double kReach = 2.5;  ///< above 2, so that d can grow
   static constexpr double kLeastAlpha = 0.1;
   static constexpr double kMostAlpha = 0.9;
   static constexpr int kLeastSamples = 3;
