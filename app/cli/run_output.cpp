@@ -81,6 +81,15 @@ PerAuthor<double> pathShares(const Path& path, const CollisionWorld& world) {
 
 std::string percent(double share) { return std::to_string(std::lround(100.0 * share)) + " %"; }
 
+/// What sets itself, and nothing else.
+Json toJson(const InteractionSettings& settings, int tuned) {
+  Json json;
+  for (const ParameterSpec& spec : parameterTable()) {
+    if ((tuned & tunedSetting(spec.id)) != 0) json[std::string(spec.key)] = settings[spec.id];
+  }
+  return json;
+}
+
 Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges) {
   const PlannerCounts& counts = end.counts;
   Json report;
@@ -118,6 +127,10 @@ Json toJson(const SessionSnapshot& end, const CollisionWorld& world, bool edges)
   if (end.coarsePlan) report["coarse_plan"] = toJson(*end.coarsePlan);
   for (const ParameterSpec& spec : parameterTable()) {
     report["parameters"][std::string(spec.key)] = end.parameters[spec.id];
+  }
+  if (end.tuning) {
+    const int tuned = end.parameters.integer(ParameterId::Tuning);
+    report["tuning"] = {{"final", toJson(end.tuning->now, tuned)}, {"median", toJson(end.tuning->median, tuned)}};
   }
   report["seed"] = end.seed;
   report["version"] = kVersion;

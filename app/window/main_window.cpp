@@ -240,6 +240,9 @@ void MainWindow::connectActions() {
   on("run.stop", [this] { bridge_->post(command::Stop{}); });
   on("run.restart", [this] { restart(snapshot_->seed); });
   on("run.restart-new-seed", [this] { restart(snapshot_->seed + 1); });
+  on("run.tuning", [this](bool tune) {
+    bridge_->post(command::SetParameter{ParameterId::Tuning, tune ? 1.0 * kTunedAll : 0.0});
+  });
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
   connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
   on("path.smooth", [this](bool smooth) { bridge_->post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
@@ -362,6 +365,8 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("run.stop", running);
   enable("run.restart", live);
   enable("run.restart-new-seed", live);
+  enable("run.tuning", live);
+  (*actions_)["run.tuning"]->setChecked(open && snapshot->parameters[ParameterId::Tuning] > 0.0);
   enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
   enable("path.smooth", live && snapshot->path != nullptr);

@@ -9,6 +9,7 @@ namespace {
 const std::map<std::string, std::size_t>& argumentCounts() {
   static const std::map<std::string, std::size_t> counts{{"action", 1},
                                                          {"set", 2},
+                                                         {"expect-value", 2},
                                                          {"select-operator", 1},
                                                          {"key", 2},
                                                          {"steps", 1},

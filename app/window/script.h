@@ -17,7 +17,9 @@ struct ScriptCommand {
 /// Parses a script. One command a line, '#' begins a comment:
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
-///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5
+///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5 (taken back from the tuner
+///                               by that) or set tuning 7 (α, N and d set themselves)
+///   expect-value PARAMETER VALUE   this is in force, the tuner's value where it sets itself
 ///   select-operator ID          hand, keyboard, mouse6d, gamepad, expert, default, novice,
 ///                               simulated-haptic
 ///   key press|release|tap KEY   a key over the 3D view, e.g. key press W

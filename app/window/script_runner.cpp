@@ -58,6 +58,7 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   const QString first = command.arguments.empty() ? QString() : QString::fromStdString(command.arguments[0]);
   if (command.name == "action") return trigger(command);
   if (command.name == "set") return setParameter(command);
+  if (command.name == "expect-value") return expectValue(command);
   if (command.name == "key") return key(command);
   if (command.name == "steps") return steps(command);
   if (command.name == "wait") return wait(command);
@@ -128,6 +129,18 @@ Outcome ScriptRunner::setParameter(const ScriptCommand& command) {
   if (!value) return wrong(command, "'" + command.arguments[1] + "' is not a number");
   window_.bridge().post(command::SetParameter{*id, *value});
   return Done{};
+}
+
+Outcome ScriptRunner::expectValue(const ScriptCommand& command) {
+  const auto id = parameterByKey(command.arguments[0]);
+  const auto wanted = toNumber(command.arguments[1]);
+  const SnapshotPtr snapshot = window_.bridge().snapshot();
+  if (!id) return wrong(command, "there is no parameter '" + command.arguments[0] + "'");
+  if (!wanted) return wrong(command, "'" + command.arguments[1] + "' is not a number");
+  if (!snapshot) return wrong(command, "no scenario is open");
+  const double value = valueInForce(*snapshot, *id);
+  if (value == *wanted) return Done{};
+  return failed(command, command.arguments[0] + " is " + toText(value));
 }
 
 Outcome ScriptRunner::key(const ScriptCommand& command) {

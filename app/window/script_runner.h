@@ -20,6 +20,7 @@ class ScriptRunner {
   Outcome carryOut(const ScriptCommand& command);
   Outcome trigger(const ScriptCommand& command);
   Outcome setParameter(const ScriptCommand& command);
+  Outcome expectValue(const ScriptCommand& command);
   Outcome key(const ScriptCommand& command);
   Outcome steps(const ScriptCommand& command);
   Outcome wait(const ScriptCommand& command);

@@ -63,6 +63,8 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::OmplResolution, "ompl_resolution", "--ompl-resolution", "", "OMPL's resolution", "", 1e-5, 1.0, 0.01,
      Scale::Absolute, false, false,
      "The planners that are OMPL as it is look at an edge every so often, as a share of the space's extent."},
+    {Id::Tuning, "tuning", "--tuning", "", "Automatic tuning", "", 0.0, 7.0, 0.0, Scale::Absolute, true, true,
+     "What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -33,6 +33,7 @@ enum class ParameterId : std::size_t {
   GuidanceAttraction,
   OmplRange,
   OmplResolution,
+  Tuning,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -11,6 +11,7 @@
 #include "engine/base/parameters.h"
 #include "engine/base/stop_token.h"
 #include "engine/planning/coarse/coarse_plan.h"
+#include "engine/planning/contact/interaction_settings.h"
 #include "engine/planning/operator_sample.h"
 #include "engine/planning/path.h"
 #include "engine/planning/problem.h"
@@ -80,6 +81,8 @@ class Planner {
   virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
   /// Of a portfolio: the member that has the turn, or that found the path; empty otherwise.
   virtual std::string member() const { return {}; }
+  /// What its tuner has set; nothing where nothing sets itself.
+  virtual std::optional<TuningReport> tuning() const { return std::nullopt; }
 };
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).

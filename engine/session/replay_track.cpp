@@ -21,7 +21,8 @@ void ReplayTrack::add(std::uint64_t step, const Planner& planner) {
     if (step % stride_ != 0) return;
   }
   rows_.push_back({step, planner.nodes().size(), planner.edges().size(), planner.droppedEdges().size(),
-                   planner.counts(), planner.authority(), planner.inContactMode(), planner.coarsePlan()});
+                   planner.counts(), planner.authority(), planner.inContactMode(), planner.coarsePlan(),
+                   planner.tuning()});
 }
 
 ReplayTrack::Row ReplayTrack::at(std::uint64_t step) const {

@@ -20,6 +20,7 @@ class ReplayTrack {
     Author authority = Author::Computer;
     bool contactMode = false;
     CoarsePlanPtr coarsePlan;
+    std::optional<TuningReport> tuning;
   };
 
   void add(std::uint64_t step, const Planner& planner);

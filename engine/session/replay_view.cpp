@@ -64,6 +64,7 @@ SnapshotPtr ReplayView::at(std::uint64_t step, const SessionSnapshot& latest, bo
   snapshot->authority = row.authority;
   snapshot->contactMode = row.contactMode;
   snapshot->coarsePlan = row.coarsePlan;
+  snapshot->tuning = row.tuning;
   snapshot->roadmap = roadmapPrefix(latest.roadmap, row.nodes, row.edges);
   for (const auto& chunk : snapshot->roadmap) {
     for (const RoadmapNode& node : chunk->nodes) ++snapshot->nodesByAuthor[static_cast<std::size_t>(node.author)];

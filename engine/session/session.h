@@ -75,17 +75,24 @@ struct SessionSnapshot {
   RoadmapChunks roadmap;
   PerAuthor<std::uint64_t> nodesByAuthor{};
   std::vector<RoadmapEdge> droppedEdges;
-  CoarsePlanPtr coarsePlan;          ///< of a multi-layer planner; null otherwise
-  std::shared_ptr<const Path> path;  ///< certified; null until solved
-  bool smoothed = false;             ///< `path` was shortened after it was planned
-  RunLogParts log;                   ///< what shaped the run: at most a second old, and whole once it has ended
-  std::string member;                ///< of the automatic planner: whose turn it is, or who found the path
+  CoarsePlanPtr coarsePlan;            ///< of a multi-layer planner; null otherwise
+  std::shared_ptr<const Path> path;    ///< certified; null until solved
+  bool smoothed = false;               ///< `path` was shortened after it was planned
+  RunLogParts log;                     ///< what shaped the run: at most a second old, and whole once it has ended
+  std::string member;                  ///< of the automatic planner: whose turn it is, or who found the path
+  std::optional<TuningReport> tuning;  ///< what has set itself; `parameters` stay the user's own
 };
 using SnapshotPtr = std::shared_ptr<const SessionSnapshot>;
 
 /// A run is under way, held or not.
 inline bool isRunning(const SessionSnapshot& snapshot) {
   return snapshot.state == SessionState::Planning || snapshot.state == SessionState::Paused;
+}
+
+/// A parameter's value in force: the tuner's where it sets itself, else the user's.
+inline double valueInForce(const SessionSnapshot& snapshot, ParameterId id) {
+  const bool tuned = snapshot.tuning && (snapshot.parameters.integer(ParameterId::Tuning) & tunedSetting(id)) != 0;
+  return tuned ? snapshot.tuning->now[id] : snapshot.parameters[id];
 }
 
 /// What a session works on. The world is shared; the device is owned by the session.

@@ -119,6 +119,9 @@ void SessionCore::setParameter(ParameterId id, double value) {
     return;
   }
   if (state_ == SessionState::Planning || state_ == SessionState::Paused) logger_.note(id, value);
+  const int tuned = parameters_.integer(ParameterId::Tuning);
+  const int left = tuned & ~tunedSetting(id);
+  if (left != tuned) setParameter(ParameterId::Tuning, left);  // taken back by hand
 }
 
 void SessionCore::startRun() {
@@ -241,6 +244,7 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
     snapshot.contactMode = planner_->inContactMode();
     snapshot.coarsePlan = planner_->coarsePlan();
     snapshot.member = planner_->member();
+    snapshot.tuning = planner_->tuning();
   }
   snapshot.roadmap = roadmap_.chunks();
   snapshot.nodesByAuthor = roadmap_.nodesByAuthor();

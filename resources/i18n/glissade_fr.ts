@@ -577,6 +577,14 @@
         <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
         <translation>Montrer ce qui guide la main : la force par une flèche, son intensité par une teinte</translation>
     </message>
+    <message>
+        <source>&amp;Automatic tuning</source>
+        <translation>Réglage &amp;automatique</translation>
+    </message>
+    <message>
+        <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
+        <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -739,6 +747,14 @@
     <message>
         <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
         <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
+    </message>
+    <message>
+        <source>Automatic tuning</source>
+        <translation>Réglage automatique</translation>
+    </message>
+    <message>
+        <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
+        <translation>Ce qui se règle seul pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : rien, 7 : les trois.</translation>
     </message>
 </context>
 <context>
@@ -1694,6 +1710,25 @@
     <message>
         <source>&amp;Study</source>
         <translation>É&amp;tude</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ParameterSlider</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>%1 sets itself</source>
+        <translation>%1 se règle seul</translation>
+    </message>
+    <message>
+        <source>Sets itself while planning. Press, or move the slider, to take it back; yours is %1</source>
+        <translation>Se règle seul pendant la planification. Appuyez ou déplacez le curseur pour le reprendre ; le vôtre est %1</translation>
+    </message>
+    <message>
+        <source>Let it set itself while planning</source>
+        <translation>Laisser se régler seul pendant la planification</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,18 @@ TEST_F(Cli, AnUnknownCollisionBackendIsOneClearErrorOfUsage) {
   EXPECT_EQ(plan.err.find("--collision"), plan.err.rfind("--collision")) << plan.err;
 }
 
+TEST_F(Cli, ReportsWhatSetItself) {
+  const std::string file = scenario([](Json& json) { json["planner"] = "contact-birrt"; });
+  const Json report = Json::parse(run("plan " + file + " --operator expert --tuning 5 --alpha 0.3 --json").out);
+  EXPECT_EQ(report["parameters"]["alpha"], 0.3);  // the user's own
+  for (const char* which : {"final", "median"}) {
+    EXPECT_GT(report["tuning"][which]["alpha"], 0.5) << which;
+    EXPECT_GT(report["tuning"][which]["contact_distance"], 0.0) << which;
+    EXPECT_FALSE(report["tuning"][which].contains("contact_samples")) << which;
+  }
+  EXPECT_FALSE(Json::parse(run("plan " + file + " --operator expert --json").out).contains("tuning"));
+}
+
 TEST_F(Cli, APathThroughTheWallIsInvalid) {
   const std::string file = scenario([](Json&) {});
   const std::string path = write("through.path", "-1 0 0 0 0 0 1\n1 0 0 0 0 0 1\n");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace glissade {
 namespace {
@@ -47,6 +48,31 @@ TEST(ParameterSlider, SettingAValueAnnouncesNothing) {
   QObject::connect(&slider, &ParameterSlider::valueChosen, [&](double) { announced = true; });
   slider.setValue(0.7);
   EXPECT_FALSE(announced);
+}
+
+TEST(ParameterSlider, WhatSetsItselfShowsItAndIsGivenAndTakenByItsButton) {
+  ParameterSlider slider(ParameterId::ContactDistance);
+  slider.setObjectRadius(1.0);
+  std::vector<bool> chosen;
+  QObject::connect(&slider, &ParameterSlider::tuningChosen, [&](bool tuned) { chosen.push_back(tuned); });
+  auto* button = slider.findChild<QToolButton*>(QStringLiteral("tuning"));
+  auto* bar = slider.findChild<QSlider*>();
+  ASSERT_NE(button, nullptr);
+  const QColor usual = bar->palette().color(QPalette::Highlight);
+  slider.setTuned(true, 0.15);
+  EXPECT_TRUE(button->isChecked());
+  EXPECT_NE(bar->palette().color(QPalette::Highlight), usual);
+  EXPECT_TRUE(button->toolTip().contains(QStringLiteral("150"))) << button->toolTip().toStdString();
+  slider.setTuned(false, 0.15);
+  EXPECT_FALSE(button->isChecked());
+  EXPECT_EQ(bar->palette().color(QPalette::Highlight), usual);
+  EXPECT_TRUE(chosen.empty());
+  button->click();
+  slider.setTuned(true, 0.15);  // the session has carried it out
+  EXPECT_NE(bar->palette().color(QPalette::Highlight), usual);
+  button->click();
+  EXPECT_EQ(chosen, (std::vector<bool>{true, false}));
+  EXPECT_EQ(ParameterSlider(ParameterId::ContactRadius).findChild<QToolButton*>(QStringLiteral("tuning")), nullptr);
 }
 
 }  // namespace

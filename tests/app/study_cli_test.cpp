@@ -199,7 +199,7 @@ TEST_F(StudyCli, ADryRunWritesNothing) {
 /// Every shipped study can be run, in both sizes.
 TEST_F(StudyCli, ShippedStudiesAreSound) {
   for (const char* name :
-       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like", "automatic"}) {
+       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like", "automatic", "tuned"}) {
     const std::string study = std::string(GLISSADE_SOURCE_DIR "/samples/studies/") + name + ".json";
     for (const char* size : {"", "--quick"}) {
       EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run " + size), 0) << said;

@@ -12,6 +12,10 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Parameters", "Contact distance"),
     QT_TRANSLATE_NOOP("Parameters", "Contact disc"),
     QT_TRANSLATE_NOOP("Parameters", "Required clearance"),
+    QT_TRANSLATE_NOOP("Parameters", "Automatic tuning"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three."),
     QT_TRANSLATE_NOOP("Parameters", "Clearance that a delivered path is proved to keep."),
     QT_TRANSLATE_NOOP(
         "Parameters",

@@ -69,11 +69,13 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
   replayed_->hide();
   layout->addWidget(replayed_);
   for (const ParameterSpec& spec : parameterTable()) {
-    if (!spec.live) continue;
+    if (!spec.live || spec.id == ParameterId::Tuning) continue;  // the sliders' own buttons
     auto* slider = new ParameterSlider(spec.id, this);
     connect(slider, &ParameterSlider::valueChosen, this, [this, id = spec.id](double value) {
       emit commanded(command::SetParameter{id, value});
     });
+    connect(slider, &ParameterSlider::tuningChosen, this,
+            [this, id = spec.id](bool tuned) { chooseTuning(id, tuned); });
     sliders_.push_back(slider);
     layout->addWidget(slider);
   }
@@ -114,9 +116,11 @@ void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
     const QSignalBlocker block(seed_);
     seed_->setValue(static_cast<int>(snapshot.seed));
   }
+  tuned_ = snapshot.parameters.integer(ParameterId::Tuning);
   for (ParameterSlider* slider : sliders_) {
-    const bool beingDragged = slider->isAncestorOf(focusWidget());
-    if (!beingDragged) slider->setValue(snapshot.parameters[slider->id()]);
+    const double own = snapshot.parameters[slider->id()];
+    slider->setTuned((tuned_ & tunedSetting(slider->id())) != 0, own);
+    if (!slider->isBeingEdited()) slider->setValue(valueInForce(snapshot, slider->id()));
   }
   if (snapshot.state != SessionState::Planning) {
     authority_->setText(QStringLiteral("–"));
@@ -125,6 +129,11 @@ void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   } else {
     authority_->setText(snapshot.authority == Author::Operator ? tr("operator") : tr("operator, in contact"));
   }
+}
+
+void InteractionPanel::chooseTuning(ParameterId id, bool tuned) {
+  const int bit = tunedSetting(id);
+  emit commanded(command::SetParameter{ParameterId::Tuning, static_cast<double>(tuned ? tuned_ | bit : tuned_ & ~bit)});
 }
 
 void InteractionPanel::setReplayed(bool replayed) {

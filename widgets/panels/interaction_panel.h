@@ -32,6 +32,7 @@ class InteractionPanel final : public QWidget {
 
  private:
   QWidget* makeButtons(const ActionCatalogue& actions);
+  void chooseTuning(ParameterId id, bool tuned);
 
   QComboBox* planner_;
   QComboBox* device_;
@@ -39,6 +40,7 @@ class InteractionPanel final : public QWidget {
   QLabel* authority_;
   QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;
+  int tuned_ = 0;  ///< what sets itself: bits of TunedSetting
 };
 
 }  // namespace glissade

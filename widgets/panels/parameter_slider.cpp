@@ -7,10 +7,14 @@
 
 #include <cmath>
 
+#include "engine/planning/contact/interaction_settings.h"
+
 namespace glissade {
 namespace {
 
 constexpr int kPositions = 1000;
+/// Of what sets itself: Okabe and Ito's orange, which nothing else in the panels has.
+constexpr QRgb kTunedColour = 0xffe69f00;
 
 QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<int>(view.size())); }
 
@@ -25,7 +29,8 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
       id_(id),
       shownPerUnit_(specOf(id).unit == "m" ? 1000.0 : 1.0),
       slider_(new QSlider(Qt::Horizontal, this)),
-      number_(new QDoubleSpinBox(this)) {
+      number_(new QDoubleSpinBox(this)),
+      tuning_(tunedSetting(id) != 0 ? makeTuningButton() : nullptr) {
   const ParameterSpec& spec = specOf(id);
   const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
   auto* label = new QLabel(symbol + parameterLabel(spec), this);
@@ -44,11 +49,13 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setVerticalSpacing(2);
   layout->addWidget(label, 0, 0);
-  layout->addWidget(number_, 0, 1);
-  layout->addWidget(slider_, 1, 0, 1, 2);
+  if (tuning_ != nullptr) layout->addWidget(tuning_, 0, 1);
+  layout->addWidget(number_, 0, 2);
+  layout->addWidget(slider_, 1, 0, 1, 3);
   layout->setColumnStretch(0, 1);
   setObjectName(text(spec.key));
   setObjectRadius(1.0);
+  setTuned(false, 0.0);
   connect(slider_, &QSlider::valueChanged, this, &ParameterSlider::sliderMoved);
   connect(number_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ParameterSlider::numberEdited);
 }
@@ -70,6 +77,41 @@ void ParameterSlider::setValue(double value) {
 }
 
 double ParameterSlider::value() const { return number_->value() / shownPerUnit_; }
+
+QToolButton* ParameterSlider::makeTuningButton() {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QStringLiteral("tuning"));
+  button->setText(tr("auto"));
+  button->setAccessibleName(tr("%1 sets itself").arg(parameterLabel(specOf(id_))));
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setStyleSheet(QStringLiteral("QToolButton { padding: 0px 5px; }"
+                                       "QToolButton:checked { background: %1; color: black; }")
+                            .arg(QColor(kTunedColour).name()));
+  connect(button, &QToolButton::clicked, this, [this](bool tuned) {
+    number_->clearFocus();
+    emit tuningChosen(tuned);
+  });
+  return button;
+}
+
+void ParameterSlider::setTuned(bool tuned, double own) {
+  if (tuning_ == nullptr) return;
+  const QString yours = number_->textFromValue(own * shownPerUnit_) + number_->suffix();
+  tuning_->setToolTip(
+      tuned ? tr("Sets itself while planning. Press, or move the slider, to take it back; yours is %1").arg(yours)
+            : tr("Let it set itself while planning"));
+  tuning_->setChecked(tuned);
+  if (tuned_ == tuned) return;
+  tuned_ = tuned;
+  QPalette colours;
+  if (tuned) colours.setColor(QPalette::Highlight, QColor(kTunedColour));
+  slider_->setPalette(colours);
+}
+
+bool ParameterSlider::isBeingEdited() const {
+  return slider_->isSliderDown() || number_->hasFocus() || (slider_->hasFocus() && !tuned_);
+}
 
 double ParameterSlider::fromPosition(int position) const {
   const double share = static_cast<double>(position) / kPositions;

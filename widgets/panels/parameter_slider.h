@@ -2,6 +2,7 @@
 
 #include <QDoubleSpinBox>
 #include <QSlider>
+#include <QToolButton>
 #include <QWidget>
 
 #include "engine/base/parameters.h"
@@ -9,7 +10,8 @@
 namespace glissade {
 
 /// One live parameter of the table as a slider with a number beside it. Lengths are shown in
-/// millimetres; ranges over more than two decades are logarithmic.
+/// millimetres; ranges over more than two decades are logarithmic. One that can set itself has a
+/// button that gives it to the tuner or takes it back, and the tuner's colour while it does.
 class ParameterSlider final : public QWidget {
   Q_OBJECT
 
@@ -22,16 +24,23 @@ class ParameterSlider final : public QWidget {
   /// Shows a value (engine units) without announcing it.
   void setValue(double value);
   double value() const;
+  /// It sets itself; `own` is the user's value, which comes back when he takes it back.
+  void setTuned(bool tuned, double own);
+  /// The user has the slider or the number in hand: what is shown is his.
+  bool isBeingEdited() const;
 
  signals:
   /// The user chose another value (engine units).
   void valueChosen(double value);
+  /// The user gave the parameter to the tuner, or took it back.
+  void tuningChosen(bool tuned);
 
  private:
   double fromPosition(int position) const;
   int toPosition(double value) const;
   void sliderMoved(int position);
   void numberEdited(double shown);
+  QToolButton* makeTuningButton();
 
   ParameterId id_;
   double shownPerUnit_;  ///< millimetres per metre, or 1
@@ -39,6 +48,8 @@ class ParameterSlider final : public QWidget {
   bool logarithmic_ = false;
   QSlider* slider_;
   QDoubleSpinBox* number_;
+  bool tuned_ = false;
+  QToolButton* tuning_;  ///< null where the parameter never sets itself
 };
 
 /// The table's label in the window's language.

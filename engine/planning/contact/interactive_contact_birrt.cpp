@@ -23,7 +23,8 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
       authorityStream_(seed, "authority"),
       randomShooter_(problem, seed),
       contactSampler_(seed),
-      roadmap_(problem.metric()) {
+      roadmap_(problem.metric()),
+      tuner_(problem.world->objectRadius()) {
   startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});
   for (const Pose& q : goalRoots(problem_, *query_)) {
     goalRoots_.push_back(roadmap_.addRoot({q, Author::Computer, TreeSide::Goal}));
@@ -33,12 +34,14 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
 
 bool InteractiveContactBirrt::solve(PlannerHost& host) {
   while (!path_) {
+    const std::size_t size = roadmapSize();
     if (contactSamplesLeft_ > 0) {
       contactSampling(host);
     } else {
       iterate(host);
     }
     deliverPath(host);
+    observeStep(size, host);
     updateCounts();
     if (!host.afterStep()) break;
   }
@@ -48,18 +51,19 @@ bool InteractiveContactBirrt::solve(PlannerHost& host) {
 /// One pass of Algorithm 1; the numbers are its lines. Lines 9 of the following passes are in solve().
 void InteractiveContactBirrt::iterate(PlannerHost& host) {
   ++counts_.iterations;
-  const ParameterValues& parameters = host.parameters();
+  const InteractionSettings inForce = settings(host.parameters());
   std::optional<OperatorSample> device;
   if (operatorUse_ != OperatorUse::None) device = host.operatorSample();  // 2: found by the operator thread
-  const double a = authorityStream_.uniform();                            // 3
-  if (operatorUse_ == OperatorUse::ContactFirst && device && nearContact(*device, parameters)) {
-    enterContactSampling(*device, parameters);
+  held_ = device.has_value();
+  const double a = authorityStream_.uniform();  // 3
+  if (operatorUse_ == OperatorUse::ContactFirst && device && nearContact(*device, inForce.contactDistance)) {
+    enterContactSampling(*device, host);
     contactSampling(host);
-  } else if (operatorHasAuthority(a, parameters[ParameterId::Alpha], device)) {  // 4
-    if (!nearContact(*device, parameters)) {                                     // 5
-      operatorShooter(*device, host);                                            // 6, 7
+  } else if (operatorHasAuthority(a, inForce.alpha, device)) {  // 4
+    if (!nearContact(*device, inForce.contactDistance)) {       // 5
+      operatorShooter(*device, host);                           // 6, 7
     } else {
-      enterContactSampling(*device, parameters);
+      enterContactSampling(*device, host);
       contactSampling(host);  // 9
     }
   } else {
@@ -78,15 +82,41 @@ bool InteractiveContactBirrt::operatorHasAuthority(double a, double alpha,
 }
 
 /// Line 5, read the other way round: |P_o - P_n| < d. In collision there is no contact mode.
-bool InteractiveContactBirrt::nearContact(const OperatorSample& device, const ParameterValues& parameters) const {
+bool InteractiveContactBirrt::nearContact(const OperatorSample& device, double contactDistance) const {
   if (operatorUse_ == OperatorUse::Guide) return false;
   const double distance = device.nearest.distance;
-  return distance > 0.0 && distance < parameters[ParameterId::ContactDistance];
+  return distance > 0.0 && distance < contactDistance;
 }
 
-void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device, const ParameterValues& parameters) {
+void InteractiveContactBirrt::enterContactSampling(const OperatorSample& device, PlannerHost& host) {
+  const ParameterValues& parameters = host.parameters();
+  contactClearance_ = device.nearest.distance;
   contactSampler_.enter(device, parameters[ParameterId::ContactGap], parameters[ParameterId::ContactRadius]);
-  contactSamplesLeft_ = parameters.integer(ParameterId::ContactSamples);
+  contactSamplesLeft_ = settings(parameters).contactSamples;
+}
+
+/// The user's values, but what sets itself.
+InteractionSettings InteractiveContactBirrt::settings(const ParameterValues& parameters) const {
+  const int tuned = parameters.integer(ParameterId::Tuning);
+  InteractionSettings inForce = tuner_.settings();
+  if ((tuned & kTunedAlpha) == 0) inForce.alpha = parameters[ParameterId::Alpha];
+  if ((tuned & kTunedContactSamples) == 0) inForce.contactSamples = parameters.integer(ParameterId::ContactSamples);
+  if ((tuned & kTunedContactDistance) == 0) inForce.contactDistance = parameters[ParameterId::ContactDistance];
+  return inForce;
+}
+
+/// Lets the tuner know what the step brought, where it has anything to set and somebody holds the object.
+void InteractiveContactBirrt::observeStep(std::size_t sizeBefore, PlannerHost& host) {
+  tuned_ = operatorUse_ == OperatorUse::None ? 0 : host.parameters().integer(ParameterId::Tuning);
+  if (tuned_ == 0 || !held_) return;
+  tuner_.observe({authority_, roadmapSize() > sizeBefore, contactClearance_});
+}
+
+std::size_t InteractiveContactBirrt::roadmapSize() const { return roadmap_.nodes().size() + roadmap_.edges().size(); }
+
+std::optional<TuningReport> InteractiveContactBirrt::tuning() const {
+  if (tuned_ == 0) return std::nullopt;
+  return tuner_.report();
 }
 
 void InteractiveContactBirrt::contactSampling(PlannerHost& host) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "engine/planning/contact/contact_sampler.h"
+#include "engine/planning/contact/interaction_tuner.h"
 #include "engine/planning/planner.h"
 #include "engine/planning/random_shooter.h"
 #include "engine/planning/roadmap_graph.h"
@@ -38,12 +39,13 @@ class InteractiveContactBirrt final : public Planner {
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
   Author authority() const override { return authority_; }
   bool inContactMode() const override { return contactSamplesLeft_ > 0; }
+  std::optional<TuningReport> tuning() const override;
 
  private:
   void iterate(PlannerHost& host);
   bool operatorHasAuthority(double a, double alpha, const std::optional<OperatorSample>& device);
-  bool nearContact(const OperatorSample& device, const ParameterValues& parameters) const;
-  void enterContactSampling(const OperatorSample& device, const ParameterValues& parameters);
+  bool nearContact(const OperatorSample& device, double contactDistance) const;
+  void enterContactSampling(const OperatorSample& device, PlannerHost& host);
   void contactSampling(PlannerHost& host);
   void operatorShooter(const OperatorSample& device, PlannerHost& host);
   void randomShooter(PlannerHost& host);
@@ -55,6 +57,9 @@ class InteractiveContactBirrt final : public Planner {
   bool isDuplicate(RoadmapGraph::ComponentId component, const Pose& q, Author author) const;
   void deliverPath(PlannerHost& host);
   void updateCounts();
+  InteractionSettings settings(const ParameterValues& parameters) const;
+  void observeStep(std::size_t sizeBefore, PlannerHost& host);
+  std::size_t roadmapSize() const;
 
   Problem problem_;
   OperatorUse operatorUse_;
@@ -70,6 +75,11 @@ class InteractiveContactBirrt final : public Planner {
   int contactSamplesLeft_ = 0;
   std::uint64_t restingAt_ = 0;   ///< OperatorSample::moves of the place the operator was last used at
   std::uint64_t usedAtRest_ = 0;  ///< configurations shot from that place
+
+  InteractionTuner tuner_;
+  bool held_ = false;              ///< somebody held the object at the last iteration
+  int tuned_ = 0;                  ///< bits of TunedSetting at the last step
+  double contactClearance_ = 0.0;  ///< of the hand when contact mode was entered last
 
   PlannerCounts counts_;
   std::optional<Path> path_;

@@ -46,15 +46,21 @@ bool isCounter(const std::string& key) {
   return std::find(std::begin(kOwn), std::end(kOwn), key) == std::end(kOwn);
 }
 
+bool isAggregate(const JsonCursor& at) {
+  const auto type = at.find("run_type");
+  return type && type->text() == "aggregate";
+}
+
+/// A run, or the median of several: of the other aggregates nothing is read.
 bool isMeasured(const JsonCursor& at) {
   const auto failed = at.find("error_occurred");
-  const auto type = at.find("run_type");
-  return !(failed && failed->boolean()) && (!type || type->text() == "iteration");
+  if (failed && failed->boolean()) return false;
+  return !isAggregate(at) || at.at("aggregate_name").text() == "median";
 }
 
 BenchmarkTime readTime(const JsonCursor& at) {
   BenchmarkTime time;
-  time.name = at.at("name").nonEmptyText();
+  time.name = at.at(isAggregate(at) ? "run_name" : "name").nonEmptyText();
   const JsonCursor measured = at.at(hasOwnClock(time.name) ? "real_time" : "cpu_time");
   time.seconds = measured.positiveNumber() * secondsIn(at.at("time_unit"));
   for (const auto& item : at.json().items()) {

@@ -36,13 +36,14 @@ class Fiddler {
   }
 
   Command command() {
-    switch (index(6)) {
+    switch (index(7)) {
       case 0: return command::SetParameter{ParameterId::Alpha, random_.uniform()};
       case 1: return command::SetParameter{ParameterId::ContactSamples, 1.0 + static_cast<double>(index(20))};
       case 2:
         return command::SetParameter{ParameterId::ContactDistance, random_.uniform() * problem_.world->objectRadius()};
       case 3: return command::SetSemantics{edits()};
-      case 4: return command::SetSeed{index(100)};  // of the next run: no matter for this one
+      case 4: return command::SetParameter{ParameterId::Tuning, static_cast<double>(index(8))};
+      case 5: return command::SetSeed{index(100)};  // of the next run: no matter for this one
       default: return command::SetDevicePose{randomPose(random_, 1.0)};
     }
   }
@@ -113,6 +114,32 @@ TEST(ReplaySession, AHundredRunsReplayBitByBit) {
   }
   EXPECT_GT(withSteps, 90);
   EXPECT_GT(changes, 200U);
+}
+
+TEST(ReplaySession, WhatSetItselfIsAsItWasAtTheEnd) {
+  const Problem problem = closedProblem();
+  SessionConfig config = sessionConfig(problem, std::make_unique<HomingDevice>(Vector3(-0.35, 0.5, 0.2)));
+  ASSERT_TRUE(config.parameters.set(ParameterId::Tuning, kTunedAll));
+  const auto session = makeLockstepSession(std::move(config));
+  session->post(command::Start{});
+  session->advance(300);
+  session->post(command::SetParameter{ParameterId::ContactSamples, 7});  // taken back
+  session->advance(300);
+  session->post(command::Stop{});
+  session->advance(0);
+  const RunLog log = joined(session->snapshot()->log);
+  expectSame(replayAndCompare(problem, log), log, 1);
+  const auto replay = makeReplaySession(problem, std::make_shared<const RunLog>(log));
+  replay->post(command::Start{});
+  while (replay->snapshot()->run == 0 || isRunning(*replay->snapshot())) replay->advance(77);
+  const SnapshotPtr was = session->snapshot();
+  const SnapshotPtr is = replay->snapshot();
+  for (const ParameterId id :
+       {ParameterId::Tuning, ParameterId::Alpha, ParameterId::ContactSamples, ParameterId::ContactDistance}) {
+    EXPECT_EQ(valueInForce(*is, id), valueInForce(*was, id)) << specOf(id).key;
+  }
+  EXPECT_EQ(valueInForce(*is, ParameterId::ContactSamples), 7.0);
+  EXPECT_NE(valueInForce(*is, ParameterId::Alpha), was->parameters[ParameterId::Alpha]);
 }
 
 TEST(ReplaySession, RunsInRealTimeReplayBitByBit) {

@@ -26,6 +26,24 @@ TEST_P(SessionConformance, IsIdleUntilStarted) {
   EXPECT_EQ(snapshot->device.q_device, windowProblem().start);
 }
 
+TEST_P(SessionConformance, AParameterSetByHandIsTakenBackFromTheTuner) {
+  const auto session = make(sessionConfig(closedProblem(), std::make_unique<HomingDevice>(Vector3(-0.35, 0.5, 0.2))));
+  session->post(command::SetParameter{ParameterId::Tuning, kTunedAll});
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.tuning && now.counts.steps > 100; }));
+  const double own = session->snapshot()->parameters[ParameterId::ContactSamples];
+  EXPECT_EQ(own, ParameterValues(1.0)[ParameterId::ContactSamples]);  // the tuner leaves the user's alone
+  session->post(command::SetParameter{ParameterId::Alpha, 0.35});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.parameters[ParameterId::Alpha] == 0.35; }));
+  SnapshotPtr snapshot = session->snapshot();
+  EXPECT_EQ(snapshot->parameters.integer(ParameterId::Tuning), kTunedContactSamples | kTunedContactDistance);
+  EXPECT_EQ(valueInForce(*snapshot, ParameterId::Alpha), 0.35);
+  session->post(command::SetParameter{ParameterId::Tuning, 0.0});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.parameters[ParameterId::Tuning] == 0.0; }));
+  snapshot = session->snapshot();
+  EXPECT_EQ(valueInForce(*snapshot, ParameterId::ContactSamples), own);
+}
+
 TEST_P(SessionConformance, SolvesAndDeliversRoadmapPathAndLog) {
   const auto session = make(sessionConfig(windowProblem()));
   session->post(command::Start{});

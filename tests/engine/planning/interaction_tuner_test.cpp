@@ -1,0 +1,126 @@
+#include "engine/planning/contact/interaction_tuner.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/contact/interactive_contact_birrt.h"
+#include "tests/engine/support/test_host.h"
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kRadius = 1.536;
+
+void observe(InteractionTuner& tuner, const StepOutcome& outcome, int times) {
+  for (int i = 0; i < times; ++i) tuner.observe(outcome);
+}
+
+TEST(StepMedian, IsTheMedianOfWhatWasAdded) {
+  StepMedian median(10);
+  EXPECT_EQ(median.value(), 0U);
+  for (const std::size_t value : {9U, 2U, 10U, 7U, 2U}) median.add(value);
+  EXPECT_EQ(median.value(), 7U);
+  median.add(0);
+  EXPECT_EQ(median.value(), 2U);  // the lower of 2 and 7
+}
+
+TEST(InteractionTuner, TheComputerKeepsTheAuthorityItMakesUseOf) {
+  InteractionTuner getsOn(kRadius);
+  observe(getsOn, {Author::Computer, true, 0.0}, 2000);
+  EXPECT_DOUBLE_EQ(getsOn.settings().alpha, InteractionTuner::kMostAlpha);
+  InteractionTuner isStuck(kRadius);
+  observe(isStuck, {Author::Computer, false, 0.0}, 2000);
+  EXPECT_DOUBLE_EQ(isStuck.settings().alpha, InteractionTuner::kLeastAlpha);
+}
+
+TEST(InteractionTuner, ContactModeIsToBringAsManyNodesWhereverSamplesFail) {
+  for (const int onceIn : {1, 2, 4}) {
+    InteractionTuner tuner(kRadius);
+    for (int i = 0; i < 4000; ++i) tuner.observe({Author::Contact, i % onceIn == 0, 0.05});
+    const double nodes = static_cast<double>(tuner.settings().contactSamples) / onceIn;
+    EXPECT_NEAR(nodes, InteractionTuner::kNodesPerContact, 1.0) << onceIn;
+  }
+  InteractionTuner tuner(kRadius);
+  observe(tuner, {Author::Contact, false, 0.05}, 4000);
+  EXPECT_EQ(tuner.settings().contactSamples, InteractionTuner::kMostSamples);
+}
+
+TEST(InteractionTuner, TheContactDistanceFollowsTheClearanceAtWhichContactWorks) {
+  const auto tuned = [](double clearance) {
+    InteractionTuner tuner(kRadius);
+    for (int i = 0; i < 4000; ++i) {
+      tuner.observe({Author::Contact, true, clearance});
+      tuner.observe({Author::Contact, false, 0.5});  // what fails far away does not count
+    }
+    return tuner.settings().contactDistance;
+  };
+  EXPECT_NEAR(tuned(0.05), InteractionTuner::kReach * 0.05, 0.001 * kRadius);
+  EXPECT_DOUBLE_EQ(tuned(0.0), InteractionTuner::kLeastDistance * kRadius);
+  EXPECT_DOUBLE_EQ(tuned(1.0), InteractionTuner::kMostDistance * kRadius);
+}
+
+TEST(InteractionTuner, ChangesOncePerWindowAndNotByTheOperatorsOwnConfigurations) {
+  InteractionTuner tuner(kRadius);
+  const double before = tuner.settings().alpha;
+  observe(tuner, {Author::Computer, false, 0.0}, InteractionTuner::kWindow - 1);
+  EXPECT_EQ(tuner.settings().alpha, before);
+  observe(tuner, {Author::Computer, false, 0.0}, 1);
+  EXPECT_LT(tuner.settings().alpha, before);
+  const double after = tuner.settings().alpha;
+  observe(tuner, {Author::Operator, true, 0.0}, 5000);
+  EXPECT_EQ(tuner.settings().alpha, after);
+}
+
+TEST(InteractionTuner, ReportsWhatIsInForceAndItsMedian) {
+  InteractionTuner tuner(kRadius);
+  const double first = tuner.settings().alpha;
+  observe(tuner, {Author::Operator, true, 0.0}, 5000);
+  observe(tuner, {Author::Computer, false, 0.0}, 1000);
+  EXPECT_DOUBLE_EQ(tuner.report().now.alpha, InteractionTuner::kLeastAlpha);
+  EXPECT_DOUBLE_EQ(tuner.report().median.alpha, first);
+}
+
+/// A run in front of the closed wall, the hand 5 cm away from it, moving all the time.
+class TunedPlanner : public testing::Test {
+ protected:
+  void run(int tuned, std::uint64_t steps, OperatorUse use = OperatorUse::GuideAndContact) {
+    TestHost host(problem, 1);
+    EXPECT_TRUE(host.values.set(ParameterId::Tuning, tuned));
+    EXPECT_TRUE(host.values.set(ParameterId::Alpha, 0.0));
+    EXPECT_TRUE(host.values.set(ParameterId::ContactDistance, 0.2));
+    if (held) host.sample = operatorAt(problem, Pose::translation({-0.35, 0.3, 0.2}));
+    planner = std::make_unique<InteractiveContactBirrt>(problem, 1, use);
+    for (std::uint64_t i = 0; i < steps; ++i) {
+      if (held) host.sample->moves = i;
+      host.stepsLeft = 1;
+      planner->solve(host);
+    }
+  }
+
+  Problem problem = closedProblem();
+  bool held = true;
+  std::unique_ptr<InteractiveContactBirrt> planner;
+};
+
+TEST_F(TunedPlanner, OnlyWhatIsAskedForSetsItself) {
+  run(0, 300);
+  EXPECT_FALSE(planner->tuning());
+  EXPECT_EQ(planner->counts().randomConfigurations, 0U);  // alpha = 0 is the user's
+  run(kTunedContactSamples, 300);
+  EXPECT_TRUE(planner->tuning());
+  EXPECT_EQ(planner->counts().randomConfigurations, 0U);
+  EXPECT_GT(planner->counts().contactConfigurations, 0U);
+  run(kTunedAlpha, 300);
+  EXPECT_GT(planner->counts().randomConfigurations, 0U);
+}
+
+TEST_F(TunedPlanner, WithoutAnOperatorNothingSetsItself) {
+  run(kTunedAll, 300, OperatorUse::None);
+  EXPECT_FALSE(planner->tuning());
+  held = false;
+  run(kTunedAll, 300);
+  EXPECT_DOUBLE_EQ(planner->tuning()->now.alpha, InteractionTuner(1.0).settings().alpha);
+}
+
+}  // namespace
+}  // namespace glissade
