@@ -99,7 +99,7 @@ std::optional<Diagnostic> writeStudyPdf(const QString& path) {
   const auto folder = StudyFolder::open(path.toStdString());
   if (!folder) return folder.error();
   Warnings warnings;
-  const StudyReport report = reportOf(*folder, warnings);
+  const StudyReport report = reportOf(*folder, warnings, studyLanguage());
   say(warnings);
   const Outcome written = writeReportPdf(report, QString::fromStdString(folder->file("report.pdf")));
   return written ? std::nullopt : std::optional<Diagnostic>(written.error());
