@@ -133,7 +133,10 @@ void MainWindow::connectActions() {
   on("file.quit", [this] { close(); });
   on("recent.forget", [this] { memory_->forgetFiles(); });
   (*actions_)["recent.forget"]->setEnabled(false);  // until the list is seen
-  on("run.start", [this] { bridge_->post(command::Start{}); });
+  on("run.start", [this] {
+    bridge_->post(command::Stop{});  // smoothing that may still go on
+    bridge_->post(command::Start{});
+  });
   on("run.pause",
      [this](bool pause) { bridge_->post(pause ? Command(command::Pause{}) : Command(command::Resume{})); });
   on("run.stop", [this] { bridge_->post(command::Stop{}); });

@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -99,7 +100,14 @@ void MainWindow::chooseRecording() {
   if (file.isEmpty()) return;
   work_->run(tr("Reading the recording"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto record = std::make_shared<const Result<RunRecord>>(readRunRecord(file.toStdString(), watch));
-    return [this, record, file] { openRecording(*record, file); };
+    return [this, record, file] {
+      const SnapshotPtr live = bridge_->snapshot();
+      if (live && isRunning(*live)) {
+        statusBar()->showMessage(tr("A run has begun meanwhile: open the recording after it."), 10000);
+      } else {
+        openRecording(*record, file);
+      }
+    };
   });
 }
 

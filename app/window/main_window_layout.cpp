@@ -61,6 +61,7 @@ void MainWindow::makePanels() {
 /// As the window is at first.
 void MainWindow::arrangePanels() {
   const auto dock = [this](const char* id) { return findChild<QDockWidget*>(QLatin1String(id)); };
+  for (QDockWidget* each : findChildren<QDockWidget*>()) removeDockWidget(each);
   addDockWidget(Qt::LeftDockWidgetArea, dock("interaction"));
   for (const char* id : {"scene-tree", "run", "path", "semantics", "plan", "difficulty"}) {
     addDockWidget(Qt::RightDockWidgetArea, dock(id));

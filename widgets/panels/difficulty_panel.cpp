@@ -15,6 +15,11 @@ QString millimetres(double metres) {
   return QLocale().toString(shown, 'f', shown < 10.0 ? 2 : 1) + QStringLiteral(" mm");
 }
 
+QString bodyName(int body, const LoadedScenario& scenario) {
+  if (body < 0) return QStringLiteral("–");
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+}
+
 }  // namespace
 
 DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent)

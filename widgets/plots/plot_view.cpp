@@ -73,6 +73,7 @@ class RubberBand final : public QwtPlotPicker {
   explicit RubberBand(QWidget* canvas)
       : QwtPlotPicker(QwtPlot::xBottom, QwtPlot::yLeft, QwtPicker::RectRubberBand, QwtPicker::AlwaysOff, canvas) {
     setStateMachine(new QwtPickerDragRectMachine);
+    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // ours
   }
 
  protected:
@@ -168,8 +169,8 @@ void PlotView::zoom(const QRectF& part) {
   QRectF wanted = part.normalized();
   wanted.setSize(
       {std::clamp(wanted.width(), kSmallest, all.width()), std::clamp(wanted.height(), kSmallest, all.height())});
-  wanted.moveLeft(std::clamp(wanted.left(), all.left(), all.right() - wanted.width()));
-  wanted.moveTop(std::clamp(wanted.top(), all.top(), all.bottom() - wanted.height()));
+  wanted.moveLeft(std::max(all.left(), std::min(wanted.left(), all.right() - wanted.width())));
+  wanted.moveTop(std::max(all.top(), std::min(wanted.top(), all.bottom() - wanted.height())));
   if (wanted == part_) return;
   part_ = wanted;
   showAxes();
