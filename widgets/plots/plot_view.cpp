@@ -189,7 +189,8 @@ void PlotView::zoomAbout(double factor, const QPointF& centre) {
 bool PlotView::steer(int key) {
   const QPointF step(kPanStep * part_.width(), kPanStep * part_.height());
   switch (key) {
-    case Qt::Key_Plus: zoomAbout(kZoomStep, part_.center()); return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoomAbout(kZoomStep, part_.center()); return true;
     case Qt::Key_Minus: zoomAbout(1.0 / kZoomStep, part_.center()); return true;
     case Qt::Key_Left: zoom(part_.translated(-step.x(), 0.0)); return true;
     case Qt::Key_Right: zoom(part_.translated(step.x(), 0.0)); return true;
