@@ -61,7 +61,7 @@ void BodyVisibility::isolateSelected() {
 
 void BodyVisibility::setHidden(const std::set<std::string>& hidden) {
   hidden_ = hidden;
-  panel_.setHidden(hidden);
+  panel_.setHiddenBodies(hidden);
   scene_.view().setHiddenBodies(hidden);
   scene_.refresh();
   enableActions();

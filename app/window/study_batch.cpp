@@ -12,6 +12,7 @@
 #include "engine/base/file.h"
 #include "engine/study/cell_value.h"
 #include "widgets/studies/report_pdf.h"
+#include "widgets/studies/study_browser.h"
 
 namespace glissade {
 namespace {

@@ -135,10 +135,11 @@ std::vector<PlotTick> PlotScale::roundTicks(double low, double high) const {
   const double step = roundStep((high - low) / kMostSteps);
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
   for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i += 1.0) {
+    const double value = i * step;
     std::ostringstream label;
     label.imbue(std::locale::classic());
-    label << std::fixed << std::setprecision(decimals) << i * step;
-    ticks.push_back({position(i * step), label.str()});
+    label << std::fixed << std::setprecision(decimals) << value;
+    ticks.push_back({position(value), decimals == 0 ? shortNumber(value) : label.str()});
   }
   return ticks;
 }

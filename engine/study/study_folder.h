@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/base/work_watch.h"
 #include "engine/study/run_result.h"
 #include "engine/study/study_plan.h"
 

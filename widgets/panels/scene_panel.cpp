@@ -76,7 +76,7 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   }
 }
 
-void ScenePanel::setHidden(const std::set<std::string>& bodyIds) {
+void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
   const QSignalBlocker block(this);
   for (int i = 0; obstacles_ != nullptr && i < obstacles_->childCount(); ++i) {
     QTreeWidgetItem* item = obstacles_->child(i);

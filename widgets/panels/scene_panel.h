@@ -17,16 +17,17 @@ class ScenePanel final : public QTreeWidget {
 
   void setScenario(const LoadedScenario& scenario);
   /// The obstacles, by id, whose boxes are not checked. Announces nothing.
-  void setHidden(const std::set<std::string>& bodyIds);
+  void setHiddenBodies(const std::set<std::string>& bodyIds);
 
  signals:
   /// The user wants an obstacle to be shown, or not.
   void bodyChecked(const QString& bodyId, bool visible);
 
  private:
-  QTreeWidgetItem* obstacles_ = nullptr;
   QTreeWidgetItem* addGroup(const QString& title);
   static QTreeWidgetItem* addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind);
+
+  QTreeWidgetItem* obstacles_ = nullptr;
 };
 
 }  // namespace glissade

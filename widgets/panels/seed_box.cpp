@@ -19,6 +19,7 @@ SeedBox::SeedBox(QWidget* parent) : QAbstractSpinBox(parent) {
     const quint64 seed = text.trimmed().toULongLong(&ok);
     if (ok) choose(seed);
   });
+  connect(this, &QAbstractSpinBox::editingFinished, this, [this] { setSeed(seed_); });
 }
 
 void SeedBox::setSeed(std::uint64_t seed) {
