@@ -68,9 +68,9 @@ QwtScaleDiv divisionOf(const std::vector<PlotTick>& ticks, double from, double t
 }
 
 /// Draws the rectangle that will be shown; a click is none.
-class RubberBand final : public QwtPlotPicker {
+class ZoomBand final : public QwtPlotPicker {
  public:
-  explicit RubberBand(QWidget* canvas)
+  explicit ZoomBand(QWidget* canvas)
       : QwtPlotPicker(QwtPlot::xBottom, QwtPlot::yLeft, QwtPicker::RectRubberBand, QwtPicker::AlwaysOff, canvas) {
     setStateMachine(new QwtPickerDragRectMachine);
     for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // ours
@@ -107,7 +107,7 @@ PlotView::PlotView(const Plot& plot, QWidget* parent)
   view_->setCanvas(canvas);
   view_->plotLayout()->setAlignCanvasToScales(true);
   canvas->setFocusPolicy(Qt::StrongFocus);
-  auto* band = new RubberBand(canvas);
+  auto* band = new ZoomBand(canvas);
   band->setRubberBandPen(palette().color(QPalette::Highlight));
   connect(band, QOverload<const QRectF&>::of(&QwtPlotPicker::selected), this, &PlotView::zoom);
   view_->insertLegend(new QwtLegend, QwtPlot::BottomLegend);

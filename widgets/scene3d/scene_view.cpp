@@ -122,9 +122,9 @@ struct SceneView::Impl {
     object = nullptr;
     drawnPath.reset();
     showEnvironment();
+    showDifficulty();
     if (!scenario) return;
     showPlan();
-    showDifficulty();
     for (const RigidBody& body : scenario->obstacles) {
       layer(SceneLayer::Bodies)
           .addChild(makeBody(*body.mesh, body.X_WB, toOsg(body.colour), BodyStyle::SeeThrough, palette));
