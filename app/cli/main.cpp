@@ -75,7 +75,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_option("--collision", options.collision, "Who answers for collisions: kernel or fcl (default: kernel)")
       ->transform(CLI::CheckedTransformer(backends));
   plan->add_option("--operator", options.operatorName,
-                   "Who holds the device: none, novice, default, expert or replay:FILE");
+                   "Who holds the device: none, novice, default, expert, simulated-haptic or replay:FILE");
   addParameters(*plan, options.parameters);
   plan->add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },

@@ -83,7 +83,8 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   const DeviceRegistry registry = makeDeviceRegistry();
   const DeviceEntry* entry = registry.find(name);
   if (entry == nullptr || !entry->simulated) return unknownOperator(name);
-  config.device = entry->make({routeOf(scenario), scenario.problem.metric(), config.seed, nullptr});
+  config.device =
+      entry->make({routeOf(scenario), scenario.problem.metric(), config.seed, nullptr, scenario.problem.world});
   return makeLockstepSession(std::move(config));
 }
 

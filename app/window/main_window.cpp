@@ -192,6 +192,7 @@ void MainWindow::connectViewActions() {
   layer("layer.roadmap", SceneLayer::Roadmap);
   layer("layer.path", SceneLayer::Path);
   layer("layer.contact", SceneLayer::Contact);
+  layer("layer.force", SceneLayer::Guidance);
   layer("layer.free-cells", SceneLayer::FreeCells);
   layer("layer.mobile-cells", SceneLayer::MobileCells);
   layer("layer.static-cells", SceneLayer::StaticCells);

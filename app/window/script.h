@@ -18,7 +18,8 @@ struct ScriptCommand {
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
 ///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5
-///   select-operator ID          hand, keyboard, mouse6d, gamepad, expert, default, novice
+///   select-operator ID          hand, keyboard, mouse6d, gamepad, expert, default, novice,
+///                               simulated-haptic
 ///   key press|release|tap KEY   a key over the 3D view, e.g. key press W
 ///   plug DEVICE NAME            a keyboard, mouse6d or gamepad of that name comes, offscreen
 ///   unplug DEVICE               it goes

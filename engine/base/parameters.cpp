@@ -53,6 +53,11 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      true, false, "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."},
     {Id::Smoothing, "smoothing", "--smoothing", "", "Smoothing", "", 0.0, 1e6, 0.0, Scale::Absolute, true, false,
      "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."},
+    {Id::GuidanceRepulsion, "guidance_repulsion", "--guidance-repulsion", "", "Repulsion", "", 0.0, 1.0, 0.5,
+     Scale::Absolute, false, true,
+     "Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off."},
+    {Id::GuidanceAttraction, "guidance_attraction", "--guidance-attraction", "", "Attraction", "", 0.0, 1.0, 0.3,
+     Scale::Absolute, false, true, "Guidance: how strongly the path or the next milestone draws the hand; 0 is off."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -29,6 +29,8 @@ enum class ParameterId : std::size_t {
   BorderSamples,
   CoarsePaths,
   Smoothing,
+  GuidanceRepulsion,
+  GuidanceAttraction,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

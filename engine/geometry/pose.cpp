@@ -50,6 +50,20 @@ double angleBetween(const Quaternion& a, const Quaternion& b) {
   return 2.0 * std::atan2(relative.vec().norm(), std::abs(relative.w()));
 }
 
+Vector3 rotationVector(const Quaternion& a, const Quaternion& b) {
+  Quaternion difference = b * a.conjugate();
+  if (difference.w() < 0.0) difference.coeffs() *= -1.0;
+  const double sine = difference.vec().norm();
+  if (sine < 1e-12) return Vector3::Zero();
+  return difference.vec() * (2.0 * std::atan2(sine, difference.w()) / sine);
+}
+
+Quaternion fromRotationVector(const Vector3& rotation) {
+  const double angle = rotation.norm();
+  if (angle < 1e-12) return Quaternion::Identity();
+  return Quaternion(Eigen::AngleAxisd(angle, rotation / angle));
+}
+
 Pose interpolate(const Pose& a, const Pose& b, double t) {
   if (t <= 0.0) return a;
   if (t >= 1.0) return b;

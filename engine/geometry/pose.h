@@ -40,6 +40,10 @@ bool isValid(const Pose& pose);
 /// Angle between two orientations, in [0, pi], radians.
 double angleBetween(const Quaternion& a, const Quaternion& b);
 
+/// The rotation vector (axis times angle, world frame) that takes a to b the short way.
+Vector3 rotationVector(const Quaternion& a, const Quaternion& b);
+Quaternion fromRotationVector(const Vector3& rotation);
+
 /// The straight motion of the papers' planners: linear in position, shortest great arc in
 /// orientation; t in [0, 1].
 Pose interpolate(const Pose& a, const Pose& b, double t);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "engine/operator/combined_device.h"
+#include "engine/operator/haptic/haptic_operator.h"
+#include "engine/operator/haptic/simulated_haptic_device.h"
 #include "engine/operator/shaped_device.h"
 #include "engine/operator/simulated_operator.h"
 
@@ -35,6 +37,15 @@ DeviceEntry simulated(const OperatorLevel& level, std::string label, std::string
           }};
 }
 
+/// The pace of a scripted hand, in radii of the object a second.
+constexpr double kHandSpeed = 0.6;
+
+std::unique_ptr<HapticDevice> makeSimulatedHaptic(const DeviceContext& context) {
+  const double radius = context.metric.radius();
+  return std::make_unique<SimulatedHapticDevice>(alongRoute(context.route, context.metric, kHandSpeed * radius),
+                                                 radius);
+}
+
 }  // namespace
 
 const DeviceEntry* DeviceRegistry::find(std::string_view id) const {
@@ -51,6 +62,9 @@ DeviceRegistry makeDeviceRegistry() {
   registry.add(simulated(*findOperatorLevel("expert"), "Simulated expert", "Follows the way-points fast and exactly."));
   registry.add(simulated(*findOperatorLevel("default"), "Simulated operator", "Follows the way-points."));
   registry.add(simulated(*findOperatorLevel("novice"), "Simulated novice", "Follows the way-points, slow and unsure."));
+  registry.add(hapticEntry("simulated-haptic", "Simulated haptic hand",
+                           "Draws the object along the way-points and feels the obstacles.", true,
+                           makeSimulatedHaptic));
   return registry;
 }
 

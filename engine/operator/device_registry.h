@@ -17,7 +17,9 @@ struct DeviceContext {
   std::vector<Pose> route;  ///< a person's plan, the goal last
   Se3Metric metric{1.0};
   std::uint64_t seed = 1;
-  HandInputsPtr hand;  ///< may be null: nobody is there
+  HandInputsPtr hand;       ///< may be null: nobody is there
+  CollisionWorldPtr world;  ///< what a device that pushes back feels; may be null
+  bool realTime = false;    ///< time goes on by itself: a haptic device gets its loop
 };
 
 /// How a device is known and made. Registered by explicit calls.
@@ -40,7 +42,7 @@ class DeviceRegistry {
   std::vector<DeviceEntry> entries_;
 };
 
-/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, expert, default, novice.
+/// hand (all that a person can hold together), keyboard, mouse6d, gamepad, expert, default, novice, simulated-haptic.
 DeviceRegistry makeDeviceRegistry();
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 
 #include "engine/collision/collision_query.h"
 #include "engine/geometry/pose.h"
+#include "engine/operator/guidance.h"
 
 namespace glissade {
 
@@ -55,6 +56,7 @@ struct OperatorView {
   std::uint64_t contactNodes = 0;
   /// Distance from the object in his hand to the nearest obstacle.
   std::function<double()> clearance;
+  Guidance guidance{};  ///< what a device that pushes back renders
 };
 
 /// A person, or whatever stands in for one: turns time into motion. Not thread-safe: owned and
@@ -70,6 +72,8 @@ class OperatorDevice {
   virtual void restart() {}
   /// False while the device is away (daemon dead, cable out); it may come back.
   virtual bool connected() const { return true; }
+  /// What the device makes the hand feel, in shares (see Guidance); nothing: it renders no force.
+  virtual std::optional<Wrench> rendered() const { return std::nullopt; }
 };
 
 /// q_device after dt seconds of the twist; exactly X_WB when the twist is at rest. The position is

@@ -29,21 +29,6 @@ constexpr std::array<OperatorLevel, 3> kLevels{{
 /// Share of a minimum-jerk movement done after the share s of its time.
 double minimumJerk(double s) { return s * s * s * (10.0 + s * (-15.0 + s * 6.0)); }
 
-/// The rotation vector that takes a to b, world frame, the short way.
-Vector3 rotationVector(const Quaternion& a, const Quaternion& b) {
-  Quaternion difference = b * a.conjugate();
-  if (difference.w() < 0.0) difference.coeffs() *= -1.0;
-  const double sine = difference.vec().norm();
-  if (sine < 1e-12) return Vector3::Zero();
-  return difference.vec() * (2.0 * std::atan2(sine, difference.w()) / sine);
-}
-
-Quaternion fromRotationVector(const Vector3& rotation) {
-  const double angle = rotation.norm();
-  if (angle < 1e-12) return Quaternion::Identity();
-  return Quaternion(Eigen::AngleAxisd(angle, rotation / angle));
-}
-
 Vector3 shortened(const Vector3& v, double longest) {
   const double length = v.norm();
   return length > longest ? Vector3(v * (longest / length)) : v;

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/collision/collision_query.h"
+#include "engine/geometry/wrench.h"
 
 namespace glissade {
 
@@ -11,6 +12,7 @@ struct OperatorSample {
   Pose q_device;
   NearestObstacle nearest;  ///< of q_device; distance 0 in collision
   std::uint64_t moves = 0;  ///< counts changes of q_device; equal means he has not moved
+  Wrench guidance;          ///< what he feels, or would with a device that pushes back; shares of its strongest
 };
 
 }  // namespace glissade

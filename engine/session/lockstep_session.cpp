@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/session/guidance_target.h"
 #include "engine/session/operator_hand.h"
 #include "engine/session/session_core.h"
 #include "engine/session/start_tree_distance.h"
@@ -63,7 +64,14 @@ class Lockstep final : public LockstepSession {
 
   void tick() {
     if (core_.planner() != nullptr) tree_.update(core_.planner()->nodes());
-    hand_.advance(secondsPerStep(), frame_, tree_);
+    hand_.advance(secondsPerStep(), frame_, tree_, guidance());
+  }
+
+  Guidance guidance() {
+    const Planner* planner = core_.planner();
+    const CoarsePlanPtr plan = planner != nullptr ? planner->coarsePlan() : nullptr;
+    return guidanceOf(core_.parameters(),
+                      guidanceTarget(core_.path(), plan.get(), hand_.q_device(), core_.problem().metric()));
   }
 
   void publish() {

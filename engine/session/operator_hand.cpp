@@ -3,7 +3,11 @@
 namespace glissade {
 
 OperatorHand::OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device)
-    : bounds_(problem.bounds), start_(problem.start), query_(problem.world->makeQuery()), device_(std::move(device)) {
+    : bounds_(problem.bounds),
+      start_(problem.start),
+      query_(problem.world->makeQuery()),
+      device_(std::move(device)),
+      objectRadius_(problem.world->objectRadius()) {
   sample_.q_device = problem.start;
 }
 
@@ -19,10 +23,12 @@ void OperatorHand::restart() {
   if (device_) device_->restart();
 }
 
-void OperatorHand::advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree) {
+void OperatorHand::advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree,
+                           const Guidance& guidance) {
+  guidance_ = guidance;
   if (!device_) return;
   const OperatorView view{sample_.q_device, frame, [&tree](const Pose& q) { return tree(q); }, tree.contactNodes(),
-                          [this] { return sample().nearest.distance; }};
+                          [this] { return sample().nearest.distance; }, guidance};
   put(device_->advance(dt, view, bounds_));
 }
 
@@ -31,6 +37,8 @@ const OperatorSample& OperatorHand::sample() {
     sample_.nearest = query_->nearestObstacle(sample_.q_device);
     nearestIsKnown_ = true;
   }
+  const auto rendered = device_ ? device_->rendered() : std::nullopt;
+  sample_.guidance = rendered ? *rendered : guidanceWrench(guidance_, sample_.q_device, sample_.nearest, objectRadius_);
   return sample_;
 }
 

@@ -26,17 +26,20 @@ class OperatorHand {
 
   bool held() const { return device_ != nullptr; }
   bool connected() const { return device_ == nullptr || device_->connected(); }
+  const Pose& q_device() const { return sample_.q_device; }
   void put(const Pose& q_device);
   /// A new run: the object is back at the start and the device begins anew.
   void restart();
   /// Lets the object go for good (its device failed).
   void release() { device_.reset(); }
-  void advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree);
+  /// `guidance` also holds for sample().
+  void advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree, const Guidance& guidance);
   /// Nothing where nobody holds the object.
   std::optional<HandState> state() const {
     return held() ? std::make_optional(HandState{sample_.q_device, sample_.moves}) : std::nullopt;
   }
-  /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place.
+  /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place, and the guidance there:
+  /// as the device renders it, or else as one would.
   const OperatorSample& sample();
 
  private:
@@ -46,6 +49,8 @@ class OperatorHand {
   std::unique_ptr<OperatorDevice> device_;
   OperatorSample sample_;
   bool nearestIsKnown_ = false;
+  double objectRadius_;
+  Guidance guidance_;
 };
 
 }  // namespace glissade

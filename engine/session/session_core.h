@@ -52,6 +52,8 @@ class SessionCore {
   const Problem& problem() const { return problem_; }
   const ParameterValues& parameters() const { return parameters_; }
   const Planner* planner() const { return planner_.get(); }
+  /// Null until solved.
+  const Path* path() const { return path_.get(); }
 
  private:
   class Host;

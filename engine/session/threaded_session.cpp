@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/session/guidance_target.h"
 #include "engine/session/operator_hand.h"
 #include "engine/session/session_core.h"
 #include "engine/session/start_tree_distance.h"
@@ -178,6 +179,14 @@ class Threaded final : public Session {
 
   // ---- operator thread ----
 
+  /// What the operator sees of the planning.
+  struct Sight {
+    RoadmapChunks chunks;
+    ParameterValues parameters{1.0};
+    std::shared_ptr<const Path> path;
+    CoarsePlanPtr coarsePlan;
+  };
+
   void operatorLoop() {
     auto last = Clock::now();
     while (operatorTick(std::min(kLongestTick, std::chrono::duration<double>(Clock::now() - last).count()), last)) {
@@ -191,17 +200,17 @@ class Threaded final : public Session {
     OperatorFrame frame;
     std::optional<Pose> put;
     bool restart = false;
-    RoadmapChunks chunks;
+    Sight sight;
     {
       const std::lock_guard lock(mutex_);
       if (quit_) return false;
       frame = frame_;
       put = std::exchange(putWanted_, std::nullopt);
       restart = std::exchange(restartWanted_, false);
-      chunks = chunks_;
+      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan};
     }
     try {
-      moveHand(dt, frame, put, restart, chunks);
+      moveHand(dt, frame, put, restart, sight);
     } catch (const std::exception& error) {
       hand_.release();
       const std::lock_guard lock(mutex_);
@@ -213,20 +222,23 @@ class Threaded final : public Session {
   }
 
   void moveHand(double dt, const OperatorFrame& frame, const std::optional<Pose>& put, bool restart,
-                const RoadmapChunks& chunks) {
+                const Sight& sight) {
     if (restart) {
       tree_.reset();
       hand_.restart();
     }
     if (put) hand_.put(*put);
-    tree_.update(chunks);
-    hand_.advance(dt, frame, tree_);
+    tree_.update(sight.chunks);
+    const Se3Metric metric(sight.parameters.objectRadius());
+    const auto target = guidanceTarget(sight.path.get(), sight.coarsePlan.get(), hand_.q_device(), metric);
+    hand_.advance(dt, frame, tree_, guidanceOf(sight.parameters, target));
   }
 
   void publishOperator() {
     const OperatorSample& sample = hand_.sample();
     const std::lock_guard lock(mutex_);
-    if (sample.moves != operatorSample_.moves || deviceConnected_ != hand_.connected() || held_ != hand_.held()) {
+    if (sample.moves != operatorSample_.moves || sample.guidance != operatorSample_.guidance ||
+        deviceConnected_ != hand_.connected() || held_ != hand_.held()) {
       dirty_ = true;
     }
     operatorSample_ = sample;

@@ -568,8 +568,12 @@
         <translation>&amp;Lisser le chemin</translation>
     </message>
     <message>
-        <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
-        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
+        <source>Guidance force</source>
+        <translation>Force de guidage</translation>
+    </message>
+    <message>
+        <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
+        <translation>Montrer ce qui guide la main : la force par une flèche, son intensité par une teinte</translation>
     </message>
     <message>
         <source>&amp;Forget these</source>
@@ -683,6 +687,10 @@
         <source>Bring the reasons why no path was found to the front</source>
         <translation>Mettre au premier plan les raisons pour lesquelles aucun chemin n&apos;a été trouvé</translation>
     </message>
+    <message>
+        <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -785,6 +793,10 @@
         <source>By hand</source>
         <translation>À la main</translation>
     </message>
+    <message>
+        <source>Simulated haptic hand</source>
+        <translation>Main haptique simulée</translation>
+    </message>
 </context>
 <context>
     <name>Parameters</name>
@@ -825,8 +837,24 @@
         <translation>Distance exigée</translation>
     </message>
     <message>
+        <source>Repulsion</source>
+        <translation>Répulsion</translation>
+    </message>
+    <message>
+        <source>Attraction</source>
+        <translation>Attraction</translation>
+    </message>
+    <message>
+        <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
+        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
+    </message>
+    <message>
+        <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
+        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
+    </message>
+    <message>
         <source>Clearance that a delivered path is proved to keep.</source>
-        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

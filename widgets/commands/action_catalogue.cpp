@@ -156,6 +156,8 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"layer.path", QT_TRANSLATE_NOOP("Actions", "Path"), "", QT_TRANSLATE_NOOP("Actions", "Show the path"), true},
       {"layer.contact", QT_TRANSLATE_NOOP("Actions", "Contact"), "",
        QT_TRANSLATE_NOOP("Actions", "Show the nearest obstacle and the tangent plane"), true},
+      {"layer.force", QT_TRANSLATE_NOOP("Actions", "Guidance force"), "",
+       QT_TRANSLATE_NOOP("Actions", "Show what guides the hand: the force as an arrow, its strength as a tint"), true},
       {"layer.free-cells", QT_TRANSLATE_NOOP("Actions", "Free cells"), "",
        QT_TRANSLATE_NOOP("Actions", "Show the octree's free cells, the coarsest first"), true},
       {"layer.mobile-cells", QT_TRANSLATE_NOOP("Actions", "Cells with mobile bodies"), "",

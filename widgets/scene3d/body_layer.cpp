@@ -36,4 +36,14 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose
   return transform;
 }
 
+void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
+  osg::Geometry* surface = body.getChild(0)->asGeode()->getDrawable(0)->asGeometry();
+  auto* colours = static_cast<osg::Vec4Array*>(surface->getColorArray());
+  const osg::Vec4 wanted(colour.r(), colour.g(), colour.b(), colours->front().a());
+  if (colours->front() == wanted) return;
+  colours->front() = wanted;
+  colours->dirty();
+  surface->dirtyGLObjects();
+}
+
 }  // namespace glissade

@@ -19,4 +19,7 @@ enum class BodyStyle {
 osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose& X_WB, const osg::Vec4& colour,
                                             BodyStyle style, const ScenePalette& palette);
 
+/// Another colour for a body that makeBody made; its transparency stays.
+void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour);
+
 }  // namespace glissade

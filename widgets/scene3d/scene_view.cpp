@@ -18,6 +18,7 @@
 #include "widgets/scene3d/difficulty_layer.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/guidance_layer.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/roadmap_layer.h"
 
@@ -116,7 +117,7 @@ struct SceneView::Impl {
     backdrop->removeChildren(0, backdrop->getNumChildren());
     backdrop->addChild(makeBackdrop(palette));
     for (const SceneLayer id : {SceneLayer::Bodies, SceneLayer::Object, SceneLayer::StartAndGoal, SceneLayer::Workspace,
-                                SceneLayer::Path, SceneLayer::Contact}) {
+                                SceneLayer::Path, SceneLayer::Contact, SceneLayer::Guidance}) {
       layer(id).removeChildren(0, layer(id).getNumChildren());
     }
     object = nullptr;
@@ -153,6 +154,17 @@ struct SceneView::Impl {
     contact.removeChildren(0, contact.getNumChildren());
     if (!playback) contact.addChild(makeContact(*snapshot, palette));
     placeObject();
+    showGuidance();
+  }
+
+  /// The arrow, and the object's tint.
+  void showGuidance() {
+    if (!object || !snapshot) return;
+    const bool shown = visible(SceneLayer::Guidance) && !playback;
+    const double radius = scenario->problem.world->objectRadius();
+    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, radius, palette) : nullptr);
+    const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
+    setBodyColour(*object, guidanceTint(toOsg(scenario->object.colour), strength, palette));
   }
 
   void showPath() {
@@ -296,6 +308,7 @@ void SceneView::setPathByAuthor(bool byAuthor) {
 void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
   impl_->playback = X_WB;
   impl_->placeObject();
+  impl_->showGuidance();
 }
 
 void SceneView::setTheme(Theme theme) {
@@ -320,6 +333,8 @@ void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
     if (impl_->scenario) impl_->showPlan();
   } else if (layer >= SceneLayer::FreeCells) {
     impl_->showEnvironment();
+  } else if (layer == SceneLayer::Guidance) {
+    impl_->showGuidance();
   }
 }
 

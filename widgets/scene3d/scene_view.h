@@ -30,6 +30,7 @@ enum class SceneLayer {
   Roadmap,
   Path,
   Contact,
+  Guidance,
   FreeCells,
   MobileCells,
   StaticCells,
@@ -42,7 +43,7 @@ enum class SceneLayer {
   Selection,
   Difficulty
 };
-inline constexpr int kSceneLayerCount = 18;
+inline constexpr int kSceneLayerCount = 19;
 
 struct EnvironmentPicture;
 

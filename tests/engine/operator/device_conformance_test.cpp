@@ -1,9 +1,12 @@
 // Every device of the registry keeps the same contract.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/operator/device_registry.h"
 #include "tests/engine/operator/operator_support.h"
 #include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
 namespace {
@@ -22,6 +25,7 @@ class DeviceConformance : public testing::TestWithParam<std::string> {
     context.route = {Pose::translation({1, 0, 0}), Pose::translation({20, 0, 0})};
     context.metric = Se3Metric(1.0);
     context.hand = std::make_shared<HandInputs>();
+    context.world = windowProblem().world;
     return makeDeviceRegistry().find(GetParam())->make(context);
   }
 };
@@ -70,10 +74,14 @@ TEST_P(DeviceConformance, SameSeedAndCallsGiveTheSameMotion) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, DeviceConformance, testing::ValuesIn(deviceIds()),
-                         [](const testing::TestParamInfo<std::string>& parameter) { return parameter.param; });
+                         [](const testing::TestParamInfo<std::string>& parameter) {
+                           std::string name = parameter.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 TEST(DeviceRegistry, WithoutAHandNobodyHoldsAnything) {
-  for (const char* id : {"hand", "keyboard", "mouse6d", "gamepad"}) {
+  for (const char* id : {"hand", "keyboard", "mouse6d", "gamepad", "simulated-haptic"}) {
     EXPECT_EQ(makeDeviceRegistry().find(id)->make(DeviceContext()), nullptr);
   }
   EXPECT_EQ(makeDeviceRegistry().find("telepathy"), nullptr);

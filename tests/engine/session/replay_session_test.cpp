@@ -27,7 +27,7 @@ class Fiddler {
       const Pose* goal = std::get_if<Pose>(&problem_.goal);
       config.device = makeDeviceRegistry()
                           .find(operators[index(operators.size())])
-                          ->make({{*goal}, problem_.metric(), config.seed, nullptr});
+                          ->make({{*goal}, problem_.metric(), config.seed, nullptr, problem_.world});
     }
     config.problem.scene.edits = edits();
     const bool multiLayer = makePlannerRegistry().find(config.plannerId)->multiLayer;

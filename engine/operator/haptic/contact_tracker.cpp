@@ -1,0 +1,34 @@
+#include "engine/operator/haptic/contact_tracker.h"
+
+#include <chrono>
+
+namespace glissade {
+namespace {
+
+/// While nothing is asked it looks again after this long.
+constexpr std::chrono::microseconds kPause{200};
+
+}  // namespace
+
+ContactTracker::ContactTracker(const CollisionWorld& world) : query_(world.makeQuery()), thread_([this] { run(); }) {}
+
+ContactTracker::~ContactTracker() {
+  quit_ = true;
+  thread_.join();
+}
+
+void ContactTracker::ask(const Pose& q, double reach) { question_.tryPut({q, reach}); }
+
+void ContactTracker::run() {
+  while (!quit_) {
+    const auto question = question_.take();
+    if (!question) {
+      std::this_thread::sleep_for(kPause);
+      continue;
+    }
+    answer_.put(lookAround(*query_, question->q, question->reach));
+    ++queries_;
+  }
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "engine/geometry/se3_metric.h"
+#include "engine/operator/haptic/haptic_device.h"
+
+namespace glissade {
+
+/// Where a scripted hand wants to be, `seconds` after it began at `begin`.
+using HandMotion = std::function<Pose(double seconds, const Pose& begin)>;
+
+/// From the begin through the way-points at a steady speed (metres of the metric a second), then at rest.
+HandMotion alongRoute(std::vector<Pose> route, const Se3Metric& metric, double speed);
+
+/// A haptic device with a virtual hand on it, so that loops run without hardware: mass and damper, drawn
+/// by the spring of the arm to where the hand wants to be, pushed by the wrench that is rendered. The hand
+/// carries the object over its radius with 5 cm of its own travel; what the numbers are at the hand is
+/// named in the source. Deterministic.
+class SimulatedHapticDevice final : public HapticDevice {
+ public:
+  SimulatedHapticDevice(HandMotion motion, double objectRadius);
+
+  HapticState advance(double dt) override;
+  void render(const Wrench& wrench) override { wrench_ = wrench; }
+  HapticLimits limits() const override;
+  void place(const Pose& X_WD) override;
+  void restart() override;
+
+ private:
+  HandMotion motion_;
+  double worldPerHand_;
+  double seconds_ = 0.0;
+  Pose begin_;
+  HapticState state_;
+  Wrench wrench_;
+};
+
+}  // namespace glissade

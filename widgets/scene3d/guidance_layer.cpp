@@ -1,0 +1,73 @@
+#include "widgets/scene3d/guidance_layer.h"
+
+#include <osg/Depth>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/primitives.h"
+#include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/osg_convert.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kLeastShown = 0.01;     ///< weaker forces are not shown
+constexpr double kRadiiAtFull = 3.0;     ///< length of the arrow at full strength
+constexpr double kShortest = 0.4;        ///< in radii, so that weak forces have a direction
+constexpr double kShaft = 0.05;          ///< in radii
+constexpr double kHeadRadius = 0.15;     ///< in radii
+constexpr double kHeadLength = 0.35;     ///< in radii
+constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
+constexpr float kTints = 32.0F;          ///< so many are told apart: a new one is uploaded with the surface
+constexpr std::uint32_t kSegments = 24;
+
+/// Points to +z from the origin.
+TriangleMesh makeArrow(double length, double radius) {
+  const double shaft = length - kHeadLength * radius;
+  TriangleMesh arrow =
+      transformed(makeCylinder(kShaft * radius, shaft, kSegments), Pose::translation({0.0, 0.0, 0.5 * shaft}));
+  TriangleMesh head;
+  head.vertices = {{0.0, 0.0, length}, {0.0, 0.0, shaft}};
+  for (std::uint32_t i = 0; i < kSegments; ++i) {
+    const double angle = 2.0 * EIGEN_PI * i / kSegments;
+    head.vertices.emplace_back(kHeadRadius * radius * std::cos(angle), kHeadRadius * radius * std::sin(angle), shaft);
+    const std::uint32_t at = 2 + i;
+    const std::uint32_t next = 2 + (i + 1) % kSegments;
+    head.triangles.push_back({0, at, next});
+    head.triangles.push_back({1, next, at});
+  }
+  append(arrow, head);
+  return arrow;
+}
+
+}  // namespace
+
+float guidanceStrength(const Wrench& guidance) {
+  return static_cast<float>(std::min(1.0, std::max(guidance.force_W.norm(), guidance.torque_W.norm())));
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, double objectRadius,
+                                                const ScenePalette& palette) {
+  const Vector3& force_W = device.guidance.force_W;
+  const double strength = force_W.norm();
+  if (strength < kLeastShown) return nullptr;
+  const double length = std::max(kShortest, kRadiiAtFull * strength) * objectRadius;
+  const Pose X_WA{device.q_device.position, Quaternion::FromTwoVectors(Vector3::UnitZ(), force_W)};
+  osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+  geode->addDrawable(makeSurface(makeArrow(length, objectRadius), palette.guidance));
+  makeUnlit(*geode);
+  osg::StateSet* state = geode->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  state->setRenderBinDetails(20, "RenderBin");
+  osg::ref_ptr<osg::MatrixTransform> arrow = new osg::MatrixTransform(toOsg(X_WA));
+  arrow->addChild(geode);
+  return arrow;
+}
+
+osg::Vec4 guidanceTint(const osg::Vec4& objectColour, float strength, const ScenePalette& palette) {
+  const float share = kStrongestTint * std::round(kTints * strength) / kTints;
+  return objectColour * (1.0F - share) + palette.guidance * share;
+}
+
+}  // namespace glissade
