@@ -689,7 +689,7 @@
     </message>
     <message>
         <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
     </message>
 </context>
 <context>
@@ -854,7 +854,7 @@
     </message>
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
     </message>
 </context>
 <context>
