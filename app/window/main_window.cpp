@@ -279,7 +279,7 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("run.restart-new-seed", live);
   enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
-  enable("path.smooth", live && snapshot->path != nullptr);
+  enable("path.smooth", live && snapshot->path != nullptr && !snapshot->smoothing);
   (*actions_)["path.smooth"]->setChecked(open && snapshot->smoothed);
   enable("file.save", open);
   enable("file.save-as", open);
