@@ -4,6 +4,7 @@
 
 #include "engine/base/file.h"
 #include "engine/planning/path_certificate.h"
+#include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -52,7 +53,7 @@ int convertScenario(const ConvertOptions& options) {
   const auto loaded = loadScenario(options.input);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
-  return finish(saveScenario(loaded->scenario, options.output), options);
+  return finish(saveScenario(movedTo(options.output, loaded->scenario, options.input), options.output), options);
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "app/cli/report.h"
 #include "engine/scenario/json_reader.h"
+#include "engine/session/grown_roadmap.h"
 
 namespace glissade::cli {
 namespace {
@@ -19,30 +19,11 @@ std::string place(const Pose& q) {
   return text.str();
 }
 
-/// The roadmap without the edges that were dropped.
-std::vector<RoadmapEdge> edgesOf(const SessionSnapshot& end) {
-  std::multiset<std::pair<std::uint32_t, std::uint32_t>> dropped;
-  for (const RoadmapEdge& edge : end.droppedEdges) dropped.insert(std::minmax(edge.from, edge.to));
-  std::vector<RoadmapEdge> edges;
-  for (const auto& chunk : end.roadmap) {
-    for (const RoadmapEdge& edge : chunk->edges) {
-      const auto found = dropped.find(std::minmax(edge.from, edge.to));
-      if (found == dropped.end()) {
-        edges.push_back(edge);
-      } else {
-        dropped.erase(found);
-      }
-    }
-  }
-  return edges;
-}
-
 }  // namespace
 
 Difficulty difficultyOf(const LoadedScenario& scenario, const SessionSnapshot& end, const StopToken& stop) {
-  std::vector<RoadmapNode> nodes;
-  for (const auto& chunk : end.roadmap) nodes.insert(nodes.end(), chunk->nodes.begin(), chunk->nodes.end());
-  return glissade::difficultyOf(scenario.problem, nodes, edgesOf(end), end.parameters, end.seed, {}, stop);
+  const GrownRoadmap grown = grownRoadmap(end);
+  return glissade::difficultyOf(scenario.problem, grown.nodes, grown.edges, end.parameters, end.seed, {}, stop);
 }
 
 Json toJson(const Difficulty& difficulty, const CollisionWorld& world) {

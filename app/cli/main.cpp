@@ -161,6 +161,9 @@ CLI::App* addReport(CLI::App& app, ReportOptions& options) {
       app.add_subcommand("report", "Write the report of a study: tables, plots, findings, one HTML page");
   report->add_option("DIR", options.folder, "Folder of results")->required();
   report->add_option("--out", options.out, "Folder of report.html (default: DIR)");
+  report->add_option("--language", options.language, "Language of the report")
+      ->check(CLI::IsMember({"en", "fr"}))
+      ->capture_default_str();
   return report;
 }
 

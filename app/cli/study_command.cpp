@@ -113,7 +113,7 @@ int runReport(const ReportOptions& options) {
   const auto folder = StudyFolder::open(options.folder);
   if (!folder) return reportError(folder.error(), Format::Text);
   const std::string& out = options.out.empty() ? options.folder : options.out;
-  const Outcome written = writeReport(*folder, out, warnings);
+  const Outcome written = writeReport(*folder, out, warnings, *languageOf(options.language));
   reportWarnings(warnings);
   if (!written) return reportError(written.error(), Format::Text);
   std::cout << out << "/report.html\n";

@@ -33,6 +33,7 @@ int runMerge(const MergeOptions& options);
 struct ReportOptions {
   std::string folder;
   std::string out;  ///< empty: the folder itself
+  std::string language = "en";
 };
 
 /// glissade-cli report: writes report.html of a folder of results.

@@ -16,6 +16,7 @@
 #include "app/window/main_window.h"
 #include "app/window/script_runner.h"
 #include "app/window/study_batch.h"
+#include "app/window/window_memory.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 
@@ -104,6 +105,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
                      parser.isSet("study-pictures") || parser.isSet("report-pdf");
   window.setBatch(batch);
+  if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (!parser.positionalArguments().isEmpty()) {
     const auto why = window.openScenario(parser.positionalArguments().front(), batch);
     if (why && batch) return fail(*why);

@@ -36,6 +36,9 @@ DeviceController::DeviceController(SessionBridge& bridge, ActionCatalogue& actio
   listen();
   connect(actions_["operator.camera"], &QAction::toggled, this,
           [this](bool camera) { setTarget(camera ? SteeringTarget::Camera : SteeringTarget::Object); });
+  QAction* roll = actions_["operator.camera-roll"];
+  roll->setChecked(settings_.cameraRolls());
+  connect(roll, &QAction::toggled, this, [this](bool rolls) { settings_.setCameraRolls(rolls); });
   connect(actions_["operator.devices"], &QAction::triggered, this, [this] { showCalibration(); });
   cameraTimer_.setInterval(kCameraTick);
   connect(&cameraTimer_, &QTimer::timeout, this,
@@ -164,7 +167,8 @@ void DeviceController::steer(double dt) {
     const Deflection deflection = shapers_[which].deflection(dt, shaping, maySteer);
     if (deflection.atRest()) continue;
     atRest = false;
-    steerCamera(scene_.view().camera(), deflection, {shaping.linearSpeed, shaping.angularSpeed}, dt);
+    steerCamera(scene_.view().camera(), deflection, {shaping.linearSpeed, shaping.angularSpeed}, dt,
+                actions_["operator.camera-roll"]->isChecked());
   }
   if (atRest) {
     cameraTimer_.stop();

@@ -220,7 +220,7 @@ void EnvironmentController::pick(const QPointF& position, bool add) {
   const QPointF centre(widget.width() / 2.0, widget.height() / 2.0);
   const QPointF at = (position - centre) / std::max(1, widget.height());
   const Ray ray = rayThrough(scene_.view().camera(), at.x(), at.y());
-  const auto body = pickBody(scenario_->obstacles, ray);
+  const auto body = pickBody(scenario_->obstacles, ray, scene_.view().hiddenBodies());
   SemanticSelection selection = add ? document_.selection() : SemanticSelection{};
   if (document_.knowledge() && scene_.view().layerVisible(SceneLayer::Places)) {
     const int place = pickPlace(document_.knowledge()->environment->map, ray, body ? body->distance : 1e9);

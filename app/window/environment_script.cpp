@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QTreeWidget>
 
+#include "app/window/body_visibility.h"
 #include "app/window/environment_controller.h"
 #include "engine/base/number_text.h"
 
@@ -29,6 +30,7 @@ std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command)
   const auto& words = command.arguments;
   if (command.name == "select") return select(words[0], words[1]);
   if (command.name == "click" || command.name == "drag") return press(words);
+  if (command.name == "show-body") return showBody(words[0], words[1]);
   if (command.name == "attribute") return setAttribute(words[0], words[1]);
   if (command.name == "define") return define(words[0], words[1], words[2]);
   if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
@@ -60,6 +62,12 @@ Outcome EnvironmentScript::select(const std::string& kind, const std::string& na
 }
 
 /// A click where there is one pixel, a drag where there are two.
+Outcome EnvironmentScript::showBody(const std::string& id, const std::string& visible) {
+  if (visible != "yes" && visible != "no") return usage("say yes or no");
+  if (window_.bodies().setVisible(id, visible == "yes")) return Done{};
+  return usage("there is no body '" + id + "'");
+}
+
 Outcome EnvironmentScript::press(const std::vector<std::string>& pixels) {
   std::vector<double> numbers;
   for (const std::string& word : pixels) {

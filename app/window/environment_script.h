@@ -17,6 +17,7 @@ class EnvironmentScript {
 
  private:
   Outcome select(const std::string& kind, const std::string& name);
+  Outcome showBody(const std::string& id, const std::string& visible);
   Outcome press(const std::vector<std::string>& pixels);
   Outcome setAttribute(const std::string& name, const std::string& value);
   Outcome define(const std::string& name, const std::string& type, const std::string& owner);

@@ -2,21 +2,18 @@
 
 #include <QCloseEvent>
 #include <QDialog>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLocale>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QPainter>
-#include <QScrollArea>
 #include <QStatusBar>
-#include <QStyle>
 #include <QToolBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/window/body_visibility.h"
 #include "app/window/device_controller.h"
+#include "app/window/difficulty_controller.h"
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
@@ -24,7 +21,10 @@
 #include "app/window/status_text.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
+#include "app/window/window_memory.h"
+#include "app/window/work_controller.h"
 #include "engine/planning/smoothing/shortcuts.h"
+#include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
 #include "widgets/panels/counts_panel.h"
@@ -60,10 +60,13 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
 
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
+  work_ = new WorkController(*bridge_, *actions_, *statusBar());
+  difficulty_ = new DifficultyController(*actions_, *scene_, *work_, this);
   devices_->addIndicators(*statusBar());
   statusBar()->addPermanentWidget(elapsed_);
   makePanels();
   makeMenus();
+  connectPanels();
   connectActions();
   connectViewActions();
   connect(bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
@@ -85,58 +88,8 @@ MainWindow::~MainWindow() {
   scene_->widget()->setParent(nullptr);
 }
 
-QDockWidget* MainWindow::addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area,
-                                  Scrolling scrolling) {
-  auto* dock = new QDockWidget(title, this);
-  dock->setObjectName(QLatin1String(id));
-  addDockWidget(area, dock);
-  if (scrolling == Scrolling::Own) {
-    dock->setWidget(content);
-    return dock;
-  }
-  auto* scroll = new QScrollArea(dock);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
-  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  scroll->setMinimumWidth(content->minimumSizeHint().width() + 2 * bar);
-  dock->setWidget(scroll);
-  return dock;
-}
-
-void MainWindow::makePanels() {
-  interaction_ = new InteractionPanel(*actions_, this);
-  counts_ = new CountsPanel(this);
-  sceneTree_ = new ScenePanel(this);
-  path_ = new PathPanel(*actions_, this);
-  QDockWidget* interaction = addPanel(tr("Interaction"), "interaction", interaction_, Qt::LeftDockWidgetArea);
-  QDockWidget* scene = addPanel(tr("Scene"), "scene-tree", sceneTree_, Qt::RightDockWidgetArea);
-  QDockWidget* counts = addPanel(tr("Run"), "run", counts_, Qt::RightDockWidgetArea);
-  QDockWidget* path = addPanel(tr("Path"), "path", path_, Qt::RightDockWidgetArea);
-  QDockWidget* semantics =
-      addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), Qt::RightDockWidgetArea, Scrolling::Own);
-  QDockWidget* plan = addPanel(tr("Plan"), "plan", environment_->planPanel(), Qt::RightDockWidgetArea, Scrolling::Own);
-  // What is looked at by turns shares a place: small screens have no room for six panels.
-  tabifyDockWidget(scene, semantics);
-  tabifyDockWidget(counts, plan);
-  tabifyDockWidget(plan, path);
-  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  const auto bringUp = [this](const char* id, QDockWidget* dock) {
-    connect((*actions_)[QLatin1String(id)], &QAction::triggered, dock, [dock] {
-      dock->show();
-      dock->raise();
-    });
-  };
-  bringUp("panel.scene", scene);
-  bringUp("panel.semantics", semantics);
-  bringUp("panel.run", counts);
-  bringUp("panel.plan", plan);
-  bringUp("panel.path", path);
-  (*actions_)["panel.scene"]->trigger();
-  (*actions_)["panel.run"]->trigger();
-  resizeDocks({interaction, scene}, {270, 340}, Qt::Horizontal);
-  resizeDocks({scene, counts}, {380, 240}, Qt::Vertical);
+void MainWindow::connectPanels() {
+  connect(difficulty_, &DifficultyController::found, this, [this] { (*actions_)["panel.difficulty"]->trigger(); });
   connect(environment_, &EnvironmentController::wanted, this, [this] {
     (*actions_)["panel.semantics"]->trigger();
     (*actions_)["panel.plan"]->trigger();
@@ -167,62 +120,6 @@ void MainWindow::makePanels() {
   connect(path_, &PathPanel::playbackEnded, this, [this] { (*actions_)["path.play"]->setChecked(false); });
 }
 
-void MainWindow::makeMenus() {
-  const auto fill = [this](QMenu* menu, const char* prefix) {
-    for (const ActionSpec& spec : actionSpecs()) {
-      if (QLatin1String(spec.id).startsWith(QLatin1String(prefix)))
-        menu->addAction((*actions_)[QLatin1String(spec.id)]);
-    }
-  };
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  fill(file, "file.");
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  fill(edit, "edit.");
-  edit->addSeparator();
-  fill(edit, "environment.");
-  fill(edit, "place.");
-  fill(edit, "milestone.");
-  edit->addSeparator();
-  fill(edit, "attribute.");
-  QMenu* run = menuBar()->addMenu(tr("&Run"));
-  fill(run, "run.");
-  run->addSeparator();
-  fill(run, "replay.");
-  run->addSeparator();
-  fill(run, "object.");
-  fill(run, "path.");
-  fill(menuBar()->addMenu(tr("&Study")), "study.");
-  fill(menuBar()->addMenu(tr("&Operator")), "operator.");
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  fill(view, "view.");
-  fill(view->addMenu(tr("&Layers")), "layer.");
-  QMenu* panels = view->addMenu(tr("&Panels"));
-  fill(panels, "panel.");
-  panels->addSeparator();
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
-  fill(menuBar()->addMenu(tr("&Help")), "help.");
-
-  QToolBar* bar = addToolBar(tr("Tools"));
-  bar->setObjectName(QStringLiteral("tools"));
-  bar->setMovable(false);
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  for (const char* id :
-       {"file.open", "file.save", "file.export", "", "edit.undo", "edit.redo", "", "run.start", "run.pause", "run.stop",
-        "run.restart-new-seed", "", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
-    if (id[0] == '\0') {
-      bar->addSeparator();
-    } else {
-      bar->addAction((*actions_)[QLatin1String(id)]);
-    }
-  }
-  // Cubes and arrows speak for themselves; words there would push other buttons off small screens.
-  for (const char* id :
-       {"edit.undo", "edit.redo", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
-    auto* button = qobject_cast<QToolButton*>(bar->widgetForAction((*actions_)[QLatin1String(id)]));
-    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-  }
-}
-
 void MainWindow::connectActions() {
   const auto on = [this](const char* id, auto handler) {
     connect((*actions_)[QLatin1String(id)], &QAction::triggered, this, handler);
@@ -234,7 +131,12 @@ void MainWindow::connectActions() {
   on("file.save", [this] { save(); });
   on("file.save-as", [this] { chooseSave(); });
   on("file.quit", [this] { close(); });
-  on("run.start", [this] { bridge_->post(command::Start{}); });
+  on("recent.forget", [this] { memory_->forgetFiles(); });
+  (*actions_)["recent.forget"]->setEnabled(false);  // until the list is seen
+  on("run.start", [this] {
+    bridge_->post(command::Stop{});  // smoothing that may still go on
+    bridge_->post(command::Start{});
+  });
   on("run.pause",
      [this](bool pause) { bridge_->post(pause ? Command(command::Pause{}) : Command(command::Resume{})); });
   on("run.stop", [this] { bridge_->post(command::Stop{}); });
@@ -246,6 +148,7 @@ void MainWindow::connectActions() {
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
   connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
   on("path.smooth", [this](bool smooth) { bridge_->post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
+  on("view.reset-layout", [this] { arrangePanels(); });
   on("help.shortcuts", [this] { showShortcuts(); });
   on("help.about", [this] { showAbout(); });
 }
@@ -302,6 +205,12 @@ void MainWindow::connectViewActions() {
   layer("layer.coarse-path", SceneLayer::CoarsePath);
   layer("layer.milestones", SceneLayer::Milestones);
   layer("layer.region", SceneLayer::Region);
+  layer("layer.difficulty", SceneLayer::Difficulty);
+}
+
+void MainWindow::setBatch(bool batch) {
+  batch_ = batch;
+  work_->setAtOnce(batch);
 }
 
 void MainWindow::showTitle() {
@@ -319,7 +228,9 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
     if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
     return loaded.error();
   }
+  work_->cancel();
   scenario_ = std::make_shared<const LoadedScenario>(std::move(*loaded));
+  if (memory_) memory_->noteFile(file);
   welcome_->hide();
   scene_->view().setScenario(scenario_);
   sceneTree_->setScenario(*scenario_);
@@ -327,6 +238,8 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   interaction_->setDevice(bridge_->deviceId());
   replay_->openScenario(scenario_);
   bridge_->open(scenario_);
+  difficulty_->open(scenario_);
+  bodies_->open(*scenario_);
   environment_->open(scenario_);
   showTitle();
   publishOperatorFrame();
@@ -349,6 +262,8 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   path_->setPath(snapshot->path, *scenario_);
   snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
+  work_->showSnapshot(*snapshot);
+  difficulty_->showSnapshot(snapshot, !replay_->isActive());
   status_->setText(replay_->isActive() ? replay_->statusText() : statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());
@@ -369,7 +284,7 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   (*actions_)["run.tuning"]->setChecked(open && snapshot->parameters[ParameterId::Tuning] > 0.0);
   enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
-  enable("path.smooth", live && snapshot->path != nullptr);
+  enable("path.smooth", live && snapshot->path != nullptr && !snapshot->smoothing);
   (*actions_)["path.smooth"]->setChecked(open && snapshot->smoothed);
   enable("file.save", open);
   enable("file.save-as", open);
@@ -393,7 +308,8 @@ void MainWindow::restart(std::uint64_t seed) {
 }
 
 std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
-  Scenario scenario = scenario_->scenario;
+  const std::string name = file.toStdString();
+  Scenario scenario = movedTo(name, scenario_->scenario, scenario_->file);
   setSemanticEdits(environment_->document().edits(), scenario);
   scenario.environment = environment_->options();
   const SnapshotPtr live = bridge_->snapshot();  // not what a replay shows
@@ -404,8 +320,14 @@ std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
       scenario.parameters[spec.id] = live->parameters[spec.id];
     }
   }
-  const Outcome saved = saveScenario(scenario, file.toStdString());
+  const Outcome saved = saveScenario(scenario, name);
   if (!saved) return saved.error();
+  auto now = std::make_shared<LoadedScenario>(*scenario_);
+  now->scenario = std::move(scenario);
+  now->file = name;
+  now->parameters = live->parameters;
+  scenario_ = std::move(now);
+  if (memory_) memory_->noteFile(file);
   environment_->document().undoStack().setClean();
   showTitle();
   return std::nullopt;
@@ -455,6 +377,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (!urls.isEmpty()) openScenario(urls.front().toLocalFile());
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayDiscard()); }
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(mayDiscard());
+  if (event->isAccepted() && memory_) memory_->saveLayout(*this);
+}
 
 }  // namespace glissade

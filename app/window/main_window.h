@@ -5,20 +5,25 @@
 #include <memory>
 #include <optional>
 
+#include "engine/scenario/run_record.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {
 
+class BodyVisibility;
 class CountsPanel;
 class DeviceController;
+class DifficultyController;
 class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
 class ReplayController;
 class ScenePanel;
 class StudyController;
+class WindowMemory;
+class WorkController;
 
 /// The workbench: the 3D view in the middle, panels around it, one session behind it.
 class MainWindow final : public QMainWindow {
@@ -32,7 +37,7 @@ class MainWindow final : public QMainWindow {
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
   void setTheme(Theme theme);
   /// Nobody is there to answer questions: scripts, screenshots.
-  void setBatch(bool batch) { batch_ = batch; }
+  void setBatch(bool batch);
 
   SessionBridge& bridge() { return *bridge_; }
   ActionCatalogue& actions() { return *actions_; }
@@ -41,11 +46,18 @@ class MainWindow final : public QMainWindow {
   StudyController& studies() { return *studies_; }
   DeviceController& devices() { return *devices_; }
   ReplayController& replay() { return *replay_; }
-  /// Opens a recording, and its scenario where another is open; nothing on success.
-  std::optional<Diagnostic> openRecording(const QString& file, bool quiet = false);
+  BodyVisibility& bodies() { return *bodies_; }
+  DifficultyController& difficulty() { return *difficulty_; }
+  WorkController& work() { return *work_; }
+  /// Replays what was read from a file, and opens its scenario where another is open; says what is wrong
+  /// in a dialog unless `quiet`, and returns it.
+  std::optional<Diagnostic> openRecording(const Result<RunRecord>& record, const QString& file, bool quiet = false);
+  /// From now on recent files and the layout are remembered; the layout comes back as it was left.
+  void remember(std::unique_ptr<WindowMemory> memory, bool sizeToo);
   /// Journals runs in the folder, and offers to save what killed programs have left there.
   void keepJournals(const QString& folder);
-  /// Saves the scenario with edits, strategy, seed and parameters as they are; nothing on success.
+  /// Saves the scenario with edits, strategy, seed and parameters as they are; from then on it is that
+  /// file's. Assets stay where they are and are named as seen from there. Nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
   /// Saves the path as its ending says; nothing on success.
   std::optional<Diagnostic> exportPath(const QString& file);
@@ -62,13 +74,17 @@ class MainWindow final : public QMainWindow {
 
  private:
   void makePanels();
+  void arrangePanels();
   void makeMenus();
+  void fillRecent();
+  void connectPanels();
   void connectActions();
   void connectViewActions();
   /// Panels of fixed rows are scrolled as a whole; those with lists scroll these.
   enum class Scrolling { Whole, Own };
-  QDockWidget* addPanel(const QString& title, const char* id, QWidget* content, Qt::DockWidgetArea area,
-                        Scrolling scrolling = Scrolling::Whole);
+  /// `action` brings it to the front.
+  void addPanel(const QString& title, const char* id, QWidget* content, const char* action = "",
+                Scrolling scrolling = Scrolling::Whole);
   void showSnapshot(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void publishOperatorFrame();
@@ -93,10 +109,15 @@ class MainWindow final : public QMainWindow {
   CountsPanel* counts_ = nullptr;
   ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
+  BodyVisibility* bodies_ = nullptr;
   EnvironmentController* environment_ = nullptr;
   StudyController* studies_ = nullptr;
   DeviceController* devices_ = nullptr;
   ReplayController* replay_ = nullptr;
+  WorkController* work_ = nullptr;
+  DifficultyController* difficulty_ = nullptr;
+  std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
+  QMenu* recent_ = nullptr;
   bool batch_ = false;  ///< nobody is there to be asked
   QLabel* status_;
   QLabel* elapsed_;

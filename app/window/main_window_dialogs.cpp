@@ -3,10 +3,14 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -14,6 +18,8 @@
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
 #include "app/window/replay_controller.h"
+#include "app/window/window_memory.h"
+#include "app/window/work_controller.h"
 
 namespace glissade {
 
@@ -21,6 +27,31 @@ void MainWindow::chooseScenario() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a scenario"), QString(),
                                                     tr("Scenarios (*.json *.cfg);;All files (*)"));
   if (!file.isEmpty()) openScenario(file);
+}
+
+/// Files that are not there stay in the list: a drive may only be away for a while.
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = memory_ ? memory_->recentFiles() : QStringList();
+  for (int i = 0; i < files.size(); ++i) {
+    const QFileInfo file(files[i]);
+    const QString number = i < 9 ? QStringLiteral("&%1  ").arg(i + 1) : QStringLiteral("1&0  ");
+    QString shown = QDir::toNativeSeparators(file.filePath()).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    if (!file.exists()) shown = tr("%1 (not there)").arg(shown);
+    QAction* action = recent_->addAction(number + shown);
+    action->setEnabled(file.exists());
+    connect(action, &QAction::triggered, this, [this, path = files[i]] { openScenario(path); });
+  }
+  if (files.isEmpty()) recent_->addAction(tr("No file yet"))->setEnabled(false);
+  recent_->addSeparator();
+  recent_->addAction((*actions_)["recent.forget"]);
+  (*actions_)["recent.forget"]->setEnabled(!files.isEmpty());
+}
+
+void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
+  memory_ = std::move(memory);
+  memory_->restoreLayout(*this, sizeToo);
+  replay_->bar()->setVisible(replay_->isActive());
 }
 
 void MainWindow::save() {
@@ -56,9 +87,9 @@ void MainWindow::chooseExport() {
   if (const auto why = exportPath(file)) showError(tr("The path cannot be saved"), *why);
 }
 
-std::optional<Diagnostic> MainWindow::openRecording(const QString& file, bool quiet) {
-  const auto why =
-      replay_->open(file, [this, quiet](const QString& scenario) { return openScenario(scenario, quiet); });
+std::optional<Diagnostic> MainWindow::openRecording(const Result<RunRecord>& record, const QString& file, bool quiet) {
+  const auto openOther = [this, quiet](const QString& scenario) { return openScenario(scenario, quiet); };
+  const auto why = record ? replay_->open(*record, file, openOther) : std::optional<Diagnostic>(record.error());
   if (why && !quiet) showError(tr("The recording cannot be opened"), *why);
   return why;
 }
@@ -66,7 +97,18 @@ std::optional<Diagnostic> MainWindow::openRecording(const QString& file, bool qu
 void MainWindow::chooseRecording() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a recording"), QString(),
                                                     tr("Recordings (*.json *.journal);;All files (*)"));
-  if (!file.isEmpty()) openRecording(file);
+  if (file.isEmpty()) return;
+  work_->run(tr("Reading the recording"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto record = std::make_shared<const Result<RunRecord>>(readRunRecord(file.toStdString(), watch));
+    return [this, record, file] {
+      const SnapshotPtr live = bridge_->snapshot();
+      if (live && isRunning(*live)) {
+        statusBar()->showMessage(tr("A run has begun meanwhile: open the recording after it."), 10000);
+      } else {
+        openRecording(*record, file);
+      }
+    };
+  });
 }
 
 void MainWindow::chooseSaveRecording() {

@@ -89,15 +89,14 @@ void ReplayController::openScenario(const ScenarioPtr& scenario) {
 }
 
 std::optional<Diagnostic> ReplayController::open(
-    const QString& file, const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
-  const auto record = readRunRecord(file.toStdString());
-  if (!record) return record.error();
+    const RunRecord& record, const QString& file,
+    const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
   const ScenarioPtr before = scenario_;
-  if (!isOf(*record, scenario_)) {
-    if (auto why = openOther(QString::fromStdString(record->scenario))) return why;
+  if (!isOf(record, scenario_)) {
+    if (auto why = openOther(QString::fromStdString(record.scenario))) return why;
     if (scenario_ == before) return std::nullopt;  // the user wants to stay where he is
   }
-  auto log = replayLog(*record, *scenario_, file.toStdString());
+  auto log = replayLog(record, *scenario_, file.toStdString());
   if (!log) return log.error();
   opened_ = *log;
   start(std::move(*log), ReplayEnd::WithTheLog);

@@ -21,7 +21,8 @@ std::optional<Outcome> ReplayScript::carryOut(const ScriptCommand& command) {
   if (command.name == "replay") {
     const SnapshotPtr live = window_.bridge().snapshot();
     if (live && isRunning(*live)) return usage("a run is under way");
-    return toOutcome(window_.openRecording(QString::fromStdString(command.arguments[0]), true));
+    const std::string& file = command.arguments[0];
+    return toOutcome(window_.openRecording(readRunRecord(file), QString::fromStdString(file), true));
   }
   if (command.name == "seek") return seek(command.arguments[0]);
   if (command.name == "expect-replay") return expectReplay(command.arguments[0]);

@@ -38,8 +38,13 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"press", 2},
                                                          {"expect-steering", 1},
                                                          {"study", 1},
+                                                         {"expect-difficulty", 2},
+                                                         {"show-body", 2},
+                                                         {"show-difficulty", 1},
                                                          {"study-cell", 1},
                                                          {"study-plot", 1},
+                                                         {"study-zoom", 4},
+                                                         {"study-save-plot", 1},
                                                          {"study-run", 2},
                                                          {"study-screenshot", 1}};
   return counts;

@@ -36,6 +36,7 @@ struct ScriptCommand {
 ///   open FILE                   another scenario
 ///   save FILE                   the scenario with its edits
 ///   select KIND NAME            a place by its name, a body by its id, a step by its number
+///   show-body ID yes|no         whether an obstacle is drawn
 ///   click X Y                   the left button over the 3D view, in pixels
 ///   drag X Y TO_X TO_Y          the left button held from one pixel of the 3D view to another
 ///   attribute NAME VALUE        on what is selected: yes, no, a number or a text; "-" resets it
@@ -45,12 +46,16 @@ struct ScriptCommand {
 ///   study DIR                   the browser of a study's results
 ///   study-cell N                chooses its N-th cell
 ///   study-plot N                brings its N-th plot to the front
+///   study-zoom X0 Y0 X1 Y1      shows a part of the plot, 0 to 1 along each axis, y up
+///   study-save-plot FILE        the plot as it is seen, .svg or .png
 ///   study-run N SEED            shows that run of the N-th cell again (offscreen: go on with wait)
 ///   study-screenshot FILE       the browser as PNG
 ///   save-recording FILE         what was done in the last run
 ///   replay FILE                 a recorded run again
 ///   seek STEP                   shows that step of the replay
 ///   expect-replay VERDICT       same, different, another (other parameters), closed
+///   expect-difficulty PART BODY  after difficulty.find: least, tightest or frontier names this body; "-": none
+///   show-difficulty PART  chooses that row
 ///   screenshot FILE             the whole window as PNG
 ///   export FILE                 the path, format by ending
 ///   quit

@@ -12,6 +12,7 @@
 
 #include "app/window/device_controller.h"
 #include "app/window/device_script.h"
+#include "app/window/difficulty_script.h"
 #include "app/window/environment_script.h"
 #include "app/window/replay_script.h"
 #include "app/window/study_script.h"
@@ -78,6 +79,9 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (const auto outcome = ReplayScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = DifficultyScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (const auto outcome = StudyScript(window_).carryOut(command)) {

@@ -14,6 +14,7 @@
 #include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/cell_value.h"
 #include "widgets/studies/report_pdf.h"
+#include "widgets/studies/study_browser.h"
 
 namespace glissade {
 namespace {
@@ -79,7 +80,7 @@ void say(const Warnings& warnings) {
 Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
   const auto folder = StudyFolder::open(path.toStdString());
   if (!folder) return folder.error();
-  return reportOf(*folder, warnings);
+  return reportOf(*folder, warnings, studyLanguage());
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <QFileDialog>
 
 #include "app/window/main_window.h"
+#include "app/window/work_controller.h"
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_io.h"
+#include "widgets/plots/plot_view.h"
 #include "widgets/studies/report_pdf.h"
 #include "widgets/studies/study_browser.h"
 
@@ -24,13 +26,26 @@ StudyController::StudyController(MainWindow& window) : QObject(&window), window_
   connect(window.actions()["study.open"], &QAction::triggered, this, [this] { choose(); });
   connect(window.actions()["study.report-pdf"], &QAction::triggered, this, [this] { choosePdf(); });
   window.actions()["study.report-pdf"]->setEnabled(false);
+  connect(window.actions()["study.zoom-out"], &QAction::triggered, this, [this] { browser_->plot()->zoomOut(); });
+  connect(window.actions()["study.copy-plot"], &QAction::triggered, this, [this] { browser_->plot()->copy(); });
+  connect(window.actions()["study.save-plot"], &QAction::triggered, this, [this] { choosePlotFile(); });
+  enablePlotActions();
   connect(&window.bridge(), &SessionBridge::snapshotChanged, this, &StudyController::watch);
 }
 
 void StudyController::choose() {
   const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Open the results of a study"));
   if (folder.isEmpty()) return;
-  if (const auto why = open(folder)) window_.showError(tr("The study cannot be opened"), *why);
+  window_.work().run(tr("Reading the study"), [this, folder](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto content = std::make_shared<const Result<Content>>(read(folder, watch));
+    return [this, content] {
+      if (*content) {
+        show(**content);
+      } else {
+        window_.showError(tr("The study cannot be opened"), content->error());
+      }
+    };
+  });
 }
 
 void StudyController::choosePdf() {
@@ -40,29 +55,57 @@ void StudyController::choosePdf() {
       QFileDialog::getSaveFileName(&window_, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
   if (file.isEmpty()) return;
   Warnings warnings;
-  const Outcome written = writeReportPdf(reportOf(folder, warnings), file);
+  const Outcome written = writeReportPdf(reportOf(folder, warnings, studyLanguage()), file);
   if (!written) window_.showError(tr("The report cannot be written"), written.error());
 }
 
+void StudyController::choosePlotFile() {
+  const QString file = QFileDialog::getSaveFileName(browser_, tr("Save the plot"), QStringLiteral("plot.svg"),
+                                                    tr("Drawings (*.svg);;Pictures (*.png)"));
+  if (file.isEmpty() || browser_->plot()->save(file)) return;
+  window_.showError(tr("The plot cannot be saved"),
+                    {ErrorKind::Internal, file.toStdString(), "", "cannot be written", "Choose another folder."});
+}
+
+void StudyController::enablePlotActions() {
+  const PlotView* plot = browser_ != nullptr ? browser_->plot() : nullptr;
+  window_.actions()["study.zoom-out"]->setEnabled(plot != nullptr && plot->isZoomed());
+  for (const char* id : {"study.copy-plot", "study.save-plot"}) {
+    window_.actions()[QLatin1String(id)]->setEnabled(plot != nullptr);
+  }
+}
+
 std::optional<Diagnostic> StudyController::open(const QString& path) {
-  const auto folder = StudyFolder::open(path.toStdString());
+  const auto content = read(path, {});
+  if (!content) return content.error();
+  show(*content);
+  return std::nullopt;
+}
+
+Result<StudyController::Content> StudyController::read(const QString& path, const WorkWatch& watch) {
+  auto folder = StudyFolder::open(path.toStdString());
   if (!folder) return folder.error();
+  Content content{std::move(*folder), {}, {}};
+  content.results = content.folder.results(content.warnings, watch);
+  return content;
+}
+
+void StudyController::show(const Content& content) {
   if (browser_ == nullptr) {
     browser_ = new StudyBrowser(&window_);
     browser_->resize(window_.size());
+    browser_->addPlotActions(window_.actions());
+    connect(browser_, &StudyBrowser::plotChanged, this, &StudyController::enablePlotActions);
     connect(browser_, &StudyBrowser::runWanted, this, [this](const StudyRun& run) {
       if (const auto why = show(run)) window_.showError(tr("The run cannot be shown"), *why);
     });
   }
-  Warnings warnings;
-  browser_->show(*folder, warnings);
+  browser_->show(content.folder, content.results);
   shown_.reset();
+  enablePlotActions();
   window_.actions()["study.report-pdf"]->setEnabled(true);
-  if (!warnings.empty()) {
-    browser_->setMessage(
-        tr("%n file(s) of runs could not be read and are left out.", nullptr, static_cast<int>(warnings.size())));
-  }
-  return std::nullopt;
+  const auto unread = static_cast<int>(content.warnings.size());
+  if (unread > 0) browser_->setMessage(tr("%n file(s) of runs could not be read and are left out.", nullptr, unread));
 }
 
 std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, const StudyRun& run) {

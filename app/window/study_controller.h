@@ -20,6 +20,12 @@ class StudyController final : public QObject {
 
   /// What is wrong with the folder, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
+  /// A study's folder with its results.
+  struct Content {
+    StudyFolder folder;
+    StudyResults results;
+    Warnings warnings;
+  };
   /// Shows a run of the browser's study again; the browser says whether it ended the same.
   std::optional<Diagnostic> show(const StudyRun& run);
   /// Opens the run's scenario and starts that very run. What stands in the way, or nothing.
@@ -32,8 +38,12 @@ class StudyController final : public QObject {
   StudyBrowser* browser() const { return browser_; }
 
  private:
+  static Result<Content> read(const QString& folder, const WorkWatch& watch);
+  void show(const Content& content);
   void choose();
   void choosePdf();
+  void choosePlotFile();
+  void enablePlotActions();
   void watch(const SnapshotPtr& snapshot);
 
   MainWindow& window_;

@@ -2,8 +2,11 @@
 
 #include <QTabWidget>
 
+#include <array>
+
 #include "app/window/study_controller.h"
 #include "engine/base/number_text.h"
+#include "widgets/plots/plot_view.h"
 #include "widgets/studies/study_browser.h"
 
 namespace glissade {
@@ -20,6 +23,12 @@ std::optional<Outcome> StudyScript::carryOut(const ScriptCommand& command) {
   if (command.name == "study") return outcomeOf(window_.studies().open(QString::fromStdString(command.arguments[0])));
   if (window_.studies().browser() == nullptr) return wrong("no study is open");
   if (command.name == "study-run") return start(command.arguments[0], command.arguments[1]);
+  if (command.name == "study-zoom") return zoom(command.arguments);
+  if (command.name == "study-save-plot") {
+    const PlotView* plot = window_.studies().browser()->plot();
+    const bool saved = plot != nullptr && plot->save(QString::fromStdString(command.arguments[0]));
+    return saved ? Outcome(Done{}) : wrong("the plot cannot be saved");
+  }
   return choose(command);
 }
 
@@ -38,6 +47,19 @@ Outcome StudyScript::choose(const ScriptCommand& command) {
   auto* plots = browser.findChild<QTabWidget*>();
   if (index < 0 || index >= plots->count()) return wrong("there is no plot " + word);
   plots->setCurrentIndex(index);
+  return Done{};
+}
+
+Outcome StudyScript::zoom(const std::vector<std::string>& words) {
+  std::array<double, 4> corners{};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto number = toNumber(words[i]);
+    if (!number) return wrong("'" + words[i] + "' is not a number");
+    corners[i] = *number;
+  }
+  PlotView* plot = window_.studies().browser()->plot();
+  if (plot == nullptr) return wrong("no plot is in front");
+  plot->zoom(QRectF(QPointF(corners[0], corners[1]), QPointF(corners[2], corners[3])));
   return Done{};
 }
 

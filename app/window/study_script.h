@@ -17,6 +17,7 @@ class StudyScript {
 
  private:
   Outcome choose(const ScriptCommand& command);
+  Outcome zoom(const std::vector<std::string>& words);
   Outcome start(const std::string& cell, const std::string& seed);
 
   MainWindow& window_;

@@ -137,15 +137,55 @@ class ParserGuard {
   std::vector<std::set<std::string>> keys_;
 };
 
+struct Stopped {};
+
+/// The characters of a text for the parser, with a look at the watch every now and then.
+class WatchedText {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  WatchedText(const std::string& text, std::size_t at, const WorkWatch& watch)
+      : text_(&text), watch_(&watch), at_(at) {}
+
+  reference operator*() const { return (*text_)[at_]; }
+  WatchedText& operator++() {
+    constexpr std::size_t kBetweenLooks = 1U << 16;
+    if (++at_ % kBetweenLooks == 0) look();
+    return *this;
+  }
+  friend bool operator==(const WatchedText& a, const WatchedText& b) { return a.at_ == b.at_; }
+  friend bool operator!=(const WatchedText& a, const WatchedText& b) { return a.at_ != b.at_; }
+
+ private:
+  void look() const {
+    if (watch_->stop.stopRequested()) throw Stopped();
+    watch_->report(static_cast<double>(at_) / static_cast<double>(text_->size()));
+  }
+
+  const std::string* text_;
+  const WorkWatch* watch_;
+  std::size_t at_;
+};
+
 }  // namespace
 
-Result<Json> parseJson(const std::string& text, const std::string& file) {
+Diagnostic notReadToItsEnd(const std::string& file) {
+  return {ErrorKind::Interrupted, file, "", "was not read to its end", "Open it again."};
+}
+
+Result<Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a file with content."};
   }
   try {
     ParserGuard guard;
-    return Json::parse(text, std::ref(guard));
+    return Json::parse(WatchedText(text, 0, watch), WatchedText(text, text.size(), watch), std::ref(guard));
+  } catch (const Stopped&) {
+    return notReadToItsEnd(file);
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');

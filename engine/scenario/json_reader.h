@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/base/work_watch.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -54,8 +55,10 @@ struct JsonError {
   Diagnostic diagnostic;
 };
 
-/// Parses text into a document; syntax errors name line and column.
-Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file);
+/// Parses text into a document; syntax errors name line and column. Stopped: an Interrupted error.
+Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch = {});
+/// What a reader that was asked to stop says of its file.
+Diagnostic notReadToItsEnd(const std::string& file);
 
 /// Poses and vectors as the files have them.
 JsonCursor::Json toJson(const Vector3& v);

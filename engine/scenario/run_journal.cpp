@@ -87,9 +87,11 @@ std::vector<std::string> abandonedJournals(const std::string& folder) {
 
 bool isJournal(const std::string& text) { return text.rfind(kFirst, 0) == 0; }
 
-Result<Json> mergedJournal(const std::string& text, const std::string& file) {
+Result<Json> mergedJournal(const std::string& text, const std::string& file, const WorkWatch& watch) {
   Json record;
   for (std::size_t begin = 0; begin < text.size();) {
+    if (watch.stop.stopRequested()) return notReadToItsEnd(file);
+    watch.report(static_cast<double>(begin) / static_cast<double>(text.size()));
     const std::size_t end = text.find('\n', begin);
     if (end == std::string::npos && !record.is_null()) break;  // cut off
     auto line = parseJson(text.substr(begin, end - begin), file);

@@ -63,7 +63,10 @@ std::string problemSha256(const Scenario& scenario) {
   problem.planner = usual.planner;
   problem.parameters.clear();
   problem.seed = usual.seed;
-  for (Asset& asset : problem.assets) asset.sha256.clear();  // those that were used are compared
+  for (Asset& asset : problem.assets) {
+    asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since
+    asset.sha256.clear();                                   // those that were used are compared
+  }
   return sha256(writeScenario(problem));
 }
 
@@ -95,13 +98,15 @@ Outcome writeRunRecord(const RunRecord& record, const std::string& file) {
   return writeFileAtomically(file, text(json));
 }
 
-Result<RunRecord> readRunRecord(const std::string& file) {
+Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch) {
+  constexpr double kParsing = 0.8;  // of the work; the rest is taking the values
   const auto content = readFile(file, kMostBytes);
   if (!content) return content.error();
-  const auto document = isJournal(*content) ? mergedJournal(*content, file) : parseJson(*content, file);
+  const auto document = isJournal(*content) ? mergedJournal(*content, file, watch.part(0.0, kParsing))
+                                            : parseJson(*content, file, watch.part(0.0, kParsing));
   if (!document) return document.error();
   try {
-    RunRecord record = readRecord(JsonCursor(*document, file, ""));
+    RunRecord record = readRecord(JsonCursor(*document, file, ""), watch.part(kParsing, 1.0));
     record.scenario = findScenario(record.scenario, file);
     return record;
   } catch (const JsonError& error) {

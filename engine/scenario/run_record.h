@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/operator/run_log.h"
 #include "engine/scenario/scenario.h"
 
@@ -38,8 +39,8 @@ std::string problemSha256(const Scenario& scenario);
 
 /// Version 2, saved atomically.
 Outcome writeRunRecord(const RunRecord& record, const std::string& file);
-/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB.
-Result<RunRecord> readRunRecord(const std::string& file);
+/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds.
+Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch = {});
 
 /// The record's log for this scenario, its parameters and edits checked. Refused (MalformedInput, or
 /// Usage where the scenario is another): what would not be the recorded run.

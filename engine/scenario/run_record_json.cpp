@@ -100,8 +100,14 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   return entry;
 }
 
-void readStream(const JsonCursor& stream, int version, RunLog& log) {
+/// By far the longest part of a record.
+void readStream(const JsonCursor& stream, int version, const WorkWatch& watch, RunLog& log) {
+  constexpr std::size_t kBetweenLooks = 4096;
   for (std::size_t i = 0; i < stream.size(); ++i) {
+    if (i % kBetweenLooks == 0) {
+      if (watch.stop.stopRequested()) throw JsonError{notReadToItsEnd(stream.file())};
+      watch.report(static_cast<double>(i) / static_cast<double>(stream.size()));
+    }
     const JsonCursor at = stream.element(i);
     if (version == 2) {
       log.operatorStream.push_back(readHandPose(at, log.operatorStream));
@@ -122,7 +128,7 @@ void readParameterChanges(const JsonCursor& changes, RunLog& log) {
   }
 }
 
-void readCommon(const JsonCursor& root, RunRecord& record) {
+void readCommon(const JsonCursor& root, const WorkWatch& watch, RunRecord& record) {
   if (const auto program = root.find("program")) record.program = program->text();
   record.scenario = root.at("scenario").text();
   record.log.start.planner = root.at("planner").nonEmptyText();
@@ -134,7 +140,7 @@ void readCommon(const JsonCursor& root, RunRecord& record) {
     record.parameters[readParameterId(at, item.key())] = at.number();
   }
   readParameterChanges(root.at("parameter_changes"), record.log);
-  readStream(root.at("operator_stream"), record.version, record.log);
+  readStream(root.at("operator_stream"), record.version, watch, record.log);
 }
 
 void readVersion1(const JsonCursor& root, RunRecord& record) {
@@ -226,13 +232,13 @@ void addEvents(const RunLog& log, Json& json) {
   json["cut_short"] = log.cutShort;
 }
 
-RunRecord readRecord(const JsonCursor& root) {
+RunRecord readRecord(const JsonCursor& root, const WorkWatch& watch) {
   if (root.at("format").text() != "glissade-run") root.at("format").fail("is not \"glissade-run\"");
   const std::uint64_t version = root.at("version").wholeNumber();
   if (version != 1 && version != 2) root.at("version").fail("is neither 1 nor 2", "Use a newer Glissade.");
   RunRecord record;
   record.version = static_cast<int>(version);
-  readCommon(root, record);
+  readCommon(root, watch, record);
   if (version == 1) {
     readVersion1(root, record);
   } else {

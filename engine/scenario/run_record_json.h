@@ -9,10 +9,10 @@ namespace glissade {
 /// What a record says before anything happened; then what happened (of a log, or a part of one).
 JsonCursor::Json headToJson(const RunRecord& record);
 void addEvents(const RunLog& log, JsonCursor::Json& json);
-RunRecord readRecord(const JsonCursor& root);
+RunRecord readRecord(const JsonCursor& root, const WorkWatch& watch);
 
 /// Whether a text is a journal, and its lines as one record.
 bool isJournal(const std::string& text);
-Result<JsonCursor::Json> mergedJournal(const std::string& text, const std::string& file);
+Result<JsonCursor::Json> mergedJournal(const std::string& text, const std::string& file, const WorkWatch& watch);
 
 }  // namespace glissade

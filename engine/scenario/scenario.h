@@ -18,7 +18,7 @@ enum class UpAxis { Y, Z };
 /// A file that geometry comes from.
 struct Asset {
   std::string id;
-  std::string path;    ///< relative to the scenario's folder, '/' separated, never leaving the folder
+  std::string path;    ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
   std::string sha256;  ///< of the content when the scenario was saved; empty: unknown
   double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
   UpAxis up = UpAxis::Z;

@@ -21,7 +21,7 @@ Result<LoadedScenario> loadScenario(const std::string& file);
 /// Loads geometry for a scenario value whose assets are relative to `folder`.
 Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file);
 
-/// SHA-256 of an asset's file as it is now. Errors: it cannot be read, or lies outside the folder.
+/// SHA-256 of an asset's file as it is now. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);
 
 /// Fills in the content hashes of the assets, then saves atomically (write, fsync, read back,

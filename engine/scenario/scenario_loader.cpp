@@ -7,8 +7,8 @@
 #include "engine/geometry/primitives.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/omplapp_config.h"
-#include "engine/import/safe_path.h"
 #include "engine/import/urdf_import.h"
+#include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -59,12 +59,11 @@ class GeometryLoader {
   /// The file of an asset; warns where it is not the one that the scenario was saved with.
   Result<std::string> fileOf(const Asset& asset) {
     constexpr std::size_t kMostBytes = 100U << 20;
-    auto path = resolveBelow(folder_, asset.path, file_, "asset '" + asset.id + "'");
-    if (!path) return path;
-    const auto content = readFile(*path, kMostBytes);
+    const std::string path = assetFile(asset, folder_);
+    const auto content = readFile(path, kMostBytes);
     if (!content) return content.error();
     if (!asset.sha256.empty() && sha256(*content) != asset.sha256) {
-      warnings_.push_back({ErrorKind::MalformedInput, *path, "", "has changed since the scenario was saved",
+      warnings_.push_back({ErrorKind::MalformedInput, path, "", "has changed since the scenario was saved",
                            "Check the scenario and save it again."});
     }
     return path;
@@ -255,9 +254,7 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
 
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile) {
   constexpr std::size_t kMostBytes = 100U << 20;
-  const auto path = resolveBelow(folderOf(scenarioFile), asset.path, scenarioFile, "asset '" + asset.id + "'");
-  if (!path) return path.error();
-  const auto content = readFile(*path, kMostBytes);
+  const auto content = readFile(assetFile(asset, folderOf(scenarioFile)), kMostBytes);
   if (!content) return content.error();
   return sha256(*content);
 }

@@ -78,6 +78,7 @@ struct SessionSnapshot {
   CoarsePlanPtr coarsePlan;            ///< of a multi-layer planner; null otherwise
   std::shared_ptr<const Path> path;    ///< certified; null until solved
   bool smoothed = false;               ///< `path` was shortened after it was planned
+  std::optional<double> smoothing;     ///< SmoothPath is under way: the share done; Stop ends it
   RunLogParts log;                     ///< what shaped the run: at most a second old, and whole once it has ended
   std::string member;                  ///< of the automatic planner: whose turn it is, or who found the path
   std::optional<TuningReport> tuning;  ///< what has set itself; `parameters` stay the user's own

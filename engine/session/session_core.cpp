@@ -76,7 +76,7 @@ SessionCore::SessionCore(Problem problem, ParameterValues parameters, std::strin
 
 SessionCore::~SessionCore() = default;
 
-void SessionCore::carryOut(const Command& wanted) {
+void SessionCore::carryOut(const Command& wanted, const WorkWatch& watch) {
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
   if (std::holds_alternative<command::Start>(wanted)) {
     if (!running) startRun();
@@ -98,7 +98,7 @@ void SessionCore::carryOut(const Command& wanted) {
   } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
     problem_.scene.knowledge = known->knowledge;
   } else if (const auto* smooth = std::get_if<command::SmoothPath>(&wanted)) {
-    if (state_ == SessionState::Solved) smoothPath(smooth->attempts, {});
+    if (state_ == SessionState::Solved) smoothPath(smooth->attempts, watch);
   }
 }
 
@@ -172,10 +172,12 @@ void SessionCore::plan(const Hooks& hooks) {
 }
 
 /// The delivered path has its clearance bounded closely, where there is time for it.
-void SessionCore::smoothPath(int attempts, const StopToken& stop) {
-  Path path = attempts > 0 ? withShortcuts(*planned_, problem_, parameters_, seed_, attempts, stop) : *planned_;
+void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
+  Path path = attempts > 0 ? withShortcuts(*planned_, problem_, parameters_, seed_, attempts, watch) : *planned_;
+  const bool another = path_ != nullptr;  // the one delivered stays where the work is stopped
+  if (another && watch.stop.stopRequested()) return;
   const auto query = problem_.world->makeQuery();
-  MotionCertificate close = certifyPath(*query, path.points, parameters_, stop, ClearanceBounds::Close);
+  MotionCertificate close = certifyPath(*query, path.points, parameters_, watch.stop, ClearanceBounds::Close);
   if (close.status == CertificateStatus::Certified) path.certificate = std::move(close);
   path_ = std::make_shared<const Path>(std::move(path));
   smoothed_ = attempts > 0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/base/work_watch.h"
 #include "engine/session/roadmap_publisher.h"
 #include "engine/session/run_logger.h"
 #include "engine/session/session.h"
@@ -19,8 +20,9 @@ class SessionCore {
   SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed);
   ~SessionCore();
 
-  /// Every command but SetDevicePose, which is the operator side's and does nothing here.
-  void carryOut(const Command& command);
+  /// Every command but SetDevicePose, which is the operator side's and does nothing here. `watch` is for
+  /// SmoothPath, which takes its time: stopped, the path stays as it was.
+  void carryOut(const Command& command, const WorkWatch& watch = {});
 
   SessionState state() const { return state_; }
   /// Counts the runs started so far.
@@ -59,7 +61,7 @@ class SessionCore {
   void startRun();
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
-  void smoothPath(int attempts, const StopToken& stop);
+  void smoothPath(int attempts, const WorkWatch& watch);
   void endRun(SessionState state);
   void fail(Diagnostic why);
   std::optional<Diagnostic> limitReached() const;

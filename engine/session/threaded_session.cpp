@@ -119,13 +119,25 @@ class Threaded final : public Session {
     }
     for (const Command& command : commands) {
       const std::uint64_t runBefore = core_.run();
-      core_.carryOut(command);
+      if (std::holds_alternative<command::SmoothPath>(command)) {
+        smooth(command);
+      } else {
+        core_.carryOut(command);
+      }
       if (core_.run() == runBefore) continue;
       const std::lock_guard lock(mutex_);
       restartWanted_ = true;
       chunks_.clear();
     }
     return true;
+  }
+
+  /// Publishes how far it is.
+  void smooth(const Command& command) {
+    const auto report = [this](double share) {
+      if (Clock::now() - lastPublication_ >= kPublishInterval) publishPlanning(share);
+    };
+    core_.carryOut(command, WorkWatch(freshStopToken(), report));
   }
 
   /// A stop that is asked for from now on, or that waits in the queue already. Other commands let the
@@ -154,9 +166,10 @@ class Threaded final : public Session {
     return !quit_ && commands_.empty();
   }
 
-  void publishPlanning() {
+  void publishPlanning(std::optional<double> smoothing = std::nullopt) {
     SessionSnapshot next;
     core_.describe(next);
+    next.smoothing = smoothing;
     lastPublication_ = Clock::now();
     const std::lock_guard lock(mutex_);
     chunks_ = next.roadmap;

@@ -59,11 +59,12 @@ std::string paperText(const StudyCell& cell, const PaperColumn& column) {
   return column.quantity.measure == "success_rate" ? percent(*number) : shortNumber(*number);
 }
 
-std::string describe(const Quantity& quantity) {
-  std::string words = quantity.measure;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  if (quantity.measure == "success_rate") return words;
-  return quantity.statistic + " of " + words + " over " + (quantity.over == "all" ? "all" : "the solved") + " runs";
+std::string describe(const Quantity& quantity, const StudyWords& words) {
+  std::string measure = quantity.measure;
+  std::replace(measure.begin(), measure.end(), '_', ' ');
+  if (quantity.measure == "success_rate") return words(measure);
+  const std::string runs = quantity.over == "all" ? "all" : "the solved";
+  return words(quantity.statistic + " of %1 over " + runs + " runs", {words(measure)});
 }
 
 std::string shortNumber(double value) {

@@ -5,6 +5,7 @@
 
 #include "engine/study/study.h"
 #include "engine/study/study_summary.h"
+#include "engine/study/study_words.h"
 
 namespace glissade {
 
@@ -23,7 +24,7 @@ std::optional<CellValue> valueOf(const CellSummary& summary, const Quantity& qua
 std::string paperText(const StudyCell& cell, const PaperColumn& column);
 
 /// "median of nodes over the solved runs", "success rate".
-std::string describe(const Quantity& quantity);
+std::string describe(const Quantity& quantity, const StudyWords& words = {});
 
 /// For people: three significant digits at least, thousands apart: "27 600", "0.152", "14.5".
 std::string shortNumber(double value);

@@ -34,8 +34,8 @@ bool agree(const StudyCell& a, const StudyCell& b, const std::vector<PairBy>& ke
 /// Walks through the pairs and keeps the one that speaks most against the finding.
 class Check {
  public:
-  Check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries)
-      : finding_(finding), study_(study), summaries_(summaries) {}
+  Check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words)
+      : finding_(finding), study_(study), summaries_(summaries), words_(words) {}
 
   CheckedFinding run() {
     const auto cells = select(finding_.cells, study_);
@@ -56,7 +56,8 @@ class Check {
   std::optional<double> value(std::size_t cell) {
     const auto found = valueOf(summaries_[cell], finding_.quantity);
     if (found) return found->value;
-    missing_ = study_.cells[cell].label + (summaries_[cell].runs == 0 ? " has not been run" : " was never solved");
+    missing_ =
+        words_(summaries_[cell].runs == 0 ? "%1 has not been run" : "%1 was never solved", {study_.cells[cell].label});
     return std::nullopt;
   }
 
@@ -64,13 +65,15 @@ class Check {
     return finding_.quantity.measure == "success_rate" ? percent(value) : shortNumber(value);
   }
 
-  std::string wanted() const { return finding_.relation == Relation::Below ? "below " : "above "; }
+  bool below() const { return finding_.relation == Relation::Below; }
 
   void compareWithNumber(std::size_t cell, double bound) {
     const auto left = value(cell);
     if (!left) return;
     const double against = finding_.relation == Relation::Below ? *left - bound : bound - *left;
-    note(against < 0.0, against, study_.cells[cell].label + ": " + show(*left) + "; wanted " + wanted() + show(bound));
+    note(against < 0.0, against,
+         words_(below() ? "%1: %2; wanted below %3" : "%1: %2; wanted above %3",
+                {study_.cells[cell].label, show(*left), show(bound)}));
   }
 
   void compare(std::size_t cell, std::size_t other) {
@@ -81,10 +84,12 @@ class Check {
     const bool agrees = finding_.relation == Relation::Below ? *left < bound : *left > bound;
     // How far the pair is from its bound, as a ratio; where the bound is zero as a difference.
     const double ratio = bound > 0.0 ? *left / bound : *left - bound + 1.0;
-    std::string text =
-        study_.cells[cell].label + ": " + show(*left) + " against " + study_.cells[other].label + ": " + show(*right);
-    if (*right > 0.0)
-      text += ", " + shortNumber(*left / *right) + " times; wanted " + wanted() + shortNumber(finding_.factor);
+    std::string text = words_("%1: %2 against %3: %4",
+                              {study_.cells[cell].label, show(*left), study_.cells[other].label, show(*right)});
+    if (*right > 0.0) {
+      text = words_(below() ? "%1, %2 times; wanted below %3" : "%1, %2 times; wanted above %3",
+                    {text, shortNumber(*left / *right), shortNumber(finding_.factor)});
+    }
     note(agrees, finding_.relation == Relation::Below ? ratio : -ratio, text);
   }
 
@@ -104,7 +109,7 @@ class Check {
     } else if (!missing_.empty()) {
       result_.numbers += (result_.numbers.empty() ? "" : "; ") + missing_;
     } else {
-      result_.numbers = "Its rows are not part of this size of the study";
+      result_.numbers = words_("Its rows are not part of this size of the study");
     }
     return result_;
   }
@@ -112,6 +117,7 @@ class Check {
   const Finding& finding_;
   const Study& study_;
   const std::vector<CellSummary>& summaries_;
+  const StudyWords& words_;
   CheckedFinding result_;
   double worst_ = -std::numeric_limits<double>::infinity();
   std::string missing_;  ///< why a pair cannot be compared, of the last such
@@ -119,13 +125,14 @@ class Check {
 
 }  // namespace
 
-const char* words(Verdict verdict) {
+const char* name(Verdict verdict) {
   if (verdict == Verdict::Holds) return "holds";
   return verdict == Verdict::Refuted ? "does not hold" : "open";
 }
 
-CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries) {
-  return Check(finding, study, summaries).run();
+CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
+                     const StudyWords& words) {
+  return Check(finding, study, summaries, words).run();
 }
 
 }  // namespace glissade

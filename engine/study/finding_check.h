@@ -5,6 +5,7 @@
 
 #include "engine/study/study.h"
 #include "engine/study/study_summary.h"
+#include "engine/study/study_words.h"
 
 namespace glissade {
 
@@ -13,7 +14,7 @@ enum class Verdict {
   Refuted,
   Open  ///< no pair refutes it, but some cannot be compared: not run, or never solved
 };
-const char* words(Verdict verdict);  ///< "holds", "does not hold", "open"
+const char* name(Verdict verdict);  ///< "holds", "does not hold", "open"
 
 /// What a study's results say of a finding.
 struct CheckedFinding {
@@ -23,6 +24,7 @@ struct CheckedFinding {
   std::string numbers;       ///< the pair that speaks most against it, or why there is none
 };
 
-CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries);
+CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
+                     const StudyWords& words = {});
 
 }  // namespace glissade

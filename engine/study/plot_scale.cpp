@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 #include "engine/study/cell_value.h"
 
@@ -11,6 +14,8 @@ namespace {
 constexpr double kSpanForLogarithms = 20.0;
 constexpr double kZeroWidth = 0.1;
 constexpr int kMostSteps = 6;
+/// Parts of logarithmic axes that span less have evenly spaced ticks.
+constexpr double kSpanForPowers = 5.0;
 
 /// 1, 2 or 5 times a power of ten, at least this.
 double roundStep(double least) {
@@ -104,16 +109,57 @@ void PlotScale::markLinear() {
 
 void PlotScale::markLogarithmic() {
   if (zeroWidth_ > 0.0) ticks_.push_back({0.0, "0"});
-  const double decades = high_ - low_;
-  for (double power = std::floor(low_ + 1e-9); power <= high_ + 1e-9; power += 1.0) {
+  const std::vector<PlotTick> powers = powerTicks(low_, high_);
+  ticks_.insert(ticks_.end(), powers.begin(), powers.end());
+}
+
+/// Between two logarithms.
+std::vector<PlotTick> PlotScale::powerTicks(double low, double high) const {
+  std::vector<PlotTick> ticks;
+  const double decades = high - low;
+  for (double power = std::floor(low + 1e-9); power <= high + 1e-9; power += 1.0) {
     for (int digit = 1; digit <= 9; ++digit) {
       const double exponent = power + std::log10(digit);
-      if (exponent < low_ - 1e-9 || exponent > high_ + 1e-9) continue;
+      if (exponent < low - 1e-9 || exponent > high + 1e-9) continue;
       const bool labelled = digit == 1 || (decades < 3.1 && (digit == 2 || digit == 5));
       const double value = digit * std::pow(10.0, power);
-      ticks_.push_back({position(value), labelled ? shortNumber(value) : std::string()});
+      ticks.push_back({position(value), labelled ? shortNumber(value) : std::string()});
     }
   }
+  return ticks;
+}
+
+/// Between two values, with as many decimals as tell them apart.
+std::vector<PlotTick> PlotScale::roundTicks(double low, double high) const {
+  std::vector<PlotTick> ticks;
+  const double step = roundStep((high - low) / kMostSteps);
+  const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
+  for (double i = std::ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i += 1.0) {
+    const double value = i * step;
+    std::ostringstream label;
+    label.imbue(std::locale::classic());
+    label << std::fixed << std::setprecision(decimals) << value;
+    ticks.push_back({position(value), decimals == 0 ? shortNumber(value) : label.str()});
+  }
+  return ticks;
+}
+
+double PlotScale::valueAt(double position) const {
+  const double along = std::clamp((position - zeroWidth_) / (1.0 - zeroWidth_), 0.0, 1.0);
+  const double value = low_ + along * (high_ - low_);
+  return kind_ == Kind::Logarithmic ? std::pow(10.0, value) : value;
+}
+
+std::vector<PlotTick> PlotScale::ticksWithin(double from, double to) const {
+  const bool whole = from <= 0.0 && to >= 1.0;
+  if (whole || kind_ == Kind::Categories) return ticks_;
+  const double low = valueAt(from);
+  const double high = valueAt(to);
+  if (kind_ == Kind::Linear) return roundTicks(low, high);
+  std::vector<PlotTick> ticks =
+      high < kSpanForPowers * low ? roundTicks(low, high) : powerTicks(std::log10(low), std::log10(high));
+  if (zeroWidth_ > 0.0 && from <= 0.0) ticks.insert(ticks.begin(), {0.0, "0"});
+  return ticks;
 }
 
 }  // namespace glissade

@@ -29,6 +29,8 @@ class PlotScale {
 
   double position(double value) const;
   const std::vector<PlotTick>& ticks() const { return ticks_; }
+  /// Ticks for a part of the axis that is shown enlarged, where there may be room for more.
+  std::vector<PlotTick> ticksWithin(double from, double to) const;
   const std::string& title() const { return title_; }
   bool isLogarithmic() const { return kind_ == Kind::Logarithmic; }
   bool isCategories() const { return kind_ == Kind::Categories; }
@@ -40,6 +42,10 @@ class PlotScale {
 
   void markLinear();
   void markLogarithmic();
+  /// The value at a position; that of the axis' end where the position is beyond it.
+  double valueAt(double position) const;
+  std::vector<PlotTick> roundTicks(double low, double high) const;
+  std::vector<PlotTick> powerTicks(double low, double high) const;
 
   Kind kind_ = Kind::Linear;
   std::string title_;

@@ -1,6 +1,7 @@
 #include "engine/study/report_html.h"
 
 #include "engine/base/file.h"
+#include "engine/study/finding_check.h"
 #include "engine/study/svg_plot.h"
 #include "engine/study/xml_text.h"
 
@@ -50,11 +51,12 @@ svg .faint { stroke: var(--line); }
 )";
 
 /// The cells of a verdict say it in colour, too.
-std::string classOf(const ReportColumn& column, const std::string& cell) {
-  if (column.number) return " class=\"number\"";
-  if (column.title == "Finding") return " class=\"prose\"";
-  if (column.title != "Verdict") return "";
-  return cell == "holds" ? " class=\"holds\"" : cell == "open" ? " class=\"open\"" : " class=\"refuted\"";
+std::string classOf(const ReportColumn& column, const std::string& cell, const StudyWords& words) {
+  if (column.kind == ReportColumn::Kind::Number) return " class=\"number\"";
+  if (column.kind == ReportColumn::Kind::Prose) return " class=\"prose\"";
+  if (column.kind != ReportColumn::Kind::Verdict) return "";
+  if (cell == words(name(Verdict::Holds))) return " class=\"holds\"";
+  return cell == words(name(Verdict::Open)) ? " class=\"open\"" : " class=\"refuted\"";
 }
 
 bool hasTitles(const ReportTable& table) {
@@ -66,6 +68,8 @@ bool hasTitles(const ReportTable& table) {
 
 class Page {
  public:
+  explicit Page(Language language) : words_(language) {}
+
   std::optional<Diagnostic> error;
   std::string out;
 
@@ -84,7 +88,7 @@ class Page {
     for (const auto& row : table.rows) {
       out += "<tr>";
       for (std::size_t i = 0; i < row.size(); ++i) {
-        out += "<td" + classOf(table.columns[i], row[i]) + ">" + escaped(row[i]) + "</td>";
+        out += "<td" + classOf(table.columns[i], row[i], words_) + ">" + escaped(row[i]) + "</td>";
       }
       out += "</tr>\n";
     }
@@ -116,10 +120,13 @@ class Page {
   void addTitles(const ReportTable& table) {
     out += "<thead><tr>";
     for (const ReportColumn& column : table.columns) {
-      out += std::string("<th") + (column.number ? " class=\"number\"" : "") + ">" + escaped(column.title) + "</th>";
+      out += std::string("<th") + (column.kind == ReportColumn::Kind::Number ? " class=\"number\"" : "") + ">" +
+             escaped(column.title) + "</th>";
     }
     out += "</tr></thead>\n";
   }
+
+  StudyWords words_;
 };
 
 }  // namespace
@@ -142,10 +149,11 @@ std::string base64(const std::string& bytes) {
 }
 
 Result<std::string> reportHtml(const StudyReport& report) {
-  Page page;
+  Page page(report.language);
   for (const ReportBlock& block : report.blocks) std::visit(page, block);
   if (page.error) return *page.error;
-  return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
+  return "<!DOCTYPE html>\n<html lang=\"" + std::string(code(report.language)) +
+         "\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
          "charset=\"utf-8\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<meta name=\"color-scheme\" "
          "content=\"light dark\"/>\n<title>" +

@@ -77,9 +77,13 @@ std::string StudyFolder::fileOf(const StudyRun& run) const {
   return path_ + "/runs/cell" + std::to_string(run.cell + 1) + "-seed" + std::to_string(run.seed) + ".json";
 }
 
-StudyResults StudyFolder::results(Warnings& warnings) const {
+StudyResults StudyFolder::results(Warnings& warnings, const WorkWatch& watch) const {
   StudyResults results;
-  for (const StudyRun& run : runsOf(plan_.study, {})) {
+  const std::vector<StudyRun> planned = runsOf(plan_.study, {});
+  std::size_t looked = 0;
+  for (const StudyRun& run : planned) {
+    if (watch.stop.stopRequested()) return results;
+    watch.report(static_cast<double>(looked++) / static_cast<double>(planned.size()));
     const std::string file = fileOf(run);
     if (!fs::exists(file)) continue;
     const auto text = readFile(file, kMostRunBytes);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/base/work_watch.h"
 #include "engine/study/run_result.h"
 #include "engine/study/study_plan.h"
 
@@ -37,8 +38,8 @@ class StudyFolder {
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   /// Every planned run that is there. A file that cannot be read, or is of another plan, counts as
-  /// not run and is named among the warnings.
-  StudyResults results(Warnings& warnings) const;
+  /// not run and is named among the warnings. Where stopped, those read so far.
+  StudyResults results(Warnings& warnings, const WorkWatch& watch = {}) const;
   /// Notes where the study file is, for scenarioFile.
   Outcome noteStudyFile(const std::string& studyFile) const;
   /// The scenario of a cell, where the study file was when it was run. Where that is not known, or the

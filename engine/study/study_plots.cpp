@@ -39,9 +39,9 @@ std::vector<ParameterId> variedParameters(const Study& study) {
   return varied;
 }
 
-std::string titleOf(ParameterId id) {
+std::string titleOf(ParameterId id, const StudyWords& words) {
   const ParameterSpec& spec = specOf(id);
-  std::string title(spec.label);
+  std::string title = words(spec.label);
   if (!spec.symbol.empty()) title += " " + std::string(spec.symbol);
   if (!spec.unit.empty()) title += " (" + std::string(spec.unit) + ")";
   return title;
@@ -86,9 +86,11 @@ std::vector<Panel> panelsOf(const Study& study) {
 /// Makes the plots of one study over one parameter, or over scenarios.
 class Plotter {
  public:
-  Plotter(const Study& study, const std::vector<CellSummary>& summaries, std::optional<ParameterId> along, Panel panel)
+  Plotter(const Study& study, const std::vector<CellSummary>& summaries, std::optional<ParameterId> along, Panel panel,
+          const StudyWords& words)
       : study_(study),
         summaries_(summaries),
+        words_(words),
         along_(along),
         panel_(panel),
         severalStrategies_(differ(study, [](const StudyCell& cell) { return cell.strategy; })),
@@ -104,8 +106,9 @@ class Plotter {
     plot.name = column.key + (along_ ? "-over-" + std::string(specOf(*along_).key) : "") +
                 (panel_ ? "-at-" + toText(*panel_) : "");
     plot.kind = along_ ? PlotKind::Lines : PlotKind::Bars;
-    plot.title = column.title + " over " + (along_ ? std::string(specOf(*along_).label) : "scenario and strategy") +
-                 (panel_ ? ", OMPL's edges looked at every " + toText(100.0 * *panel_) + " %" : "");
+    plot.title = along_ ? words_("%1 over %2", {words_(column.title), words_(specOf(*along_).label)})
+                        : words_("%1 over scenario and strategy", {words_(column.title)});
+    if (panel_) plot.title += words_(", OMPL's edges looked at every %1 %", {toText(100.0 * *panel_)});
     plot.caption = captionOf(column.quantity);
     addOurs(column, plot);
     if (plot.kind == PlotKind::Bars) spreadBars(plot);
@@ -119,12 +122,15 @@ class Plotter {
   static bool isShare(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
 
   std::string captionOf(const Quantity& quantity) const {
-    std::string text = describe(quantity);
+    std::string text = describe(quantity, words_);
     text.front() = static_cast<char>(std::toupper(text.front()));
-    text += quantity.measure == "success_rate" ? ", with Wilson's 95 % interval." : ", with quartiles.";
-    if (!along_ && quantity.measure != "success_rate") text += " Above each bar: success rate in %.";
+    const bool share = quantity.measure == "success_rate";
+    text = words_(share ? "%1, with Wilson's 95 % interval." : "%1, with quartiles.", {text});
+    if (!along_ && !share) text += " " + words_("Above each bar: success rate in %.");
     for (const StudyCell& cell : study_.cells) {
-      if (along_ && cell.settings.count(*along_) == 0) text += " Not on this axis: " + cell.label + ".";
+      if (along_ && cell.settings.count(*along_) == 0) {
+        text += " " + words_("Not on this axis: %1.", {cell.label});
+      }
     }
     return text;
   }
@@ -190,8 +196,9 @@ class Plotter {
   std::string saysOf(std::size_t cell, const PaperColumn& column, const CellValue& value) const {
     const auto show = [&](double number) { return isShare(column) ? percent(number) : shortNumber(number); };
     const CellSummary& summary = summaries_[cell];
-    return study_.cells[cell].label + ": " + show(value.value) + " (" + show(value.low) + " to " + show(value.high) +
-           "), " + std::to_string(summary.solved()) + " of " + std::to_string(summary.runs) + " solved";
+    return words_("%1: %2 (%3 to %4), %5 of %6 solved",
+                  {study_.cells[cell].label, show(value.value), show(value.low), show(value.high),
+                   std::to_string(summary.solved()), std::to_string(summary.runs)});
   }
 
   /// The paper prints one number a row, whoever held the device: one series a strategy.
@@ -208,7 +215,8 @@ class Plotter {
       if (isNew) plot.series.push_back(paperSeries(cell, plot));
       const double value = isShare(column) ? 100.0 * *number : *number;
       const std::string shown = isShare(column) ? percent(*number) : shortNumber(*number);
-      plot.series[entry->second].points.push_back({*x, value, value, value, "", cell.row + ", paper: " + shown, {}});
+      plot.series[entry->second].points.push_back(
+          {*x, value, value, value, "", words_("%1, paper: %2", {cell.row, shown}), {}});
     }
     for (auto& [strategy, index] : seriesOf) {
       auto& points = plot.series[index].points;
@@ -219,7 +227,7 @@ class Plotter {
   PlotSeries paperSeries(const StudyCell& cell, const Plot& plot) const {
     PlotSeries series;
     series.ofPaper = true;
-    series.name = "paper";
+    series.name = words_("paper");
     if (along_) return series;
     const std::string beside = seriesName(cell);
     for (const PlotSeries& ours : plot.series) {
@@ -252,21 +260,24 @@ class Plotter {
         for (const double y : {point.y, point.low, point.high}) ys.push_back(y);
       }
     }
-    plot.x = along_ ? PlotScale::fitting(titleOf(*along_), xs) : PlotScale::categories("Scenario", scenarios_);
+    plot.x = along_ ? PlotScale::fitting(titleOf(*along_, words_), xs)
+                    : PlotScale::categories(words_("Scenario"), scenarios_);
     if (isShare(column)) {
-      plot.y = PlotScale::percentages(column.title + " (%)");
+      plot.y = PlotScale::percentages(words_(column.title) + " (%)");
     } else {
       // Numbers of runs are never negative, and zeros have no place on a logarithmic axis.
       ys.erase(std::remove(ys.begin(), ys.end(), 0.0), ys.end());
       // Bars stand on a power of ten below all of them.
       if (!along_ && !ys.empty())
         ys.push_back(std::pow(10.0, std::floor(std::log10(*std::min_element(ys.begin(), ys.end())))));
-      plot.y = along_ ? PlotScale::fitting(column.title, ys) : PlotScale::logarithmic(column.title, ys);
+      const std::string title = words_(column.title);
+      plot.y = along_ ? PlotScale::fitting(title, ys) : PlotScale::logarithmic(title, ys);
     }
   }
 
   const Study& study_;
   const std::vector<CellSummary>& summaries_;
+  const StudyWords& words_;
   std::optional<ParameterId> along_;
   Panel panel_;
   bool severalStrategies_;
@@ -276,7 +287,7 @@ class Plotter {
 
 }  // namespace
 
-std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries) {
+std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   std::vector<std::optional<ParameterId>> axes;
   for (const ParameterId id : variedParameters(study)) {
     if (!isOfPeers(id)) axes.emplace_back(id);
@@ -285,7 +296,7 @@ std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& su
   std::vector<Plot> plots;
   for (const auto& along : axes) {
     for (const Panel& panel : panelsOf(study)) {
-      const Plotter plotter(study, summaries, along, panel);
+      const Plotter plotter(study, summaries, along, panel, words);
       for (const PaperColumn& column : quantitiesOf(study.heading)) plots.push_back(plotter.plot(column));
     }
   }

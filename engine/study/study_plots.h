@@ -5,6 +5,7 @@
 #include "engine/study/plot.h"
 #include "engine/study/study.h"
 #include "engine/study/study_summary.h"
+#include "engine/study/study_words.h"
 
 namespace glissade {
 
@@ -12,6 +13,6 @@ namespace glissade {
 /// seconds, nodes and random configurations), and the success rate, over each parameter that its cells
 /// vary; where they vary none, as bars over scenarios. Series are strategies and operators, and the
 /// paper's numbers beside them.
-std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries);
+std::vector<Plot> plotsOf(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words = {});
 
 }  // namespace glissade

@@ -24,7 +24,7 @@ std::string joined(const std::set<std::string>& names) {
   return text;
 }
 
-ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>& summaries) {
+ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   const Study& study = folder.plan().study;
   std::set<std::string> scenarios;
   std::set<std::string> strategies;
@@ -44,19 +44,20 @@ ReportTable whatWasRun(const StudyFolder& folder, const std::vector<CellSummary>
   }
   ReportTable table;
   table.columns = {{""}, {""}};
-  table.rows = {{"Study", study.heading.name + (study.quick ? ", quick size" : ", full size")},
-                {"Runs", std::to_string(run) + " of " + std::to_string(planned) + ", " + std::to_string(solved) +
-                             " of them solved, in " + std::to_string(study.cells.size()) + " cells"},
-                {"Scenarios", joined(scenarios)},
-                {"Strategies", joined(strategies)},
-                {"Operators", joined(operators)},
+  table.rows = {{words("Study"), words(study.quick ? "%1, quick size" : "%1, full size", {study.heading.name})},
+                {words("Runs"), words("%1 of %2, %3 of them solved, in %4 cells",
+                                      {std::to_string(run), std::to_string(planned), std::to_string(solved),
+                                       std::to_string(study.cells.size())})},
+                {words("Scenarios"), joined(scenarios)},
+                {words("Strategies"), joined(strategies)},
+                {words("Operators"), joined(operators)},
                 {"Glissade", folder.plan().version},
-                {"Study file, SHA-256", folder.plan().studySha256},
-                {"Plan, SHA-256", folder.planSha256()}};
+                {words("Study file, SHA-256"), folder.plan().studySha256},
+                {words("Plan, SHA-256"), folder.planSha256()}};
   return table;
 }
 
-void addPictures(const StudyFolder& folder, StudyReport& report) {
+void addPictures(const StudyFolder& folder, const StudyWords& words, StudyReport& report) {
   std::error_code ignored;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder.file("pictures"), ignored)) {
@@ -64,24 +65,24 @@ void addPictures(const StudyFolder& folder, StudyReport& report) {
   }
   if (files.empty()) return;
   std::sort(files.begin(), files.end());
-  report.blocks.emplace_back(ReportHeading{"Typical roadmaps"});
+  report.blocks.emplace_back(ReportHeading{words("Typical roadmaps")});
   for (const fs::path& file : files) {
     const auto caption = readFile(fs::path(file).replace_extension(".txt").string(), kMostCaptionBytes);
     report.blocks.emplace_back(ReportPicture{file.string(), caption ? *caption : file.stem().string()});
   }
 }
 
-void addCommands(const Study& study, StudyReport& report) {
+void addCommands(const Study& study, const StudyWords& words, StudyReport& report) {
   const std::string quick = study.quick ? " --quick" : "";
   const std::string out = " --out out/" + shellWord(study.heading.name);
-  report.blocks.emplace_back(ReportHeading{"How to repeat it"});
-  report.blocks.emplace_back(ReportText{"The whole study, from the folder of its file:"});
+  report.blocks.emplace_back(ReportHeading{words("How to repeat it")});
+  report.blocks.emplace_back(ReportText{words("The whole study, from the folder of its file:")});
   report.blocks.emplace_back(
       ReportCommands{{"glissade-cli study " + shellWord(study.heading.name + ".json") + out + quick + " --jobs 2",
                       "glissade-offscreen --study-pictures out/" + shellWord(study.heading.name),
                       "glissade-cli report out/" + shellWord(study.heading.name)}});
   report.blocks.emplace_back(
-      ReportText{"The first run of each cell, from the same folder; the others differ in their --seed only:"});
+      ReportText{words("The first run of each cell, from the same folder; the others differ in their --seed only:")});
   ReportCommands commands;
   for (const StudyCell& cell : study.cells) {
     commands.lines.push_back("# " + cell.label);
@@ -92,46 +93,48 @@ void addCommands(const Study& study, StudyReport& report) {
 
 }  // namespace
 
-StudyReport reportOf(const StudyFolder& folder, Warnings& warnings) {
+StudyReport reportOf(const StudyFolder& folder, Warnings& warnings, Language language) {
+  const StudyWords words(language);
   const Study& study = folder.plan().study;
   const StudyHeading& heading = study.heading;
   const auto summaries = summarise(study, folder.results(warnings));
-  StudyReport report{heading.title, {}};
+  StudyReport report{words(heading.title), {}, language};
   const auto add = [&report](auto block) { report.blocks.emplace_back(std::move(block)); };
-  if (!heading.description.empty()) add(ReportText{heading.description});
-  if (!heading.citation.empty()) add(ReportText{"After: " + heading.citation + "."});
-  add(ReportHeading{"What was run"});
-  add(whatWasRun(folder, summaries));
-  add(ReportHeading{heading.paper.empty() ? "Results" : "The paper's table, and ours"});
-  add(study_report::paperTable(study, summaries));
-  ReportTable notes = study_report::notesTable(study);
+  if (!heading.description.empty()) add(ReportText{words(heading.description)});
+  if (!heading.citation.empty()) add(ReportText{words("After: %1.", {heading.citation})});
+  add(ReportHeading{words("What was run")});
+  add(whatWasRun(folder, summaries, words));
+  add(ReportHeading{words(heading.paper.empty() ? "Results" : "The paper's table, and ours")});
+  add(study_report::paperTable(study, summaries, words));
+  ReportTable notes = study_report::notesTable(study, words);
   if (!notes.rows.empty()) add(std::move(notes));
   if (!heading.findings.empty()) {
-    add(ReportHeading{"Findings"});
-    add(study_report::findingsTable(study, summaries));
+    add(ReportHeading{words("Findings")});
+    add(study_report::findingsTable(study, summaries, words));
   }
-  add(ReportHeading{"Plots"});
-  for (Plot& plot : plotsOf(study, summaries)) add(std::move(plot));
-  addPictures(folder, report);
-  add(ReportHeading{"How runs ended"});
-  add(study_report::endingsTable(study, summaries));
-  addCommands(study, report);
-  add(ReportHeading{"Time on the machine"});
+  add(ReportHeading{words("Plots")});
+  for (Plot& plot : plotsOf(study, summaries, words)) add(std::move(plot));
+  addPictures(folder, words, report);
+  add(ReportHeading{words("How runs ended")});
+  add(study_report::endingsTable(study, summaries, words));
+  addCommands(study, words, report);
+  add(ReportHeading{words("Time on the machine")});
   add(
-      ReportText{"Seconds and memory are those of the machines that carried out the runs; they differ from machine to "
-                 "machine, and of what stands above only what names them depends on them. This report was written on " +
-                 describeMachine() + "."});
-  add(study_report::timingTable(study, summaries));
+      ReportText{words("Seconds and memory are those of the machines that carried out the runs; they differ from "
+                       "machine to machine, and of what stands above only what names them depends on them. This report "
+                       "was written on %1.",
+                       {describeMachine()})});
+  add(study_report::timingTable(study, summaries, words));
   return report;
 }
 
-Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings) {
+Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings, Language language) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error) {
     return Diagnostic{ErrorKind::Usage, out, "", "cannot be made: " + error.message(), "Choose another --out."};
   }
-  const auto page = reportHtml(reportOf(folder, warnings));
+  const auto page = reportHtml(reportOf(folder, warnings, language));
   if (!page) return page.error();
   return writeFileAtomically(out + "/report.html", *page);
 }

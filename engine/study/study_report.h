@@ -6,6 +6,7 @@
 
 #include "engine/study/plot.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_words.h"
 
 namespace glissade {
 
@@ -17,8 +18,14 @@ struct ReportText {
   std::string text;
 };
 struct ReportColumn {
+  enum class Kind {
+    Text,
+    Number,  ///< aligned to the right
+    Prose,   ///< whole sentences
+    Verdict  ///< of findings
+  };
   std::string title;
-  bool number = false;  ///< aligned to the right
+  Kind kind = Kind::Text;
 };
 struct ReportTable {
   std::string caption;
@@ -39,15 +46,17 @@ using ReportBlock = std::variant<ReportHeading, ReportText, ReportTable, Plot, R
 struct StudyReport {
   std::string title;
   std::vector<ReportBlock> blocks;
+  Language language = Language::English;
 };
 
 /// Everything a folder of results has to say: what was run, the paper's table with ours beside it, the
 /// findings, plots, pictures (DIR/pictures/*.png, with their .txt as captions), how runs ended, the commands
 /// that repeat it, and last what depends on the machine. Up to that last section it is the same wherever
 /// it is made.
-StudyReport reportOf(const StudyFolder& folder, Warnings& warnings);
+StudyReport reportOf(const StudyFolder& folder, Warnings& warnings, Language language = Language::English);
 
 /// Writes DIR/report.html into `out`.
-Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings);
+Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings& warnings,
+                    Language language = Language::English);
 
 }  // namespace glissade

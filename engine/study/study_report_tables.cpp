@@ -21,8 +21,8 @@ std::string successText(const CellSummary& summary) {
   return percent(success.share) + " (" + percent(success.low) + " – " + percent(success.high) + ")";
 }
 
-std::string solvedText(const CellSummary& summary) {
-  return std::to_string(summary.solved()) + " of " + std::to_string(summary.runs);
+std::string shareText(std::size_t part, std::size_t all, const StudyWords& words) {
+  return words("%1 of %2", {std::to_string(part), std::to_string(all)});
 }
 
 bool isSuccess(const PaperColumn& column) { return column.quantity.measure == "success_rate"; }
@@ -41,19 +41,22 @@ std::string noteOf(const StudyCell& cell) {
 
 }  // namespace
 
-ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries) {
+ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
   table.caption =
-      "Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.";
-  table.columns = {{"Row"}, {"Solved", true}, {"Success", true}};
+      words("Ours: median or mean as the column says, quartiles in brackets; success with Wilson's 95 % interval.");
+  table.columns = {
+      {words("Row")}, {words("Solved"), ReportColumn::Kind::Number}, {words("Success"), ReportColumn::Kind::Number}};
   for (const PaperColumn& column : study.heading.paper) {
     const bool printed = isPrinted(study, column);
-    if (printed) table.columns.push_back({column.title + ", paper", true});
-    if (!isSuccess(column)) table.columns.push_back({column.title + (printed ? ", ours" : ""), true});
+    const std::string title = words(column.title);
+    if (printed) table.columns.push_back({words("%1, paper", {title}), ReportColumn::Kind::Number});
+    if (!isSuccess(column))
+      table.columns.push_back({printed ? words("%1, ours", {title}) : title, ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
-    Row row{cell.label, solvedText(summaries[i]), successText(summaries[i])};
+    Row row{cell.label, shareText(summaries[i].solved(), summaries[i].runs, words), successText(summaries[i])};
     for (const PaperColumn& column : study.heading.paper) {
       if (isPrinted(study, column)) row.push_back(paperText(cell, column));
       if (!isSuccess(column)) row.push_back(spreadText(valueOf(summaries[i], column.quantity)));
@@ -63,36 +66,44 @@ ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summa
   return table;
 }
 
-ReportTable notesTable(const Study& study) {
+ReportTable notesTable(const Study& study, const StudyWords& words) {
   ReportTable table;
-  table.columns = {{"Row"}, {"Note on the paper"}};
+  table.columns = {{words("Row")}, {words("Note on the paper")}};
   for (const StudyCell& cell : study.cells) {
     const std::string note = noteOf(cell);
-    const Row row{cell.row, note};
+    const Row row{cell.row, words(note)};
     if (!note.empty() && (table.rows.empty() || table.rows.back() != row)) table.rows.push_back(row);
   }
   return table;
 }
 
-ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries) {
+ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.caption =
-      "Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.";
-  table.columns = {{"Finding"}, {"Verdict"}, {"Pairs", true}, {"Quantity"}, {"Numbers"}};
+  table.caption = words(
+      "Each compares every pair of cells that it speaks of; the numbers are of the pair that speaks most against it.");
+  table.columns = {{words("Finding"), ReportColumn::Kind::Prose},
+                   {words("Verdict"), ReportColumn::Kind::Verdict},
+                   {words("Pairs"), ReportColumn::Kind::Number},
+                   {words("Quantity")},
+                   {words("Numbers")}};
   for (const Finding& finding : study.heading.findings) {
-    const CheckedFinding checked = check(finding, study, summaries);
-    table.rows.push_back({finding.text, words(checked.verdict),
-                          std::to_string(checked.agreeing) + " of " + std::to_string(checked.compared),
-                          describe(finding.quantity), checked.numbers});
+    const CheckedFinding checked = check(finding, study, summaries, words);
+    table.rows.push_back({words(finding.text), words(name(checked.verdict)),
+                          shareText(checked.agreeing, checked.compared, words), describe(finding.quantity, words),
+                          checked.numbers});
   }
   return table;
 }
 
-ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries) {
+ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.columns = {{"Row"}, {"Strategy"}, {"Operator"}, {"Planned", true}, {"Run", true}};
+  table.columns = {{words("Row")},
+                   {words("Strategy")},
+                   {words("Operator")},
+                   {words("Planned"), ReportColumn::Kind::Number},
+                   {words("Run"), ReportColumn::Kind::Number}};
   for (std::size_t s = 0; s < kRunStatusCount; ++s) {
-    table.columns.push_back({name(static_cast<RunStatus>(s)), true});
+    table.columns.push_back({words(name(static_cast<RunStatus>(s))), ReportColumn::Kind::Number});
   }
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const StudyCell& cell = study.cells[i];
@@ -104,15 +115,13 @@ ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& sum
   return table;
 }
 
-ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries) {
+ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words) {
   ReportTable table;
-  table.caption = "Median and quartiles over all runs.";
-  table.columns = {{"Row"},
-                   {"Planning (s)", true},
-                   {"Planning (CPU s)", true},
-                   {"Process (s)", true},
-                   {"Process (CPU s)", true},
-                   {"Memory (MB)", true}};
+  table.caption = words("Median and quartiles over all runs.");
+  table.columns = {{words("Row")},
+                   {words("Planning (s)"), ReportColumn::Kind::Number},
+                   {words("Process (s)"), ReportColumn::Kind::Number},
+                   {words("Memory (MB)"), ReportColumn::Kind::Number}};
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const auto show = [&](const char* measure) {
       return spreadText(valueOf(summaries[i], {measure, "median", "all"}));

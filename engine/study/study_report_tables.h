@@ -7,11 +7,11 @@ namespace glissade::study_report {
 
 /// The tables of a report. Private to it.
 
-ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries);
+ReportTable paperTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
 /// What the study's author remarks on the paper's rows; no rows where nothing.
-ReportTable notesTable(const Study& study);
-ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries);
-ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries);
-ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries);
+ReportTable notesTable(const Study& study, const StudyWords& words);
+ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
+ReportTable endingsTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
+ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summaries, const StudyWords& words);
 
 }  // namespace glissade::study_report

@@ -568,8 +568,6 @@
         <translation>&amp;Lisser le chemin</translation>
     </message>
     <message>
-        <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
-        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
         <source>Guidance force</source>
         <translation>Force de guidage</translation>
     </message>
@@ -584,6 +582,122 @@
     <message>
         <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
         <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation>&amp;Oublier ces fichiers</translation>
+    </message>
+    <message>
+        <source>Empty the list of the files opened last</source>
+        <translation>Vider la liste des derniers fichiers ouverts</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>End what is being done in the background: reading, smoothing, looking for reasons</source>
+        <translation>Arrêter ce qui se fait en arrière-plan : lecture, lissage, recherche des raisons</translation>
+    </message>
+    <message>
+        <source>The camera &amp;rolls</source>
+        <translation>Le &amp;roulis de la caméra</translation>
+    </message>
+    <message>
+        <source>Turning about the line of sight rolls the camera, or the horizon stays level</source>
+        <translation>Tourner autour de l&apos;axe de visée fait rouler la caméra, sinon l&apos;horizon reste droit</translation>
+    </message>
+    <message>
+        <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
+        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
+    </message>
+    <message>
+        <source>&amp;Why no path?</source>
+        <translation>&amp;Pourquoi pas de chemin ?</translation>
+    </message>
+    <message>
+        <source>Look for what stands in the way: the tightest passage, and how much would have to give</source>
+        <translation>Chercher ce qui fait obstacle : le passage le plus étroit, et combien il faudrait céder</translation>
+    </message>
+    <message>
+        <source>Play the way of &amp;least penetration</source>
+        <translation>Jouer le chemin de &amp;moindre pénétration</translation>
+    </message>
+    <message>
+        <source>Move the object along the way on which least has to give, or hold it</source>
+        <translation>Déplacer l&apos;objet le long du chemin où il faut céder le moins, ou le retenir</translation>
+    </message>
+    <message>
+        <source>Whole &amp;plot</source>
+        <translation>&amp;Courbe entière</translation>
+    </message>
+    <message>
+        <source>Show all of the study&apos;s plot again after a rubber band or the wheel has enlarged a part</source>
+        <translation>Montrer de nouveau toute la courbe de l&apos;étude, après un agrandissement au rectangle ou à la molette</translation>
+    </message>
+    <message>
+        <source>&amp;Copy plot</source>
+        <translation>Co&amp;pier la courbe</translation>
+    </message>
+    <message>
+        <source>Put the study&apos;s plot into the clipboard as it is seen</source>
+        <translation>Mettre la courbe de l&apos;étude dans le presse-papiers telle qu&apos;on la voit</translation>
+    </message>
+    <message>
+        <source>&amp;Save plot...</source>
+        <translation>&amp;Enregistrer la courbe...</translation>
+    </message>
+    <message>
+        <source>Save the study&apos;s plot as it is seen, as SVG or PNG</source>
+        <translation>Enregistrer la courbe de l&apos;étude telle qu&apos;on la voit, en SVG ou en PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the selected bodies</source>
+        <translation>Cac&amp;her les corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>Draw the selected obstacles no more; planning still knows them</source>
+        <translation>Ne plus dessiner les obstacles sélectionnés ; la planification les connaît toujours</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w them alone</source>
+        <translation>Montrer eux &amp;seuls</translation>
+    </message>
+    <message>
+        <source>Draw the selected obstacles and no others</source>
+        <translation>Dessiner les obstacles sélectionnés et aucun autre</translation>
+    </message>
+    <message>
+        <source>Show all &amp;bodies</source>
+        <translation>Montrer &amp;tous les corps</translation>
+    </message>
+    <message>
+        <source>Draw all obstacles again</source>
+        <translation>Dessiner de nouveau tous les obstacles</translation>
+    </message>
+    <message>
+        <source>Reset la&amp;yout</source>
+        <translation>Disposition d&apos;&amp;origine</translation>
+    </message>
+    <message>
+        <source>Put all panels where they were at first</source>
+        <translation>Remettre tous les panneaux à leur place d&apos;origine</translation>
+    </message>
+    <message>
+        <source>What stands in the way</source>
+        <translation>Ce qui fait obstacle</translation>
+    </message>
+    <message>
+        <source>Show why no path was found: blocking body, gap, way of least penetration</source>
+        <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé : corps bloquant, lacune, chemin de moindre pénétration</translation>
+    </message>
+    <message>
+        <source>Difficulty panel</source>
+        <translation>Panneau Difficulté</translation>
+    </message>
+    <message>
+        <source>Bring the reasons why no path was found to the front</source>
+        <translation>Mettre au premier plan les raisons pour lesquelles aucun chemin n&apos;a été trouvé</translation>
     </message>
 </context>
 <context>
@@ -731,8 +845,6 @@
         <translation>Distance exigée</translation>
     </message>
     <message>
-        <source>Clearance that a delivered path is proved to keep.</source>
-        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
         <source>Repulsion</source>
         <translation>Répulsion</translation>
     </message>
@@ -755,6 +867,10 @@
     <message>
         <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
         <translation>Ce qui se règle seul pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : rien, 7 : les trois.</translation>
+    </message>
+    <message>
+        <source>Clearance that a delivered path is proved to keep.</source>
+        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
     </message>
 </context>
 <context>
@@ -1424,6 +1540,64 @@
     </message>
 </context>
 <context>
+    <name>glissade::DifficultyController</name>
+    <message>
+        <source>Looking for what stands in the way</source>
+        <translation>Recherche de ce qui fait obstacle</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::DifficultyPanel</name>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>How much</source>
+        <translation>Combien</translation>
+    </message>
+    <message>
+        <source>Object and</source>
+        <translation>Objet et</translation>
+    </message>
+    <message>
+        <source>Place on the way of least penetration</source>
+        <translation>Place sur le chemin de moindre pénétration</translation>
+    </message>
+    <message>
+        <source>Nothing was looked into yet.</source>
+        <translation>Rien n&apos;a encore été examiné.</translation>
+    </message>
+    <message>
+        <source>With &lt;b&gt;%1&lt;/b&gt; given between the object and &lt;b&gt;%2&lt;/b&gt; there is a way.</source>
+        <translation>En cédant &lt;b&gt;%1&lt;/b&gt; entre l&apos;objet et &lt;b&gt;%2&lt;/b&gt;, il y a un chemin.</translation>
+    </message>
+    <message>
+        <source>Least penetration</source>
+        <translation>Moindre pénétration</translation>
+    </message>
+    <message>
+        <source>The object has too many triangles to look for the way of least penetration.</source>
+        <translation>L&apos;objet a trop de triangles pour chercher le chemin de moindre pénétration.</translation>
+    </message>
+    <message>
+        <source>However much smaller the object was made, no way was found.</source>
+        <translation>Même en réduisant l&apos;objet, aucun chemin n&apos;a été trouvé.</translation>
+    </message>
+    <message>
+        <source>Tightest passage reached</source>
+        <translation>Passage le plus étroit atteint</translation>
+    </message>
+    <message>
+        <source>Trees came within</source>
+        <translation>Écart entre les arbres</translation>
+    </message>
+    <message>
+        <source>Shows the object there</source>
+        <translation>Montre l&apos;objet à cet endroit</translation>
+    </message>
+</context>
+<context>
     <name>glissade::InteractionPanel</name>
     <message>
         <source>Who holds the object</source>
@@ -1711,6 +1885,30 @@
         <source>&amp;Study</source>
         <translation>É&amp;tude</translation>
     </message>
+    <message>
+        <source>%1 (not there)</source>
+        <translation>%1 (absent)</translation>
+    </message>
+    <message>
+        <source>No file yet</source>
+        <translation>Aucun fichier</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Lecture de l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>A run has begun meanwhile: open the recording after it.</source>
+        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement après lui.</translation>
+    </message>
+    <message>
+        <source>Difficulty</source>
+        <translation>Difficulté</translation>
+    </message>
+    <message>
+        <source>Open re&amp;cent</source>
+        <translation>Fichiers ré&amp;cents</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>
@@ -1960,6 +2158,10 @@
         <source>mobile</source>
         <translation>mobile</translation>
     </message>
+    <message>
+        <source>%1: drawn while the box is checked</source>
+        <translation>%1 : dessiné tant que la case est cochée</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SemanticDocument</name>
@@ -2189,6 +2391,29 @@
     <message>
         <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
         <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
+    </message>
+    <message>
+        <source>Reading the study</source>
+        <translation>Lecture de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Save the plot</source>
+        <translation>Enregistrer la courbe</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg);;Pictures (*.png)</source>
+        <translation>Dessins (*.svg);;Images (*.png)</translation>
+    </message>
+    <message>
+        <source>The plot cannot be saved</source>
+        <translation>La courbe ne peut pas être enregistrée</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WorkController</name>
+    <message>
+        <source>Smoothing the path</source>
+        <translation>Lissage du chemin</translation>
     </message>
 </context>
 </TS>

@@ -13,7 +13,9 @@ class CameraSteering : public testing::Test {
     camera.setStandardView(StandardView::Front);
     camera.fit(Box3(Vector3::Constant(-1.0), Vector3::Constant(1.0)));
   }
-  void steer(const Vector3& shift, const Vector3& turn) { steerCamera(camera, {shift, turn}, {1.0, 1.0}, 0.1); }
+  void steer(const Vector3& shift, const Vector3& turn, bool roll = false) {
+    steerCamera(camera, {shift, turn}, {1.0, 1.0}, 0.1, roll);
+  }
 
   CameraController camera;
 };
@@ -27,6 +29,17 @@ TEST_F(CameraSteering, TheSceneFollowsTheHand) {
   EXPECT_LT(camera.focus().z(), before.focus().z());
   steer({0, 0, 1}, Vector3::Zero());
   EXPECT_LT(camera.distance(), before.distance());
+}
+
+TEST_F(CameraSteering, RollTurnsThePictureWithTheHandAboutTheLineOfSight) {
+  const CameraController before = camera;
+  const Vector3 right = before.focus() + Vector3::UnitX();
+  steer(Vector3::Zero(), {0, 0, 1}, true);
+  EXPECT_TRUE(camera.eye().isApprox(before.eye(), 1e-9));
+  // The hand turns counter-clockwise, and so does what is seen.
+  EXPECT_GT((camera.R_WV().conjugate() * (right - camera.eye())).y(), 0.05);
+  steer(Vector3::Zero(), {0, 0, -1}, true);
+  EXPECT_TRUE(camera.R_WV().isApprox(before.R_WV(), 1e-9));
 }
 
 TEST_F(CameraSteering, TurningKeepsTheHorizonLevel) {

@@ -68,6 +68,21 @@ TEST_F(EnvironmentWindow, AttributesOfOnesOwnAreKeptAndBadValuesRefused) {
       << refused.errors.toStdString();
 }
 
+TEST_F(EnvironmentWindow, ABodyThatIsHiddenIsNotDrawnAndComesBack) {
+  const QString all = folder.filePath(QStringLiteral("all.png"));
+  const QString fewer = folder.filePath(QStringLiteral("fewer.png"));
+  const QString again = folder.filePath(QStringLiteral("again.png"));
+  const RunResult result =
+      run(QStringLiteral("teaching"), QStringLiteral("screenshot %1\nshow-body O2 no\nscreenshot %2\n"
+                                                     "action body.show-all\nscreenshot %3\nselect body O1\n"
+                                                     "action body.isolate\naction body.hide\n")
+                                          .arg(all, fewer, again));
+  expectGood(result);
+  EXPECT_GT(difference(QImage(all), QImage(fewer)).share, 0.01);
+  EXPECT_EQ(difference(QImage(all), QImage(again)).share, 0.0);
+  EXPECT_EQ(run(QStringLiteral("teaching"), QStringLiteral("show-body O99 no\n")).exitCode, 3);
+}
+
 TEST_F(EnvironmentWindow, ABodyThatIsSetMobileShapesNoPlaceAnyMore) {
   // Without O2 the two walls and the slot are gone: the way is straight up.
   expectGood(run(QStringLiteral("teaching"), QStringLiteral("expect-way P2,P5,P3,P4,P1\nselect body O2\n"

@@ -73,7 +73,7 @@ TEST_F(StudyWindow, TheBrowserHasEveryCellAndAsksForTheRunThatIsDoubleClicked) {
   ASSERT_TRUE(study.ok());
   Warnings warnings;
   StudyBrowser browser(nullptr);
-  browser.show(*study, warnings);
+  browser.show(*study, study->results(warnings));
   EXPECT_EQ(browser.findChild<QTreeWidget*>(QStringLiteral("cells"))->topLevelItemCount(), 4);
   ASSERT_TRUE(browser.selectCell(2));
   EXPECT_FALSE(browser.selectCell(4));
@@ -109,6 +109,49 @@ TEST_F(StudyWindow, AClickOnAPointOfAPlotPicksItsCell) {
   EXPECT_TRUE(picked.empty());
   QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->rect().center());
   EXPECT_EQ(picked, std::vector<int>{7});
+}
+
+TEST_F(StudyWindow, APartOfAPlotIsShownAndLeftAgain) {
+  Plot plot;
+  plot.x = PlotScale::linear("x", {0.0, 10.0});
+  plot.y = PlotScale::linear("y", {0.0, 10.0});
+  plot.series = {{"ours", false, 0, 0.0, {{5.0, 5.0, 5.0, 5.0, "", "a point", 7}}}};
+  PlotView view(plot);
+  view.resize(500, 400);
+  view.show();
+  QCoreApplication::processEvents();
+  auto* canvas = view.findChild<QFrame*>(QStringLiteral("canvas"));
+  const QPoint centre = canvas->rect().center();
+  QTest::mousePress(canvas, Qt::LeftButton, {}, centre + QPoint(30, 30));
+  QTest::mouseMove(canvas, centre + QPoint(90, 90));
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, centre + QPoint(90, 90));
+  EXPECT_TRUE(view.isZoomed());
+  QTest::keyClick(canvas, Qt::Key_Escape);
+  EXPECT_FALSE(view.isZoomed());
+  QTest::keyClick(canvas, Qt::Key_Plus);
+  EXPECT_TRUE(view.isZoomed());
+  QTest::keyClick(canvas, Qt::Key_Left);
+  QTest::keyClick(canvas, Qt::Key_Minus);
+  QTest::keyClick(canvas, Qt::Key_Minus);
+  EXPECT_FALSE(view.isZoomed());
+}
+
+TEST_F(StudyWindow, APlotIsSavedAsItIsSeen) {
+  const QString drawing = folder.filePath(QStringLiteral("plot.svg"));
+  const QString picture = folder.filePath(QStringLiteral("plot.png"));
+  const QString part = folder.filePath(QStringLiteral("part.png"));
+  const RunResult result =
+      run({}, QStringLiteral("study %1\nstudy-save-plot %2\nstudy-save-plot %3\nstudy-zoom 0.5 0.5 1 1\n"
+                             "study-save-plot %4\naction study.zoom-out\naction study.copy-plot\n")
+                  .arg(out(), drawing, picture, part));
+  EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
+  QFile file(drawing);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QXmlStreamReader xml(file.readAll());
+  while (!xml.atEnd()) xml.readNext();
+  EXPECT_FALSE(xml.hasError());
+  EXPECT_GT(difference(QImage(picture), QImage(part)).share, 0.001);
+  EXPECT_EQ(run({}, QStringLiteral("study %1\nstudy-save-plot /nowhere/plot.svg\n").arg(out())).exitCode, 3);
 }
 
 TEST_F(StudyWindow, WhatIsNotThereIsSaid) {

@@ -24,6 +24,10 @@ class DeviceSettings {
   QString action(const HandInput& input, std::size_t button) const;
   void setAction(const HandInput& input, std::size_t button, const QString& actionId);
 
+  /// Whether turning a device about the line of sight rolls the camera; of all devices, at first yes.
+  bool cameraRolls() const { return settings_.value(QStringLiteral("camera-rolls"), true).toBool(); }
+  void setCameraRolls(bool rolls) { settings_.setValue(QStringLiteral("camera-rolls"), rolls); }
+
   /// Shaping and buttons as if never set.
   void reset(const HandInput& input);
 

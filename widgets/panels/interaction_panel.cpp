@@ -7,8 +7,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <limits>
-
 #include "engine/operator/device_registry.h"
 
 namespace glissade {
@@ -34,7 +32,7 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
     : QWidget(parent),
       planner_(makeBox(this)),
       device_(makeBox(this)),
-      seed_(new QSpinBox(this)),
+      seed_(new SeedBox(this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)) {
   const PlannerRegistry planners = makePlannerRegistry();
@@ -49,7 +47,6 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
   }
   planner_->setToolTip(tr("The strategy of the next run"));
   device_->setToolTip(tr("Who holds the object"));
-  seed_->setRange(0, std::numeric_limits<int>::max());
   seed_->setToolTip(tr("Same scenario, seed and inputs: same roadmap"));
   authority_->setObjectName(QStringLiteral("authority"));
   authority_->setToolTip(tr("Whose configuration was tried last"));
@@ -84,8 +81,7 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
           [this] { emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()}); });
   connect(device_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit deviceChosen(device_->currentData().toString()); });
-  connect(seed_, QOverload<int>::of(&QSpinBox::valueChanged), this,
-          [this](int seed) { emit commanded(command::SetSeed{static_cast<std::uint64_t>(seed)}); });
+  connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
 }
 
 QWidget* InteractionPanel::makeButtons(const ActionCatalogue& actions) {
@@ -112,10 +108,7 @@ void InteractionPanel::setScenario(const LoadedScenario& scenario) {
 
 void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   select(*planner_, snapshot.plannerId);
-  if (!seed_->hasFocus()) {
-    const QSignalBlocker block(seed_);
-    seed_->setValue(static_cast<int>(snapshot.seed));
-  }
+  if (!seed_->hasFocus()) seed_->setSeed(snapshot.seed);
   tuned_ = snapshot.parameters.integer(ParameterId::Tuning);
   for (ParameterSlider* slider : sliders_) {
     const double own = snapshot.parameters[slider->id()];

@@ -2,13 +2,13 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QSpinBox>
 #include <QWidget>
 #include <vector>
 
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/parameter_slider.h"
+#include "widgets/panels/seed_box.h"
 
 namespace glissade {
 
@@ -36,7 +36,7 @@ class InteractionPanel final : public QWidget {
 
   QComboBox* planner_;
   QComboBox* device_;
-  QSpinBox* seed_;
+  SeedBox* seed_;
   QLabel* authority_;
   QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;

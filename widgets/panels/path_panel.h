@@ -1,17 +1,15 @@
 #pragma once
 
 #include <QLabel>
-#include <QSlider>
-#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "engine/planning/path.h"
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
+#include "widgets/panels/way_slider.h"
 
 namespace glissade {
 
@@ -32,17 +30,12 @@ class PathPanel final : public QWidget {
   void playbackEnded();
 
  private:
-  void showAt(int position);
-  void tick();
-
   std::shared_ptr<const Path> path_;
-  std::vector<double> arrival_;  ///< metric length from the start to each configuration
   QLabel* certificate_;
   QLabel* figures_;
   QWidget* sharesTitle_;
   AuthorBar* shares_;
-  QSlider* slider_;
-  QTimer timer_;
+  WaySlider* slider_;
 };
 
 }  // namespace glissade

@@ -3,9 +3,12 @@
 #include <QHeaderView>
 #include <QLocale>
 #include <QPixmap>
+#include <QSignalBlocker>
 
 namespace glissade {
 namespace {
+
+constexpr int kIdRole = Qt::UserRole;
 
 QIcon swatch(const Colour& colour) {
   QPixmap pixmap(14, 14);
@@ -32,6 +35,10 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item->parent() != obstacles_ || obstacles_ == nullptr) return;
+    emit bodyChecked(item->data(0, kIdRole).toString(), item->checkState(0) == Qt::Checked);
+  });
 }
 
 QTreeWidgetItem* ScenePanel::addGroup(const QString& title) {
@@ -41,15 +48,18 @@ QTreeWidgetItem* ScenePanel::addGroup(const QString& title) {
   return group;
 }
 
-void ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind) {
+QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind) {
   const auto triangles = static_cast<qulonglong>(body.mesh->triangles.size());
   auto* item = new QTreeWidgetItem(&group, {QString::fromStdString(body.name), kind, QLocale().toString(triangles)});
   item->setIcon(0, swatch(body.colour));
   item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   item->setToolTip(0, QString::fromStdString(body.id));
+  item->setData(0, kIdRole, QString::fromStdString(body.id));
+  return item;
 }
 
 void ScenePanel::setScenario(const LoadedScenario& scenario) {
+  const QSignalBlocker block(this);
   clear();
   QTreeWidgetItem* object = addGroup(tr("Object"));
   addBody(*object, scenario.object, tr("moved"));
@@ -58,10 +68,22 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
                               tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out"))}) {
     (new QTreeWidgetItem(object, {text}))->setFirstColumnSpanned(true);
   }
-  QTreeWidgetItem* bodies = addGroup(tr("Obstacles"));
+  obstacles_ = addGroup(tr("Obstacles"));
   for (const RigidBody& body : scenario.obstacles) {
-    addBody(*bodies, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
+    QTreeWidgetItem* item = addBody(*obstacles_, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
+    item->setCheckState(0, Qt::Checked);
+    item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));
   }
+}
+
+void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
+  const QSignalBlocker block(this);
+  for (int i = 0; obstacles_ != nullptr && i < obstacles_->childCount(); ++i) {
+    QTreeWidgetItem* item = obstacles_->child(i);
+    const bool hidden = bodyIds.count(item->data(0, kIdRole).toString().toStdString()) != 0;
+    item->setCheckState(0, hidden ? Qt::Unchecked : Qt::Checked);
+  }
+  viewport()->update();
 }
 
 }  // namespace glissade

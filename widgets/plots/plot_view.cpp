@@ -1,14 +1,20 @@
 #include "widgets/plots/plot_view.h"
 
+#include <QClipboard>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QFile>
+#include <QFileInfo>
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QToolTip>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 #include <QtMath>
 
 #include <qwt_interval_symbol.h>
 #include <qwt_legend.h>
+#include <qwt_picker_machine.h>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
@@ -17,18 +23,26 @@
 #include <qwt_plot_intervalcurve.h>
 #include <qwt_plot_layout.h>
 #include <qwt_plot_marker.h>
+#include <qwt_plot_picker.h>
+#include <qwt_plot_renderer.h>
 #include <qwt_scale_draw.h>
 #include <qwt_symbol.h>
 #include <qwt_text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace glissade {
 namespace {
 
-constexpr double kReach = 14.0;    ///< pixels within which the pointer finds a point
-constexpr double kMargin = 0.025;  ///< of an axis
+constexpr double kReach = 14.0;     ///< pixels within which the pointer finds a point
+constexpr double kMargin = 0.025;   ///< of an axis: keeps points at its ends whole
+constexpr int kLeastBand = 6;       ///< pixels
+constexpr double kSmallest = 0.01;  ///< part of an axis
+constexpr double kZoomStep = 1.25;
+constexpr double kPanStep = 0.1;  ///< of the part that is shown
+constexpr int kSavedScale = 2;    ///< pixels of a saved picture for each one seen
 
 /// Labels where the plot's scale has them.
 class TickLabels final : public QwtScaleDraw {
@@ -46,13 +60,28 @@ class TickLabels final : public QwtScaleDraw {
   std::vector<PlotTick> ticks_;
 };
 
-/// `margin` keeps points at the ends of an axis whole.
-QwtScaleDiv divisionOf(const PlotScale& scale, double margin) {
+QwtScaleDiv divisionOf(const std::vector<PlotTick>& ticks, double from, double to) {
   QList<double> minor;
   QList<double> major;
-  for (const PlotTick& tick : scale.ticks()) (tick.label.empty() ? minor : major).append(tick.position);
-  return QwtScaleDiv(-margin, 1.0 + margin, minor, {}, major);
+  for (const PlotTick& tick : ticks) (tick.label.empty() ? minor : major).append(tick.position);
+  return QwtScaleDiv(from, to, minor, {}, major);
 }
+
+/// Draws the rectangle that will be shown; a click is none.
+class ZoomBand final : public QwtPlotPicker {
+ public:
+  explicit ZoomBand(QWidget* canvas)
+      : QwtPlotPicker(QwtPlot::xBottom, QwtPlot::yLeft, QwtPicker::RectRubberBand, QwtPicker::AlwaysOff, canvas) {
+    setStateMachine(new QwtPickerDragRectMachine);
+    for (const KeyPatternCode key : {KeyLeft, KeyRight, KeyUp, KeyDown}) setKeyPattern(key, 0);  // ours
+  }
+
+ protected:
+  bool accept(QPolygon& corners) const override {
+    const QRect box = corners.boundingRect();
+    return box.width() > kLeastBand && box.height() > kLeastBand;
+  }
+};
 
 /// The engine's words; names of strategies and titles of a study's columns stay as they are.
 QString translated(const std::string& words) { return QCoreApplication::translate("Plots", words.c_str()); }
@@ -65,7 +94,8 @@ QwtSymbol::Style symbolOf(const PlotSeries& series) {
 
 }  // namespace
 
-PlotView::PlotView(const Plot& plot, QWidget* parent) : QWidget(parent), plot_(plot), view_(new QwtPlot(this)) {
+PlotView::PlotView(const Plot& plot, QWidget* parent)
+    : QWidget(parent), plot_(plot), view_(new QwtPlot(this)), part_(whole()) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(view_);
@@ -76,6 +106,10 @@ PlotView::PlotView(const Plot& plot, QWidget* parent) : QWidget(parent), plot_(p
   canvas->installEventFilter(this);
   view_->setCanvas(canvas);
   view_->plotLayout()->setAlignCanvasToScales(true);
+  canvas->setFocusPolicy(Qt::StrongFocus);
+  auto* band = new ZoomBand(canvas);
+  band->setRubberBandPen(palette().color(QPalette::Highlight));
+  connect(band, QOverload<const QRectF&>::of(&QwtPlotPicker::selected), this, &PlotView::zoom);
   view_->insertLegend(new QwtLegend, QwtPlot::BottomLegend);
   setAccessibleName(QString::fromStdString(plot.title));
   draw();
@@ -94,16 +128,14 @@ void PlotView::draw() {
   view_->detachItems();
   view_->setCanvasBackground(palette().color(QPalette::Base));
   addAxes();
+  showAxes();
   std::set<std::string> named;
   for (const PlotSeries& series : plot_.series) addSeries(series, named.insert(series.name).second);
   view_->replot();
 }
 
 void PlotView::addAxes() {
-  const double margin = plot_.kind == PlotKind::Lines ? kMargin : 0.0;
-  const auto axis = [this, margin](int id, const PlotScale& scale) {
-    view_->setAxisScaleDraw(id, new TickLabels(scale.ticks()));
-    view_->setAxisScaleDiv(id, divisionOf(scale, margin));
+  const auto axis = [this](int id, const PlotScale& scale) {
     QwtText title(translated(scale.title()));
     title.setFont(font());
     view_->setAxisTitle(id, title);
@@ -116,6 +148,81 @@ void PlotView::addAxes() {
   grid->setMajorPen(palette().color(QPalette::Button), 1.0);
   grid->attach(view_);
 }
+
+void PlotView::showAxes() {
+  const auto show = [this](int id, const PlotScale& scale, double from, double to) {
+    const std::vector<PlotTick> ticks = scale.ticksWithin(from, to);
+    view_->setAxisScaleDraw(id, new TickLabels(ticks));
+    view_->setAxisScaleDiv(id, divisionOf(ticks, from, to));
+  };
+  show(QwtPlot::xBottom, plot_.x, part_.left(), part_.right());
+  show(QwtPlot::yLeft, plot_.y, part_.top(), part_.bottom());
+}
+
+QRectF PlotView::whole() const {
+  const double margin = plot_.kind == PlotKind::Lines ? kMargin : 0.0;
+  return {-margin, -margin, 1.0 + 2.0 * margin, 1.0 + 2.0 * margin};
+}
+
+void PlotView::zoom(const QRectF& part) {
+  const QRectF all = whole();
+  QRectF wanted = part.normalized();
+  wanted.setSize(
+      {std::clamp(wanted.width(), kSmallest, all.width()), std::clamp(wanted.height(), kSmallest, all.height())});
+  wanted.moveLeft(std::max(all.left(), std::min(wanted.left(), all.right() - wanted.width())));
+  wanted.moveTop(std::max(all.top(), std::min(wanted.top(), all.bottom() - wanted.height())));
+  if (wanted == part_) return;
+  part_ = wanted;
+  showAxes();
+  view_->replot();
+  emit zoomChanged();
+}
+
+void PlotView::zoomOut() { zoom(whole()); }
+
+void PlotView::zoomAbout(double factor, const QPointF& centre) {
+  const QPointF from = centre + (part_.topLeft() - centre) / factor;
+  zoom({from, part_.size() / factor});
+}
+
+/// False: the key means nothing here.
+bool PlotView::steer(int key) {
+  const QPointF step(kPanStep * part_.width(), kPanStep * part_.height());
+  switch (key) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoomAbout(kZoomStep, part_.center()); return true;
+    case Qt::Key_Minus: zoomAbout(1.0 / kZoomStep, part_.center()); return true;
+    case Qt::Key_Left: zoom(part_.translated(-step.x(), 0.0)); return true;
+    case Qt::Key_Right: zoom(part_.translated(step.x(), 0.0)); return true;
+    case Qt::Key_Up: zoom(part_.translated(0.0, step.y())); return true;
+    case Qt::Key_Down: zoom(part_.translated(0.0, -step.y())); return true;
+    case Qt::Key_Escape:
+    case Qt::Key_Home: zoomOut(); return true;
+    default: return false;
+  }
+}
+
+QPointF PlotView::placeAt(const QPointF& pixel) const {
+  return {view_->invTransform(QwtPlot::xBottom, pixel.x()), view_->invTransform(QwtPlot::yLeft, pixel.y())};
+}
+
+QImage PlotView::image() const {
+  QImage picture(view_->size() * kSavedScale, QImage::Format_RGB32);
+  picture.setDevicePixelRatio(kSavedScale);
+  picture.fill(palette().color(QPalette::Window));
+  view_->render(&picture);
+  return picture;
+}
+
+bool PlotView::save(const QString& file) const {
+  if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return image().save(file);
+  constexpr double kMillimetresAPixel = 25.4 / 96.0;
+  QFile::remove(file);
+  QwtPlotRenderer().renderDocument(view_, file, QStringLiteral("svg"), QSizeF(view_->size()) * kMillimetresAPixel, 96);
+  return QFileInfo(file).size() > 0;
+}
+
+void PlotView::copy() const { QGuiApplication::clipboard()->setImage(image()); }
 
 void PlotView::addSeries(const PlotSeries& series, bool inLegend) {
   if (plot_.kind == PlotKind::Bars && !series.ofPaper) {
@@ -208,6 +315,13 @@ const PlotPoint* PlotView::pointAt(const QPoint& pixel) const {
 }
 
 bool PlotView::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && steer(static_cast<QKeyEvent*>(event)->key())) return true;
+  if (event->type() == QEvent::Wheel) {
+    const auto* wheel = static_cast<QWheelEvent*>(event);
+    constexpr double kNotch = 120.0;
+    zoomAbout(std::pow(kZoomStep, wheel->angleDelta().y() / kNotch), placeAt(wheel->position()));
+    return true;
+  }
   if (event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonPress) {
     const auto* mouse = static_cast<QMouseEvent*>(event);
     const PlotPoint* point = pointAt(mouse->pos());

@@ -59,6 +59,10 @@ void CameraController::orbit(double dx, double dy) {
   orientation_ = (yaw * orientation_ * pitch).normalized();
 }
 
+void CameraController::roll(double angle) {
+  orientation_ = (orientation_ * Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()))).normalized();
+}
+
 void CameraController::pan(double dx, double dy) { focus_ += viewHeight() * (orientation_ * Vector3(-dx, dy, 0.0)); }
 
 void CameraController::zoom(double factor, double x, double y) {

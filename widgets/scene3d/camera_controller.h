@@ -16,6 +16,8 @@ class CameraController {
   void setStandardView(StandardView view);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
   void orbit(double dx, double dy);
+  /// Turns the picture clockwise about the line of sight, radians; standard views level it again.
+  void roll(double angle);
   void pan(double dx, double dy);
   /// factor > 1 comes nearer; (x, y) is the pointer, in fractions of the height from the centre, y down.
   void zoom(double factor, double x = 0.0, double y = 0.0);

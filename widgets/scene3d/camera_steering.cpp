@@ -11,15 +11,18 @@ namespace {
 constexpr double kHeights = 0.6;
 constexpr double kZooms = 1.0;
 constexpr double kHalfTurns = 0.4;
+constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
-void steerCamera(CameraController& camera, const Deflection& deflection, const OperatorSpeed& factors, double dt) {
+void steerCamera(CameraController& camera, const Deflection& deflection, const OperatorSpeed& factors, double dt,
+                 bool roll) {
   const Vector3 shift = dt * factors.linear * deflection.translation;
   const Vector3 turn = dt * factors.angular * deflection.rotation;
   camera.pan(kHeights * shift.x(), -kHeights * shift.y());
   camera.zoom(std::exp(kZooms * shift.z()));
   camera.orbit(kHalfTurns * turn.y(), kHalfTurns * turn.x());
+  if (roll) camera.roll(-kHalfTurns * kPi * turn.z());
 }
 
 }  // namespace glissade

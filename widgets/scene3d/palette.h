@@ -24,6 +24,7 @@ struct ScenePalette {
   osg::Vec4 goal;
   osg::Vec4 contact;
   osg::Vec4 nearest;
+  osg::Vec4 penetration;  ///< what is in the way
   osg::Vec4 guidance;
 };
 
@@ -42,6 +43,7 @@ inline ScenePalette paletteOf(Theme theme) {
   palette.goal = dark ? osg::Vec4(0.94f, 0.89f, 0.26f, 1) : osg::Vec4(0.75f, 0.47f, 0.0f, 1);
   palette.contact = osg::Vec4(0.0f, 0.62f, 0.45f, 1);
   palette.nearest = dark ? osg::Vec4(0.90f, 0.90f, 0.92f, 1) : osg::Vec4(0.15f, 0.15f, 0.18f, 1);
+  palette.penetration = dark ? osg::Vec4(0.76f, 0.58f, 1.0f, 1) : osg::Vec4(0.45f, 0.15f, 0.75f, 1);
   palette.guidance = dark ? osg::Vec4(1.0f, 0.35f, 0.60f, 1) : osg::Vec4(0.78f, 0.05f, 0.38f, 1);
   return palette;
 }

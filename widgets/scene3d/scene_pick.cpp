@@ -29,9 +29,11 @@ Ray rayThrough(const CameraController& camera, double x, double y) {
   return {camera.eye(), camera.R_WV() * Vector3(x * scale, -y * scale, -1.0).normalized()};
 }
 
-std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray) {
+std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
+                                const std::set<std::string>& hidden) {
   std::optional<BodyHit> nearest;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (hidden.count(bodies[i].id) != 0) continue;
     const Pose X_BW = inverse(bodies[i].X_WB);
     const Ray ray_B{X_BW * ray.origin, X_BW.orientation * ray.direction};
     const TriangleMesh& mesh = *bodies[i].mesh;

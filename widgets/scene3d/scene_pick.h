@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "engine/environment/topological_map.h"
@@ -16,12 +17,13 @@ struct Ray {
 /// The ray through a pixel; (x, y) in fractions of the view's height from its centre, y down.
 Ray rayThrough(const CameraController& camera, double x, double y);
 
-/// Where the ray first meets a body: index into `bodies`; nothing where it meets none.
+/// Where the ray first meets a body that is not hidden: index into `bodies`; nothing where it meets none.
 struct BodyHit {
   std::size_t body;
   double distance;
 };
-std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray);
+std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
+                                const std::set<std::string>& hidden = {});
 
 /// The place that one means who points there: of all places along the ray, up to the given distance,
 /// the narrowest; kNoPlace where there is none. Rooms lie around everything, holes are pointed at.

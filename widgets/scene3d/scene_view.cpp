@@ -15,6 +15,7 @@
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/difficulty_layer.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/guidance_layer.h"
@@ -39,6 +40,8 @@ struct SceneView::Impl {
   EnvironmentPicture environment;
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
+  std::shared_ptr<const Difficulty> difficulty;
+  std::set<std::string> hidden;  ///< obstacles, by id
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -69,7 +72,7 @@ struct SceneView::Impl {
     fill(SceneLayer::Selection, environment.knowledge ? makeSelection(environment, palette) : nullptr);
     if (!scenario) return;
     for (const RigidBody& body : scenario->obstacles) {
-      if (environment.selectedBodies.count(body.id) == 0) continue;
+      if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0) continue;
       layer(SceneLayer::Selection)
           .addChild(makeBody(*body.mesh, body.X_WB, palette.path, BodyStyle::SeeThrough, palette));
     }
@@ -89,12 +92,25 @@ struct SceneView::Impl {
     });
   }
 
+  void showDifficulty() {
+    fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, palette) : nullptr);
+  }
+
   const TopologicalStep* stepShown(const CoarsePlan& plan) const {
     if (shownStep) return *shownStep < plan.steps.size() ? &plan.steps[*shownStep] : nullptr;
     for (const TopologicalStep& step : plan.steps) {
       if (step.result == StepResult::Running) return &step;
     }
     return nullptr;
+  }
+
+  /// The layer's children are the obstacles in their order.
+  void showHidden() {
+    for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
+      const bool shown = hidden.count(scenario->obstacles[i].id) == 0;
+      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(shown ? ~0U : 0U);
+    }
+    showSelection();
   }
 
   void rebuild() {
@@ -107,12 +123,14 @@ struct SceneView::Impl {
     object = nullptr;
     drawnPath.reset();
     showEnvironment();
+    showDifficulty();
     if (!scenario) return;
     showPlan();
     for (const RigidBody& body : scenario->obstacles) {
       layer(SceneLayer::Bodies)
           .addChild(makeBody(*body.mesh, body.X_WB, toOsg(body.colour), BodyStyle::SeeThrough, palette));
     }
+    showHidden();
     const RigidBody& moved = scenario->object;
     object = makeBody(*moved.mesh, moved.X_WB, toOsg(moved.colour), BodyStyle::Solid, palette);
     layer(SceneLayer::Object).addChild(object);
@@ -209,6 +227,8 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->environment = {};
   impl_->drawnPlan.reset();
   impl_->shownStep.reset();
+  impl_->difficulty.reset();
+  impl_->hidden.clear();
   impl_->roadmap.clear();
   impl_->rebuild();
   fit();
@@ -233,6 +253,13 @@ void SceneView::setEnvironment(const EnvironmentPicture& picture) {
   }
 }
 
+void SceneView::setHiddenBodies(const std::set<std::string>& bodyIds) {
+  impl_->hidden = bodyIds;
+  impl_->showHidden();
+}
+
+const std::set<std::string>& SceneView::hiddenBodies() const { return impl_->hidden; }
+
 void SceneView::setCoarsePlan(const CoarsePlanPtr& plan) {
   if (plan == impl_->drawnPlan) return;
   impl_->drawnPlan = plan;
@@ -244,8 +271,14 @@ void SceneView::setShownStep(const std::optional<std::size_t>& step) {
   if (impl_->scenario) impl_->showPlan();
 }
 
+void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
+  impl_->difficulty = std::move(difficulty);
+  impl_->showDifficulty();
+}
+
 std::vector<SceneLabel> SceneView::labels() const {
   std::vector<SceneLabel> labels;
+  if (impl_->difficulty && layerVisible(SceneLayer::Difficulty)) labels = difficultyLabels(*impl_->difficulty);
   const EnvironmentPicture& environment = impl_->environment;
   if (!environment.knowledge) return labels;
   const auto& places = environment.knowledge->environment->map.places;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ class Group;
 namespace glissade {
 
 class CameraController;
+struct Difficulty;
 
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };
@@ -38,9 +40,10 @@ enum class SceneLayer {
   CoarsePath,
   Milestones,
   Region,
-  Selection
+  Selection,
+  Difficulty
 };
-inline constexpr int kSceneLayerCount = 18;
+inline constexpr int kSceneLayerCount = 19;
 
 struct EnvironmentPicture;
 
@@ -69,10 +72,15 @@ class SceneView {
   void setSnapshot(SnapshotPtr snapshot);
   /// Places, cells and selection; without knowledge these layers are empty.
   void setEnvironment(const EnvironmentPicture& picture);
+  /// Obstacles, by id, that are not drawn; none when a scenario is opened.
+  void setHiddenBodies(const std::set<std::string>& bodyIds);
+  const std::set<std::string>& hiddenBodies() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
   void setCoarsePlan(const CoarsePlanPtr& plan);
   /// The topological step whose region is shown; nothing: the one that is running.
   void setShownStep(const std::optional<std::size_t>& step);
+  /// Why the run that is shown found no path; null: nothing is known.
+  void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
   /// Colours the path's segments by who made them, instead of all alike.

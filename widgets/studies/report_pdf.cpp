@@ -102,12 +102,12 @@ class Composer {
       QTextTableCellFormat shade;
       shade.setBackground(QColor(0xf4, 0xf6, 0xf9));
       grid->cellAt(0, column).setFormat(shade);
-      fill(grid->cellAt(0, column), what.title, what.number, QFont::Bold);
+      fill(grid->cellAt(0, column), what.title, what.kind == ReportColumn::Kind::Number, QFont::Bold);
     }
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       for (std::size_t column = 0; column < table.rows[row].size(); ++column) {
         fill(grid->cellAt(static_cast<int>(row) + (titled ? 1 : 0), static_cast<int>(column)), table.rows[row][column],
-             table.columns[column].number, QFont::Normal);
+             table.columns[column].kind == ReportColumn::Kind::Number, QFont::Normal);
       }
     }
     cursor_.movePosition(QTextCursor::End);

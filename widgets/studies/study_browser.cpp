@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
 #include <QTabWidget>
@@ -65,6 +66,8 @@ QString numberText(const RunResult& result, const char* column) {
 
 }  // namespace
 
+Language studyLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
+
 StudyBrowser::StudyBrowser(QWidget* parent)
     : QWidget(parent, Qt::Window),
       heading_(new QLabel(this)),
@@ -99,7 +102,11 @@ StudyBrowser::StudyBrowser(QWidget* parent)
   left->setStretchFactor(1, 2);
   auto* all = new QSplitter(Qt::Horizontal, this);
   all->addWidget(left);
-  all->addWidget(plots_);
+  auto* right = new QWidget(this);
+  plotsLayout_ = new QVBoxLayout(right);
+  plotsLayout_->setContentsMargins(0, 0, 0, 0);
+  plotsLayout_->addWidget(plots_, 1);
+  all->addWidget(right);
   all->setStretchFactor(0, 1);
   all->setStretchFactor(1, 1);
   auto* layout = new QVBoxLayout(this);
@@ -108,20 +115,22 @@ StudyBrowser::StudyBrowser(QWidget* parent)
 
   connect(cells_, &QTreeWidget::currentItemChanged, this,
           [this](QTreeWidgetItem* item) { fillRuns(cells_->indexOfTopLevelItem(item)); });
+  connect(plots_, &QTabWidget::currentChanged, this, &StudyBrowser::plotChanged);
   connect(runs_, &QTreeWidget::itemActivated, this, [this] { want(); });
   connect(open, &QPushButton::clicked, this, [this] { want(); });
 }
 
-StudyBrowser::~StudyBrowser() = default;
+StudyBrowser::~StudyBrowser() { plots_->disconnect(this); }
 
-void StudyBrowser::show(const StudyFolder& folder, Warnings& warnings) {
+void StudyBrowser::show(const StudyFolder& folder, const StudyResults& results) {
   folder_ = std::make_unique<StudyFolder>(folder);
-  results_ = folder.results(warnings);
+  results_ = results;
   const Study& study = folder_->plan().study;
   summaries_ = summarise(study, results_);
   setWindowTitle(tr("%1 — study").arg(text(study.heading.name)));
   heading_->setText(QStringLiteral("<b>%1</b><br>%2")
-                        .arg(text(study.heading.title).toHtmlEscaped(), text(study.heading.citation).toHtmlEscaped()));
+                        .arg(text(StudyWords(studyLanguage())(study.heading.title)).toHtmlEscaped(),
+                             text(study.heading.citation).toHtmlEscaped()));
   fillCells();
   fillPlots();
   fillFindings();
@@ -132,11 +141,12 @@ void StudyBrowser::show(const StudyFolder& folder, Warnings& warnings) {
 }
 
 void StudyBrowser::fillCells() {
+  const StudyWords words(studyLanguage());
   const Study& study = folder_->plan().study;
   QStringList titles{tr("Row"), tr("Solved"), tr("Success, 95 %")};
   for (const PaperColumn& column : study.heading.paper) {
-    titles << tr("%1, paper").arg(text(column.title));
-    if (column.quantity.measure != "success_rate") titles << tr("%1, ours").arg(text(column.title));
+    titles << tr("%1, paper").arg(text(words(column.title)));
+    if (column.quantity.measure != "success_rate") titles << tr("%1, ours").arg(text(words(column.title)));
   }
   cells_->clear();
   cells_->setColumnCount(titles.size());
@@ -160,9 +170,10 @@ void StudyBrowser::fillPlots() {
     plots_->removeTab(0);
     if (page != findings_) delete page;
   }
-  for (const Plot& plot : plotsOf(folder_->plan().study, summaries_)) {
+  for (const Plot& plot : plotsOf(folder_->plan().study, summaries_, StudyWords(studyLanguage()))) {
     auto* view = new PlotView(plot, plots_);
     connect(view, &PlotView::cellPicked, this, [this](int cell) { selectCell(cell); });
+    connect(view, &PlotView::zoomChanged, this, &StudyBrowser::plotChanged);
     const int tab = plots_->addTab(view, QCoreApplication::translate("Plots", plot.y.title().c_str()));
     plots_->setTabToolTip(tab, text(plot.title + ". " + plot.caption));
   }
@@ -170,11 +181,12 @@ void StudyBrowser::fillPlots() {
 
 void StudyBrowser::fillFindings() {
   const Study& study = folder_->plan().study;
+  const StudyWords words(studyLanguage());
   QString html;
   for (const Finding& finding : study.heading.findings) {
-    const CheckedFinding checked = check(finding, study, summaries_);
+    const CheckedFinding checked = check(finding, study, summaries_, words);
     html += QStringLiteral("<p>%1<br><b>%2</b>, %3. %4</p>")
-                .arg(text(finding.text).toHtmlEscaped(), verdictText(checked.verdict),
+                .arg(text(words(finding.text)).toHtmlEscaped(), verdictText(checked.verdict),
                      tr("%1 of %2 pairs").arg(checked.agreeing).arg(checked.compared),
                      text(checked.numbers).toHtmlEscaped());
   }
@@ -188,8 +200,9 @@ void StudyBrowser::fillRuns(int cell) {
     if (static_cast<int>(run.cell) != cell) continue;
     const RunResult& result = outcome.result;
     addRow(runs_,
-           {QString::number(run.seed), text(name(result.status)), numberText(result, "virtual_s"),
-            numberText(result, "nodes"), numberText(result, "edges"), numberText(result, "random_configurations")},
+           {QString::number(run.seed), text(StudyWords(studyLanguage())(name(result.status))),
+            numberText(result, "virtual_s"), numberText(result, "nodes"), numberText(result, "edges"),
+            numberText(result, "random_configurations")},
            2);
     runs_->topLevelItem(runs_->topLevelItemCount() - 1)->setData(0, kSeedRole, QVariant::fromValue(quint64(run.seed)));
   }
@@ -203,6 +216,14 @@ bool StudyBrowser::selectCell(int cell) {
   cells_->setCurrentItem(item);
   cells_->scrollToItem(item);
   return true;
+}
+
+PlotView* StudyBrowser::plot() const { return qobject_cast<PlotView*>(plots_->currentWidget()); }
+
+void StudyBrowser::addPlotActions(const ActionCatalogue& actions) {
+  const std::vector<const char*> ids{"study.zoom-out", "study.copy-plot", "study.save-plot"};
+  plotsLayout_->addLayout(makeActionRow(actions, ids, this));
+  for (const char* id : ids) addAction(actions[QLatin1String(id)]);
 }
 
 void StudyBrowser::setMessage(const QString& text) { message_->setText(text); }

@@ -5,13 +5,21 @@
 
 #include "engine/study/study_folder.h"
 #include "engine/study/study_summary.h"
+#include "engine/study/study_words.h"
+#include "widgets/commands/action_catalogue.h"
 
 class QLabel;
+class QVBoxLayout;
 class QTabWidget;
 class QTextBrowser;
 class QTreeWidget;
 
 namespace glissade {
+
+class PlotView;
+
+/// What the window speaks.
+Language studyLanguage();
 
 /// A study's results in a window of their own: its cells with the paper's numbers, the plots of the
 /// report, the findings, and the runs of the chosen cell. Asks for a run to be shown when it is
@@ -23,18 +31,23 @@ class StudyBrowser final : public QWidget {
   explicit StudyBrowser(QWidget* parent);
   ~StudyBrowser() override;
 
-  /// Shows a folder of results as it is now.
-  void show(const StudyFolder& folder, Warnings& warnings);
+  void show(const StudyFolder& folder, const StudyResults& results);
   /// Null until a study is shown.
   const StudyFolder* folder() const { return folder_.get(); }
   const StudyResults& results() const { return results_; }
 
   /// False: there is no such cell (from 0).
   bool selectCell(int cell);
+  /// Null: the findings are in front.
+  PlotView* plot() const;
+  /// Puts what can be done with a plot under it.
+  void addPlotActions(const ActionCatalogue& actions);
   /// Says something about the run that was shown.
   void setMessage(const QString& text);
 
  signals:
+  /// Another plot is in front, or another part of it is shown.
+  void plotChanged();
   void runWanted(const glissade::StudyRun& run);
 
  private:
@@ -53,6 +66,7 @@ class StudyBrowser final : public QWidget {
   QTreeWidget* runs_;
   QTextBrowser* findings_;
   QTabWidget* plots_;
+  QVBoxLayout* plotsLayout_;
 };
 
 }  // namespace glissade

@@ -90,7 +90,8 @@ void takeTightest(const std::vector<Pose>& way, double required, CollisionQuery&
 
 Difficulty difficultyOf(const Problem& problem, const std::vector<RoadmapNode>& nodes,
                         const std::vector<RoadmapEdge>& edges, const ParameterValues& parameters, std::uint64_t seed,
-                        const PenetrationBudget& budget, const StopToken& stop) {
+                        const PenetrationBudget& budget, const WorkWatch& watch) {
+  const StopToken& stop = watch.stop;
   Difficulty result;
   const auto query = problem.world->makeQuery();
   const double required = parameters[ParameterId::RequiredClearance];
@@ -107,7 +108,7 @@ Difficulty difficultyOf(const Problem& problem, const std::vector<RoadmapNode>& 
     takeTightest(wayToRoot(grown, pair.start), required, *query, stop, result.tightest);
     takeTightest(wayToRoot(grown, pair.goal), required, *query, stop, result.tightest);
   }
-  result.leastPenetration = leastPenetration(problem, parameters, seed, budget, stop);
+  result.leastPenetration = leastPenetration(problem, parameters, seed, budget, watch);
   return result;
 }
 

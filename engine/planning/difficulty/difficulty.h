@@ -31,6 +31,6 @@ struct Difficulty {
 /// least penetration. Bounded by the budget's work, not by time; where stopped, with what is known.
 Difficulty difficultyOf(const Problem& problem, const std::vector<RoadmapNode>& nodes,
                         const std::vector<RoadmapEdge>& edges, const ParameterValues& parameters, std::uint64_t seed,
-                        const PenetrationBudget& budget = {}, const StopToken& stop = {});
+                        const PenetrationBudget& budget = {}, const WorkWatch& watch = {});
 
 }  // namespace glissade

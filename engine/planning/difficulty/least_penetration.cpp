@@ -12,7 +12,10 @@ namespace {
 /// Erosions tried, in the object's radius.
 constexpr double kFirst = 0.01;
 constexpr double kLast = 0.64;
+constexpr double kErosions = 7.0;
 constexpr double kRange = 0.03;
+/// The share of the work that searches are taken for.
+constexpr double kSearching = 0.6;
 /// The share of its erosion that the object grows back by in a round; halved where the way cannot follow.
 constexpr double kFirstStep = 0.4;
 constexpr double kLastStep = 0.02;
@@ -41,19 +44,27 @@ class LimitedHost final : public PlannerHost {
 class Search {
  public:
   Search(const Problem& problem, const ParameterValues& parameters, std::uint64_t seed, const PenetrationBudget& budget,
-         const StopToken& stop)
-      : problem_(problem), parameters_(parameters), seed_(seed), budget_(budget), stop_(stop), worlds_(problem.world) {
+         const WorkWatch& watch)
+      : problem_(problem),
+        parameters_(parameters),
+        seed_(seed),
+        budget_(budget),
+        watch_(watch),
+        worlds_(problem.world) {
     options_.range = searchRange(problem, kRange);
   }
 
   std::optional<LeastPenetration> run() {
     const double radius = problem_.world->objectRadius();
-    for (double share = kFirst; share <= kLast && way_.empty() && !stop_.stopRequested(); share *= 2.0) {
+    double tried = 0.0;
+    for (double share = kFirst; share <= kLast && way_.empty() && !watch_.stop.stopRequested(); share *= 2.0) {
+      watch_.report(kSearching * tried++ / kErosions);
       search(share * radius);
     }
     if (way_.empty()) return std::nullopt;
     double step = kFirstStep;
-    for (int round = 0; round < budget_.rounds && step > kLastStep && !stop_.stopRequested(); ++round) {
+    for (int round = 0; round < budget_.rounds && step > kLastStep && !watch_.stop.stopRequested(); ++round) {
+      watch_.report(kSearching + (1.0 - kSearching) * round / budget_.rounds);
       if (!repair(erosion_ * (1.0 - step), round)) step *= 0.5;
     }
     return deepest();
@@ -80,7 +91,7 @@ class Search {
   }
 
   bool take(Planner& planner, std::uint64_t work, double erosion) {
-    LimitedHost host(planner, parameters_, work, stop_);
+    LimitedHost host(planner, parameters_, work, watch_.stop);
     if (!planner.solve(host)) return false;
     way_ = planner.path()->configurations();
     erosion_ = erosion;
@@ -104,7 +115,7 @@ class Search {
   const ParameterValues& parameters_;
   std::uint64_t seed_;
   const PenetrationBudget& budget_;
-  const StopToken& stop_;
+  const WorkWatch& watch_;
   ErodedWorlds worlds_;
   RrtConnect::Options options_;
   std::vector<Pose> way_;
@@ -115,9 +126,9 @@ class Search {
 
 std::optional<LeastPenetration> leastPenetration(const Problem& problem, const ParameterValues& parameters,
                                                  std::uint64_t seed, const PenetrationBudget& budget,
-                                                 const StopToken& stop) {
+                                                 const WorkWatch& watch) {
   if (problem.world->object().triangles.size() > budget.triangles) return std::nullopt;
-  return Search(problem, parameters, seed, budget, stop).run();
+  return Search(problem, parameters, seed, budget, watch).run();
 }
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/base/parameters.h"
-#include "engine/base/stop_token.h"
+#include "engine/base/work_watch.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {
@@ -30,6 +30,6 @@ struct PenetrationBudget {
 /// helps (thin bodies keep a fifth of their thickness), or when stopped before the first way.
 std::optional<LeastPenetration> leastPenetration(const Problem& problem, const ParameterValues& parameters,
                                                  std::uint64_t seed, const PenetrationBudget& budget = {},
-                                                 const StopToken& stop = {});
+                                                 const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -149,10 +149,13 @@ class Shortener {
 }  // namespace
 
 Path withShortcuts(const Path& path, const Problem& problem, const ParameterValues& parameters, std::uint64_t seed,
-                   int attempts, const StopToken& stop) {
+                   int attempts, const WorkWatch& watch) {
   if (path.points.size() < 3) return path;
-  Shortener shortener(path, problem, parameters, seed, stop);
-  for (int i = 0; i < attempts && !stop.stopRequested(); ++i) shortener.tryShortcut();
+  Shortener shortener(path, problem, parameters, seed, watch.stop);
+  for (int i = 0; i < attempts && !watch.stop.stopRequested(); ++i) {
+    watch.report(static_cast<double>(i) / attempts);
+    shortener.tryShortcut();
+  }
   shortener.leaveOut();
   Path shorter = shortener.result();
   return shorter.certificate.status == CertificateStatus::Certified ? shorter : path;

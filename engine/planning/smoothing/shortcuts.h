@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/base/parameters.h"
-#include "engine/base/stop_token.h"
+#include "engine/base/work_watch.h"
 #include "engine/planning/path.h"
 #include "engine/planning/problem.h"
 
@@ -21,6 +21,6 @@ inline constexpr int kUsualShortcuts = 300;
 /// configurations, so that they keep their demand. The result is certified; where it is not (it was
 /// stopped meanwhile) the path comes back as it was.
 Path withShortcuts(const Path& path, const Problem& problem, const ParameterValues& parameters, std::uint64_t seed,
-                   int attempts, const StopToken& stop = {});
+                   int attempts, const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -50,8 +50,11 @@ std::string microseconds(double seconds) { return shortNumber(kMicro * seconds);
 ReportTable ratioTable(const std::vector<BackendTimes>& times) {
   ReportTable table;
   table.caption = "The same meshes and poses, one core; surfaces alone in both.";
-  table.columns = {
-      {"Question"}, {"Model and poses"}, {"FCL (µs)", true}, {"Kernel (µs)", true}, {"Times faster", true}};
+  table.columns = {{"Question"},
+                   {"Model and poses"},
+                   {"FCL (µs)", ReportColumn::Kind::Number},
+                   {"Kernel (µs)", ReportColumn::Kind::Number},
+                   {"Times faster", ReportColumn::Kind::Number}};
   for (const BackendTimes& pair : times) {
     table.rows.push_back(
         {pair.question, pair.place, microseconds(pair.fcl), microseconds(pair.kernel), shortNumber(pair.ratio())});
@@ -61,7 +64,7 @@ ReportTable ratioTable(const std::vector<BackendTimes>& times) {
 
 ReportTable aimsTable(const std::vector<BackendTimes>& times) {
   ReportTable table;
-  table.columns = {{"Finding"}, {"Verdict"}, {"Geometric mean", true}};
+  table.columns = {{"Finding"}, {"Verdict"}, {"Geometric mean", ReportColumn::Kind::Number}};
   for (const Aim& aim : kAims) {
     const bool asked = std::any_of(times.begin(), times.end(),
                                    [&](const BackendTimes& pair) { return pair.question == aim.question; });
@@ -110,7 +113,11 @@ std::optional<Plot> growthPlot(const Growing& growing, const std::vector<GrowthS
 
 ReportTable growthTable(const std::vector<GrowthSeries>& all) {
   ReportTable table;
-  table.columns = {{"Quantity"}, {"Who"}, {"Exponent", true}, {"Sizes", true}, {"Times (µs)", true}};
+  table.columns = {{"Quantity"},
+                   {"Who"},
+                   {"Exponent", ReportColumn::Kind::Number},
+                   {"Sizes", ReportColumn::Kind::Number},
+                   {"Times (µs)", ReportColumn::Kind::Number}};
   for (const Growing& growing : kGrowing) {
     for (const GrowthSeries& growth : all) {
       if (growth.quantity != growing.quantity) continue;
@@ -126,7 +133,7 @@ ReportTable growthTable(const std::vector<GrowthSeries>& all) {
 
 ReportTable timesTable(const std::vector<BenchmarkTime>& times) {
   ReportTable table;
-  table.columns = {{"Benchmark"}, {"Time (ms)", true}, {"Counters"}};
+  table.columns = {{"Benchmark"}, {"Time (ms)", ReportColumn::Kind::Number}, {"Counters"}};
   for (const BenchmarkTime& time : times) {
     std::string counters;
     for (const auto& [name, value] : time.counters)

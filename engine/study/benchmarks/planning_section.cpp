@@ -90,8 +90,14 @@ ReportTable besideTheBest(const Study& study, const std::vector<CellSummary>& su
       "The best of the others is the one that solved most, and of these the fastest; of those that look at edges in "
       "the "
       "same way. Seconds of the processor while planning: median over all runs, also those that ended without a path.";
-  table.columns = {{"Problem"},           {"auto, solved", true}, {"auto, s", true},    {"Best of the others"},
-                   {"It looks at edges"}, {"It solved", true},    {"It took, s", true}, {"Times", true}};
+  table.columns = {{"Problem"},
+                   {"auto, solved", ReportColumn::Kind::Number},
+                   {"auto, s", ReportColumn::Kind::Number},
+                   {"Best of the others"},
+                   {"It looks at edges"},
+                   {"It solved", ReportColumn::Kind::Number},
+                   {"It took, s", ReportColumn::Kind::Number},
+                   {"Times", ReportColumn::Kind::Number}};
   for (const auto& entries : entriesOf(study, summaries)) {
     const auto ours =
         std::find_if(entries.begin(), entries.end(), [](const Entry& entry) { return entry.cell->strategy == kOurs; });
@@ -109,7 +115,7 @@ std::vector<ReportBlock> planningSection(const StudyFolder& folder, Warnings& wa
   std::vector<ReportBlock> blocks;
   blocks.emplace_back(ReportHeading{study.heading.title});
   blocks.emplace_back(ReportText{study.heading.description + (study.quick ? " This is the quick size." : "")});
-  if (!study.heading.findings.empty()) blocks.emplace_back(study_report::findingsTable(study, summaries));
+  if (!study.heading.findings.empty()) blocks.emplace_back(study_report::findingsTable(study, summaries, {}));
   ReportTable beside = besideTheBest(study, summaries);
   if (!beside.rows.empty()) blocks.emplace_back(std::move(beside));
   for (Plot& plot : plotsOf(study, summaries)) {
@@ -117,7 +123,7 @@ std::vector<ReportBlock> planningSection(const StudyFolder& folder, Warnings& wa
     blocks.emplace_back(std::move(plot));
   }
   blocks.emplace_back(study_report::endingsTable(study, summaries));
-  blocks.emplace_back(study_report::timingTable(study, summaries));
+  blocks.emplace_back(study_report::timingTable(study, summaries, {}));
   return blocks;
 }
 

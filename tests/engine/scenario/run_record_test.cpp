@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "engine/scenario/run_journal.h"
@@ -190,6 +191,27 @@ TEST_F(ReplayLog, IsRefusedWithValuesThatCannotBe) {
   edits->bodies["nowhere"]["mobility"] = std::string("mobile");
   record_.log.semanticChanges = {{1, edits}};
   EXPECT_EQ(refusal(), "run.json: /bodies/nowhere");
+}
+
+TEST(RunRecordFile, ReadingTellsHowFarItIsAndEndsWhenStopped) {
+  const test::TemporaryFolder folder;
+  RunRecord record = test::someRunRecord();
+  const Pose q = Pose::translation({0.1, 0.2, 0.3});
+  for (std::uint64_t step = 1; step < 5000; ++step) record.log.operatorStream.push_back({1000 + step, q});
+  const std::string file = folder / "long.json";
+  ASSERT_TRUE(writeRunRecord(record, file).ok());
+  std::vector<double> shares;
+  const auto read = readRunRecord(file, WorkWatch({}, [&](double share) { shares.push_back(share); }));
+  ASSERT_TRUE(read.ok()) << toString(read.error());
+  EXPECT_EQ(read->log.operatorStream.size(), record.log.operatorStream.size());
+  EXPECT_GT(shares.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_LE(shares.back(), 1.0);
+  StopSource source;
+  source.requestStop();
+  const auto stopped = readRunRecord(file, source.token());
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().kind, ErrorKind::Interrupted);
 }
 
 }  // namespace

@@ -213,6 +213,21 @@ TEST_P(SessionConformance, ThePathIsSmoothedAndGivenBackAsPlanned) {
   EXPECT_FALSE(session->snapshot()->smoothed);
 }
 
+TEST(ThreadedSession, SmoothingTellsHowFarItIsAndAStopLeavesThePath) {
+  const auto session = makeThreadedSession(sessionConfig(windowProblem()));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const auto planned = session->snapshot()->path;
+  ASSERT_NE(planned, nullptr);
+  session->post(command::SmoothPath{100'000'000});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.smoothing.has_value(); }));
+  session->post(command::Stop{});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return !s.smoothing; }));
+  EXPECT_EQ(session->snapshot()->path, planned);
+  EXPECT_EQ(session->snapshot()->state, SessionState::Solved);
+  EXPECT_FALSE(session->snapshot()->smoothed);
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, SessionConformance,
                          testing::Values(std::pair<const char*, Maker>{"lockstep", &makeLockstep},
                                          std::pair<const char*, Maker>{"threaded", &makeThreadedSession}),

@@ -50,6 +50,19 @@ TEST_F(Report, HasEveryRowWithPaperAndOurs) {
   EXPECT_THAT(html, HasSubstr("a, &quot;b&quot;"));
 }
 
+TEST_F(Report, SpeaksFrench) {
+  Warnings warnings;
+  const auto html = reportHtml(reportOf(*folder, warnings, Language::French));
+  ASSERT_TRUE(html.ok());
+  EXPECT_THAT(*html, HasSubstr("<html lang=\"fr\""));
+  for (const char* french : {"Ce qui a été calculé", "2 sur 2", "Comment le refaire", "tient</td>", "article"}) {
+    EXPECT_THAT(*html, HasSubstr(french));
+  }
+  for (const char* english : {"What was run", "2 of 2", "How to repeat it", "Median", "Scenario<", "holds</td>"}) {
+    EXPECT_THAT(*html, Not(HasSubstr(english)));
+  }
+}
+
 TEST_F(Report, HasEveryCommand) {
   const std::string html = page();
   EXPECT_THAT(html, HasSubstr("glissade-cli study tiny.json --out out/tiny --jobs 2"));

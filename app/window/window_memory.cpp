@@ -1,0 +1,45 @@
+#include "app/window/window_memory.h"
+
+#include <QFileInfo>
+
+namespace glissade {
+namespace {
+
+constexpr int kMostFiles = 10;
+/// Grows when panels are added or renamed: an older layout would hide them.
+constexpr int kLayoutVersion = 1;
+
+constexpr QLatin1String kFiles("recent-files");
+constexpr QLatin1String kState("layout/panels");
+constexpr QLatin1String kGeometry("layout/window");
+
+}  // namespace
+
+WindowMemory::WindowMemory()
+    : settings_(QSettings::NativeFormat, QSettings::UserScope, QStringLiteral("glissade"), QStringLiteral("window")) {}
+
+WindowMemory::WindowMemory(const QString& file) : settings_(file, QSettings::IniFormat) {}
+
+QStringList WindowMemory::recentFiles() const { return settings_.value(kFiles).toStringList().mid(0, kMostFiles); }
+
+void WindowMemory::noteFile(const QString& file) {
+  const QString absolute = QFileInfo(file).absoluteFilePath();
+  QStringList files = recentFiles();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  settings_.setValue(kFiles, files.mid(0, kMostFiles));
+}
+
+void WindowMemory::forgetFiles() { settings_.remove(kFiles); }
+
+void WindowMemory::saveLayout(const QMainWindow& window) {
+  settings_.setValue(kState, window.saveState(kLayoutVersion));
+  settings_.setValue(kGeometry, window.saveGeometry());
+}
+
+void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
+  if (sizeToo) window.restoreGeometry(settings_.value(kGeometry).toByteArray());
+  window.restoreState(settings_.value(kState).toByteArray(), kLayoutVersion);
+}
+
+}  // namespace glissade

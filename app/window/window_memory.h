@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QMainWindow>
+#include <QSettings>
+#include <QStringList>
+
+namespace glissade {
+
+/// What the window remembers from one start to the next: the files opened last, and where its panels
+/// lie. Kept as the platform keeps settings. Scripts and pictures have none.
+class WindowMemory {
+ public:
+  /// The user's own.
+  WindowMemory();
+  /// A file of one's own, for tests.
+  explicit WindowMemory(const QString& file);
+
+  /// Absolute, the latest first, at most ten; they may be gone.
+  QStringList recentFiles() const;
+  void noteFile(const QString& file);
+  void forgetFiles();
+
+  void saveLayout(const QMainWindow& window);
+  /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
+  void restoreLayout(QMainWindow& window, bool sizeToo) const;
+
+ private:
+  QSettings settings_;
+};
+
+}  // namespace glissade

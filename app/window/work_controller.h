@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QStatusBar>
+
+#include "widgets/bridge/background_task.h"
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/busy_bar.h"
+
+namespace glissade {
+
+/// What takes its time: done in the background, one thing at a time, shown in the status bar and
+/// cancelled from there. In scripts and without a display it is done at once. Part of the main window.
+class WorkController final : public QObject {
+  Q_OBJECT
+
+ public:
+  WorkController(SessionBridge& bridge, const ActionCatalogue& actions, QStatusBar& bar);
+
+  void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
+  /// Another work that is under way is cancelled.
+  void run(const QString& what, const BackgroundTask::Work& work);
+  void cancel() { task_.cancel(); }
+  /// Smoothing goes on in the session; it is shown and cancelled here like all else.
+  void showSnapshot(const SessionSnapshot& snapshot);
+
+ private:
+  void cancelAll();
+  void enable();
+
+  SessionBridge& bridge_;
+  QAction* cancel_;
+  BusyBar* busy_;
+  BackgroundTask task_;
+  bool atOnce_;
+  bool smoothing_ = false;
+};
+
+}  // namespace glissade

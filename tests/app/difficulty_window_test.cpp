@@ -1,0 +1,57 @@
+// Why no path was found, asked in the window by scripts.
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using namespace glissade::test;
+
+/// A cube of 0.4 m and a wall with a square window of 0.37 m.
+const char* const kTooNarrow = R"({"format": "glissade-scenario", "version": 1, "planner": "birrt", "seed": 1,
+  "object": {"id": "cube", "name": "Cube", "geometry": {"box": [0.4, 0.4, 0.4]}},
+  "start": {"position": [-1.5, 0, 0], "orientation": [0, 0, 0, 1]},
+  "goal": {"position": [1.5, 0, 0], "orientation": [0, 0, 0, 1]},
+  "bodies": [
+    {"id": "left", "name": "Left", "mobility": "static", "geometry": {"box": [0.2, 2.315, 5]},
+     "pose": {"position": [0, -1.3425, 0], "orientation": [0, 0, 0, 1]}},
+    {"id": "right", "name": "Right", "mobility": "static", "geometry": {"box": [0.2, 2.315, 5]},
+     "pose": {"position": [0, 1.3425, 0], "orientation": [0, 0, 0, 1]}},
+    {"id": "below", "name": "Below", "mobility": "static", "geometry": {"box": [0.2, 0.37, 2.315]},
+     "pose": {"position": [0, 0, -1.3425], "orientation": [0, 0, 0, 1]}},
+    {"id": "above", "name": "Above", "mobility": "static", "geometry": {"box": [0.2, 0.37, 2.315]},
+     "pose": {"position": [0, 0, 1.3425], "orientation": [0, 0, 0, 1]}}],
+  "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]}})";
+
+class DifficultyWindow : public WindowTest {
+ protected:
+  QString tooNarrow() const {
+    QFile file(folder.filePath(QStringLiteral("narrow.json")));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(kTooNarrow);
+    return file.fileName();
+  }
+};
+
+TEST_F(DifficultyWindow, TellsWhatStandsInTheWayAndShowsIt) {
+  const QString before = folder.filePath(QStringLiteral("before.png"));
+  const QString after = folder.filePath(QStringLiteral("after.png"));
+  const QString hidden = folder.filePath(QStringLiteral("hidden.png"));
+  const RunResult result =
+      run(tooNarrow(), QStringLiteral("action run.start\nsteps 800\naction run.stop\nscreenshot %1\n"
+                                      "action difficulty.find\nshow-difficulty least\nshow-difficulty tightest\n"
+                                      "show-difficulty frontier\nscreenshot %2\n"
+                                      "action layer.difficulty\nscreenshot %3\naction difficulty.play\n"
+                                      "action run.start\nsteps 5\nexpect-difficulty least -\n")
+                           .arg(before, after, hidden));
+  EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString();
+  EXPECT_GT(difference(QImage(before), QImage(after)).share, 0.005);
+  EXPECT_GT(difference(QImage(after), QImage(hidden)).share, 0.002);
+}
+
+TEST_F(DifficultyWindow, IsAskedOnlyWhereThereIsNoPath) {
+  const RunResult idle = run(tooNarrow(), QStringLiteral("action difficulty.find\n"));
+  EXPECT_EQ(idle.exitCode, 3);
+  EXPECT_TRUE(idle.errors.contains(QStringLiteral("not possible now"))) << idle.errors.toStdString();
+  EXPECT_EQ(run(tooNarrow(), QStringLiteral("show-difficulty least\n")).exitCode, 3);
+}
+
+}  // namespace

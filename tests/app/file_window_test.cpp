@@ -1,0 +1,44 @@
+// Files in the window: saving elsewhere, what was open recently.
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using namespace glissade::test;
+
+class FileWindow : public WindowTest {
+ protected:
+  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  QByteArray content(const QString& name) const {
+    QFile file(folder.filePath(name));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+    return file.readAll();
+  }
+};
+
+TEST_F(FileWindow, AScenarioSavedIntoAnotherFolderOpensAndPlansTheSame) {
+  ASSERT_TRUE(QDir(folder.path()).mkdir(QStringLiteral("there")));
+  const QString saved = folder.filePath(QStringLiteral("there/saved.json"));
+  const QString plan = QStringLiteral("select-operator expert\naction run.start\nwait solved 20000\nexport %1\n");
+  expectGood(run(QStringLiteral("environment-1"),
+                 plan.arg(folder.filePath(QStringLiteral("here.path"))) + QStringLiteral("save %1\n").arg(saved)));
+  expectGood(run(saved, plan.arg(folder.filePath(QStringLiteral("there.path")))));
+  EXPECT_GT(content(QStringLiteral("here.path")).size(), 100);
+  EXPECT_EQ(content(QStringLiteral("here.path")), content(QStringLiteral("there.path")));
+}
+
+TEST_F(FileWindow, AfterSavingElsewhereTheNewFileIsTheOneThatIsSaved) {
+  const QString saved = folder.filePath(QStringLiteral("saved.json"));
+  const QString original = kSource + QStringLiteral("/samples/environment-1/scenario.json");
+  QFile before(original);
+  ASSERT_TRUE(before.open(QIODevice::ReadOnly));
+  const QByteArray untouched = before.readAll();
+  expectGood(
+      run(QStringLiteral("environment-1"),
+          QStringLiteral("set contact_samples 7\nsave %1\nset contact_samples 10\naction file.save\n").arg(saved)));
+  EXPECT_TRUE(content(QStringLiteral("saved.json")).contains("\"contact_samples\": 10"));
+  QFile after(original);
+  ASSERT_TRUE(after.open(QIODevice::ReadOnly));
+  EXPECT_EQ(after.readAll(), untouched);
+}
+
+}  // namespace

@@ -1,0 +1,77 @@
+#include "app/window/window_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QDockWidget>
+#include <QTemporaryDir>
+
+namespace glissade {
+namespace {
+
+class Memory : public testing::Test {
+ protected:
+  QString file() const { return folder.filePath(QStringLiteral("window.ini")); }
+  QTemporaryDir folder;
+};
+
+TEST_F(Memory, KeepsTheLastTenFilesTheLatestFirst) {
+  {
+    WindowMemory memory(file());
+    for (int i = 0; i < 12; ++i) memory.noteFile(QStringLiteral("/tmp/%1.json").arg(i));
+    memory.noteFile(QStringLiteral("/tmp/5.json"));
+  }
+  const QStringList files = WindowMemory(file()).recentFiles();
+  ASSERT_EQ(files.size(), 10);
+  EXPECT_EQ(files[0], QStringLiteral("/tmp/5.json"));
+  EXPECT_EQ(files[1], QStringLiteral("/tmp/11.json"));
+  EXPECT_EQ(files.count(QStringLiteral("/tmp/5.json")), 1);
+}
+
+TEST_F(Memory, FilesAreAbsoluteAndCanBeForgotten) {
+  WindowMemory memory(file());
+  memory.noteFile(QStringLiteral("near.json"));
+  EXPECT_EQ(memory.recentFiles(), QStringList(QDir::current().absoluteFilePath(QStringLiteral("near.json"))));
+  memory.forgetFiles();
+  EXPECT_TRUE(memory.recentFiles().isEmpty());
+}
+
+std::unique_ptr<QMainWindow> makeWindow() {
+  auto window = std::make_unique<QMainWindow>();
+  auto* dock = new QDockWidget(window.get());
+  dock->setObjectName(QStringLiteral("dock"));
+  window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+  window->resize(640, 480);
+  return window;
+}
+
+TEST_F(Memory, TheLayoutComesBack) {
+  {
+    const auto window = makeWindow();
+    auto* dock = window->findChild<QDockWidget*>();
+    window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    dock->hide();
+    window->resize(700, 500);
+    WindowMemory(file()).saveLayout(*window);
+  }
+  const WindowMemory memory(file());
+  const auto moved = makeWindow();
+  memory.restoreLayout(*moved, true);
+  auto* dock = moved->findChild<QDockWidget*>();
+  EXPECT_EQ(moved->dockWidgetArea(dock), Qt::RightDockWidgetArea);
+  EXPECT_TRUE(dock->isHidden());
+  EXPECT_EQ(moved->size(), QSize(700, 500));
+  const auto sized = makeWindow();
+  memory.restoreLayout(*sized, false);
+  EXPECT_EQ(sized->size(), QSize(640, 480));
+}
+
+TEST_F(Memory, NothingSavedChangesNothing) {
+  const auto window = makeWindow();
+  WindowMemory(file()).restoreLayout(*window, true);
+  EXPECT_EQ(window->size(), QSize(640, 480));
+  EXPECT_EQ(window->dockWidgetArea(window->findChild<QDockWidget*>()), Qt::LeftDockWidgetArea);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,51 @@
+#include "widgets/panels/busy_bar.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace glissade {
+namespace {
+
+constexpr int kPatienceMilliseconds = 250;
+constexpr int kPositions = 1000;
+constexpr int kWidth = 140;
+
+}  // namespace
+
+BusyBar::BusyBar(QAction* cancel, QWidget* parent)
+    : QWidget(parent), what_(new QLabel(this)), progress_(new QProgressBar(this)) {
+  setObjectName(QStringLiteral("busy"));
+  progress_->setRange(0, kPositions);
+  progress_->setFixedWidth(kWidth);
+  progress_->setMaximumHeight(fontMetrics().height() + 4);
+  auto* button = new QToolButton(this);
+  button->setDefaultAction(cancel);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(what_);
+  layout->addWidget(progress_);
+  layout->addWidget(button);
+  patience_.setSingleShot(true);
+  patience_.setInterval(kPatienceMilliseconds);
+  connect(&patience_, &QTimer::timeout, this, &QWidget::show);
+  hide();
+}
+
+void BusyBar::begin(const QString& what) {
+  what_->setText(what);
+  progress_->setAccessibleName(what);
+  progress_->setValue(0);
+  patience_.start();
+}
+
+void BusyBar::setShare(double share) { progress_->setValue(static_cast<int>(kPositions * share)); }
+
+void BusyBar::end() {
+  patience_.stop();
+  hide();
+}
+
+}  // namespace glissade

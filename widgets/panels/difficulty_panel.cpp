@@ -1,0 +1,109 @@
+#include "widgets/panels/difficulty_panel.h"
+
+#include <QHeaderView>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace glissade {
+namespace {
+
+constexpr int kIdRole = Qt::UserRole;
+
+QString millimetres(double metres) {
+  const double shown = 1e3 * metres;
+  return QLocale().toString(shown, 'f', shown < 10.0 ? 2 : 1) + QStringLiteral(" mm");
+}
+
+QString bodyName(int body, const LoadedScenario& scenario) {
+  if (body < 0) return QStringLiteral("–");
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+}
+
+}  // namespace
+
+DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent)
+    : QWidget(parent), summary_(new QLabel(this)), rows_(new QTreeWidget(this)), slider_(new WaySlider(this)) {
+  summary_->setWordWrap(true);
+  rows_->setObjectName(QStringLiteral("difficulty"));
+  rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Object and")});
+  rows_->setRootIsDecorated(false);
+  rows_->setUniformRowHeights(true);
+  rows_->setAlternatingRowColors(true);
+  rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  rows_->header()->setStretchLastSection(true);
+  rows_->setMinimumHeight(5 * fontMetrics().height());
+  slider_->setAccessibleName(tr("Place on the way of least penetration"));
+  slider_->setToolTip(tr("Place on the way of least penetration"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(4);
+  layout->addWidget(summary_);
+  layout->addWidget(rows_, 1);
+  layout->addWidget(slider_);
+  layout->addLayout(makeActionRow(actions, {"difficulty.find", "difficulty.play"}, this));
+  connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item != nullptr) emit poseShown(places_[static_cast<std::size_t>(rows_->indexOfTopLevelItem(item))]);
+  });
+  connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose) { emit poseShown(pose); });
+  connect(slider_, &WaySlider::playbackEnded, this, &DifficultyPanel::playbackEnded);
+  summary_->setText(tr("Nothing was looked into yet."));
+}
+
+void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const LoadedScenario& scenario) {
+  {
+    const QSignalBlocker block(rows_);
+    rows_->clear();
+    places_.clear();
+    if (difficulty) describe(*difficulty, scenario);
+  }
+  const bool way = difficulty && difficulty->leastPenetration;
+  slider_->setWay(way ? difficulty->leastPenetration->way : std::vector<Pose>(), scenario.problem.metric());
+  if (!difficulty) summary_->setText(tr("Nothing was looked into yet."));
+  emit poseShown(std::nullopt);
+}
+
+void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
+  if (const auto& least = difficulty.leastPenetration) {
+    summary_->setText(tr("With <b>%1</b> given between the object and <b>%2</b> there is a way.")
+                          .arg(millimetres(least->depth),
+                               QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(least->body)].name)
+                                   .toHtmlEscaped()));
+    addRow("least", tr("Least penetration"), millimetres(least->depth), least->body, least->q, scenario);
+  } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
+    summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
+  } else {
+    summary_->setText(tr("However much smaller the object was made, no way was found."));
+  }
+  if (const auto& tightest = difficulty.tightest) {
+    addRow("tightest", tr("Tightest passage reached"), millimetres(tightest->clearance), tightest->body, tightest->q,
+           scenario);
+  }
+  if (const auto& frontier = difficulty.frontier) {
+    addRow("frontier", tr("Trees came within"), millimetres(frontier->distance), frontier->body,
+           frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
+  }
+}
+
+bool DifficultyPanel::showPart(const QString& id) {
+  for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
+    if (rows_->topLevelItem(i)->data(0, kIdRole) != id) continue;
+    rows_->setCurrentItem(rows_->topLevelItem(i));
+    return true;
+  }
+  return false;
+}
+
+void DifficultyPanel::addRow(const char* id, const QString& what, const QString& amount, int body, const Pose& q,
+                             const LoadedScenario& scenario) {
+  const QString other =
+      body < 0 ? QStringLiteral("–") : QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+  auto* item = new QTreeWidgetItem(rows_, {what, amount, other});
+  item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+  item->setData(0, kIdRole, QString::fromLatin1(id));
+  item->setToolTip(2, other);
+  item->setToolTip(0, tr("Shows the object there"));
+  places_.push_back(q);
+}
+
+}  // namespace glissade

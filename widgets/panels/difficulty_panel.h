@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QLabel>
+#include <QTreeWidget>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "engine/planning/difficulty/difficulty.h"
+#include "engine/scenario/scenario.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/way_slider.h"
+
+namespace glissade {
+
+using DifficultyPtr = std::shared_ptr<const Difficulty>;
+
+/// Why no path was found: where the trees came nearest, the tightest passage that they reached, and the
+/// way of least penetration. A row shows the object at that place, the slider moves it along the way.
+class DifficultyPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  DifficultyPanel(const ActionCatalogue& actions, QWidget* parent);
+
+  /// Null: nothing is known yet.
+  void setDifficulty(const DifficultyPtr& difficulty, const LoadedScenario& scenario);
+  /// Chooses the row "least", "tightest" or "frontier". False: there is none.
+  bool showPart(const QString& id);
+  void setPlaying(bool playing) { slider_->setPlaying(playing); }
+
+ signals:
+  /// The pose to show the object at; nothing: the hand is shown again.
+  void poseShown(const std::optional<glissade::Pose>& pose);
+  void playbackEnded();
+
+ private:
+  void addRow(const char* id, const QString& what, const QString& amount, int body, const Pose& q,
+              const LoadedScenario& scenario);
+  void describe(const Difficulty& difficulty, const LoadedScenario& scenario);
+
+  std::vector<Pose> places_;  ///< of the rows
+  QLabel* summary_;
+  QTreeWidget* rows_;
+  WaySlider* slider_;
+};
+
+}  // namespace glissade
