@@ -251,7 +251,7 @@ void registerChecks() {
     benchmark::DoNotOptimize(query.nearest(sheets.poses[i], kInfinity));
   };
   const Ask edge = [](SurfaceQuery& query, const Sheets& sheets, std::size_t i) {
-    benchmark::DoNotOptimize(query.checkMotion(sheets.poses[i], sheets.after(i), 1e-6, {}));
+    benchmark::DoNotOptimize(query.checkMotion(sheets.poses[i], sheets.after(i), 1e-6, SeekViolation::Any, {}));
   };
   const Ask samples = [](SurfaceQuery& query, const Sheets& sheets, std::size_t i) {
     bool free = true;

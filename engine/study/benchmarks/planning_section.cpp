@@ -122,7 +122,7 @@ std::vector<ReportBlock> planningSection(const StudyFolder& folder, Warnings& wa
     plot.name = study.heading.name + "-" + plot.name;
     blocks.emplace_back(std::move(plot));
   }
-  blocks.emplace_back(study_report::endingsTable(study, summaries));
+  blocks.emplace_back(study_report::endingsTable(study, summaries, {}));
   blocks.emplace_back(study_report::timingTable(study, summaries, {}));
   return blocks;
 }
