@@ -231,7 +231,9 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
   for (const Json& cell : summary["cells"]) {
     const Json& ended = cell["statuses"];
     EXPECT_EQ(ended["error"].get<int>() + ended["crashed"].get<int>(), 0) << cell["label"];
-    if (cell["strategy"] == "auto") EXPECT_EQ(ended["solved"], 1) << cell["label"];
+    if (cell["strategy"] == "auto") {
+      EXPECT_EQ(ended["solved"], 1) << cell["label"];
+    }
     refused += ended["not-certified"].get<std::size_t>();
   }
   EXPECT_GE(refused, 1U) << "an edge from start to goal passes through the wall, and nobody looks";

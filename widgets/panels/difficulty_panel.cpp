@@ -66,9 +66,7 @@ void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const Loade
 void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
   if (const auto& least = difficulty.leastPenetration) {
     summary_->setText(tr("With <b>%1</b> given between the object and <b>%2</b> there is a way.")
-                          .arg(millimetres(least->depth),
-                               QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(least->body)].name)
-                                   .toHtmlEscaped()));
+                          .arg(millimetres(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
     addRow("least", tr("Least penetration"), millimetres(least->depth), least->body, least->q, scenario);
   } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
     summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
@@ -96,8 +94,7 @@ bool DifficultyPanel::showPart(const QString& id) {
 
 void DifficultyPanel::addRow(const char* id, const QString& what, const QString& amount, int body, const Pose& q,
                              const LoadedScenario& scenario) {
-  const QString other =
-      body < 0 ? QStringLiteral("–") : QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+  const QString other = bodyName(body, scenario);
   auto* item = new QTreeWidgetItem(rows_, {what, amount, other});
   item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
   item->setData(0, kIdRole, QString::fromLatin1(id));
