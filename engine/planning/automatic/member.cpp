@@ -39,19 +39,24 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
           }};
 }
 
-/// One tree from the start that turns far while it moves little: out of an assembly.
-Member turningRrt(const Problem& problem) {
-  constexpr double kTurnWeight = 0.1;
+/// Rotations weigh little in these: an extension turns far while it moves little, and the nearest
+/// configuration is the one at the nearest place.
+RrtConnect::Options turning(const Problem& problem, double range, double turnWeight) {
   RrtConnect::Options options;
-  options.range = searchRange(problem, 0.03, kTurnWeight);
-  options.turnWeight = kTurnWeight;
+  options.turnWeight = turnWeight;
+  options.range = searchRange(problem, range, turnWeight);
+  return options;
+}
+
+/// One tree from the start, out of an assembly.
+Member turningRrt(const Problem& problem) {
+  RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
   return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 Member dynamicDomain(const Problem& problem) {
-  RrtConnect::Options options;
-  options.range = searchRange(problem, 0.01);
+  RrtConnect::Options options = turning(problem, 0.01, 0.17);
   options.domain = 10.0;
   return rrtConnect("dynamic-domain", {1.0, kLongFirstLife, Restart::Doubling, 0}, problem, options);
 }
