@@ -13,12 +13,14 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   return contenders;
 }
 
-/// What a distance costs in yes/no queries, and a step without a query.
+/// What a distance, a motion and a step without a query cost in yes/no queries.
 constexpr std::uint64_t kDistanceWork = 4;
-constexpr std::uint64_t kStepWork = 1;
+constexpr std::uint64_t kMotionWork = 20;
+constexpr std::uint64_t kStepWork = 2;
 
 std::uint64_t workOf(const PlannerCounts& counts) {
-  return counts.queries.collision + kDistanceWork * counts.queries.distance + kStepWork * counts.steps;
+  return counts.queries.collision + kDistanceWork * counts.queries.distance + kMotionWork * counts.queries.motion +
+         kStepWork * counts.steps;
 }
 
 }  // namespace
@@ -64,12 +66,21 @@ void AutomaticPlanner::turn(PlannerHost& host) {
   } else if (state == SubPlanner::State::Failed && members_[active_].contender.restart == Restart::Never) {
     const auto reason = life->planner().failure();
     portfolio_.retire(active_);
+    life->complete(roadmap_);
     life.reset();
     if (portfolio_.next() == Portfolio::kNobody) failure_ = reason;
   } else if (state == SubPlanner::State::Failed || portfolio_.lifeIsOver(active_)) {
     portfolio_.restart(active_);
+    life->complete(roadmap_);
     life.reset();
   }
+}
+
+void AutomaticPlanner::completeRoadmap() {
+  for (const auto& life : lives_) {
+    if (life) life->complete(roadmap_);
+  }
+  updateCounts();
 }
 
 void AutomaticPlanner::updateCounts() {

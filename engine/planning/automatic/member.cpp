@@ -7,17 +7,21 @@
 #include "engine/planning/automatic/shrink_repair.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/fine/multi_layer_planner.h"
+#include "engine/planning/ompl/ompl_planner.h"
 
 namespace glissade {
 namespace {
 
 using Worlds = std::shared_ptr<ErodedWorlds>;
 
-/// First lives, in work (AutomaticPlanner counts it): what most problems need that need a search at all.
-constexpr std::uint64_t kFirstLife = 400'000;
-constexpr std::uint64_t kLongFirstLife = 1'000'000;
-/// The environment model takes some seconds: it is only built where the quick ones have failed.
-constexpr std::uint64_t kModelEntry = 400'000;
+/// First lives, in work (AutomaticPlanner counts it): a few times what the problem needs that the
+/// member is there for, or else the restart comes too early.
+constexpr std::uint64_t kShortFirstLife = 250'000;
+constexpr std::uint64_t kFirstLife = 600'000;
+constexpr std::uint64_t kLongFirstLife = 2'500'000;
+/// What the quick ones have until the others enter, and the environment model, which takes seconds.
+constexpr std::uint64_t kHardEntry = 400'000;
+constexpr std::uint64_t kModelEntry = 3'000'000;
 
 Member directMotions(const Problem& problem) {
   return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
@@ -26,9 +30,10 @@ Member directMotions(const Problem& problem) {
 }
 
 Member birrt(const Problem& problem) {
-  return {"birrt", {1.0, kFirstLife, Restart::Luby, 0}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
-            return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
-          }};
+  return {
+      "birrt", {0.5, kFirstLife, Restart::Luby, kHardEntry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+        return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
+      }};
 }
 
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
@@ -36,6 +41,15 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
   return {std::move(name), contender, [problem, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
             return std::make_unique<RrtConnect>(problem, seed, options,
                                                 std::make_unique<UniformSampler>(problem, seed));
+          }};
+}
+
+/// The quickest where space is open but for a few bars and walls.
+Member bkpiece(const Problem& problem) {
+  return {"ompl-bkpiece",
+          {3.0, kShortFirstLife, Restart::Luby, 0},
+          [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<OmplPlanner>(problem, seed, OmplAlgorithm::Bkpiece);
           }};
 }
 
@@ -55,17 +69,18 @@ Member turningRrt(const Problem& problem) {
   return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
 }
 
+/// Two trees that are not trapped for long.
 Member dynamicDomain(const Problem& problem) {
-  RrtConnect::Options options = turning(problem, 0.01, 0.17);
+  RrtConnect::Options options = turning(problem, 0.02, 0.1);
   options.domain = 10.0;
-  return rrtConnect("dynamic-domain", {1.0, kLongFirstLife, Restart::Doubling, 0}, problem, options);
+  return rrtConnect("dynamic-domain", {2.0, kLongFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
   RrtConnect::Options options;
   options.range = searchRange(problem, 0.03);
   return {"contact-slide",
-          {1.0, kFirstLife, Restart::Luby, 0},
+          {0.5, kFirstLife, Restart::Luby, kHardEntry},
           [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
             const double r = problem.world->objectRadius();
             auto sampler =
@@ -81,7 +96,7 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
   options.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
-          {kShare, 0, Restart::Luby, 0},
+          {kShare, 0, Restart::Luby, kHardEntry},
           [problem, worlds, options](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
             const bool deep = RandomStream(seed, "erosion").uniform() < 0.6;
             options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
@@ -101,16 +116,8 @@ Member multiLayer(const Problem& problem) {
 
 std::vector<Member> makeMembers(const Problem& problem) {
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
-  RrtConnect::Options shortSteps;
-  shortSteps.range = searchRange(problem, 0.03);
-  return {directMotions(problem),
-          birrt(problem),
-          rrtConnect("rrt-connect", {1.0, kLongFirstLife, Restart::Luby, 0}, problem, shortSteps),
-          dynamicDomain(problem),
-          turningRrt(problem),
-          contactSlide(problem, worlds),
-          shrinkRepair(problem, worlds),
-          multiLayer(problem)};
+  return {directMotions(problem), dynamicDomain(problem),        turningRrt(problem),           bkpiece(problem),
+          birrt(problem),         contactSlide(problem, worlds), shrinkRepair(problem, worlds), multiLayer(problem)};
 }
 
 }  // namespace glissade
