@@ -20,7 +20,7 @@ constexpr std::uint64_t kShortFirstLife = 250'000;
 constexpr std::uint64_t kFirstLife = 600'000;
 constexpr std::uint64_t kLongFirstLife = 2'500'000;
 /// What the quick ones have until the others enter, and the environment model, which takes seconds.
-constexpr std::uint64_t kHardEntry = 400'000;
+constexpr std::uint64_t kHardEntry = 150'000;
 constexpr std::uint64_t kModelEntry = 3'000'000;
 
 Member directMotions(const Problem& problem) {
@@ -89,17 +89,20 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
           }};
 }
 
-/// Ends its lives itself. How much is eroded is drawn anew in each.
+/// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
+/// early. How much is eroded is drawn anew in each life.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
-  constexpr double kShare = 3.0;
+  constexpr double kShare = 4.0;
+  constexpr std::uint64_t kFirstWork = 10'000;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
   options.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
           {kShare, 0, Restart::Luby, kHardEntry},
-          [problem, worlds, options](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
+          [problem, worlds, options, life = std::uint64_t{0}](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
             const bool deep = RandomStream(seed, "erosion").uniform() < 0.6;
             options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
+            options.firstWork = kFirstWork * lubyTerm(++life);
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
           }};
 }

@@ -79,7 +79,7 @@ void Portfolio::restart(std::size_t contender) {
   State& state = states_[contender];
   ++state.life;
   const double least = std::min(kLeastShare, state.contender.share);
-  if (state.contender.restart != Restart::Never) state.share = std::max(least, kLossOfShare * state.share);
+  if (state.contender.firstLife > 0) state.share = std::max(least, kLossOfShare * state.share);
   state.lifeWork = 0;
 }
 

@@ -27,9 +27,8 @@ struct Contender {
 };
 
 /// Deals work out among contenders: the turn is the one's who has had least for his share. A
-/// life that ends without a path halves it: what has failed once is less likely to be what the problem
-/// needs. A pure value: no clock, no randomness, so that the
-/// same charges give the same turns.
+/// life of a given length that ends without a path halves it: what has failed once is less likely to be what the
+/// problem needs. A pure value: no clock, no randomness, so that the same charges give the same turns.
 class Portfolio {
  public:
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
