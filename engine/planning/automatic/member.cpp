@@ -66,7 +66,7 @@ RrtConnect::Options turning(const Problem& problem, double range, double turnWei
 Member turningRrt(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
-  return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
+  return rrtConnect("turning-rrt", {2.0, kFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 /// Two trees that are not trapped for long.
