@@ -16,12 +16,12 @@ using Worlds = std::shared_ptr<ErodedWorlds>;
 
 /// First lives, in work (AutomaticPlanner counts it): a few times what the problem needs that the
 /// member is there for, or else the restart comes too early.
-constexpr std::uint64_t kShortFirstLife = 250'000;
-constexpr std::uint64_t kFirstLife = 600'000;
-constexpr std::uint64_t kLongFirstLife = 2'500'000;
+constexpr std::uint64_t kShortFirstLife = 1'000'000;
+constexpr std::uint64_t kFirstLife = 2'500'000;
+constexpr std::uint64_t kLongFirstLife = 10'000'000;
 /// What the quick ones have until the others enter, and the environment model, which takes seconds.
-constexpr std::uint64_t kHardEntry = 150'000;
-constexpr std::uint64_t kModelEntry = 3'000'000;
+constexpr std::uint64_t kHardEntry = 600'000;
+constexpr std::uint64_t kModelEntry = 12'000'000;
 
 Member directMotions(const Problem& problem) {
   return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
@@ -92,7 +92,7 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
 /// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
 /// early. How much is eroded is drawn anew in each life.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
-  constexpr double kShare = 4.0;
+  constexpr double kShare = 3.0;
   constexpr std::uint64_t kFirstWork = 10'000;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
