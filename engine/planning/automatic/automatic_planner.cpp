@@ -13,12 +13,17 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   return contenders;
 }
 
-/// What a distance costs in yes/no queries, and a step without a query.
-constexpr std::uint64_t kDistanceWork = 4;
-constexpr std::uint64_t kStepWork = 1;
+/// What the members do, in quarters of a yes/no query. An iteration looks for neighbours; a draw that
+/// is discarded at once costs next to nothing, so that steps do not count but for one a turn.
+constexpr std::uint64_t kCollisionWork = 4;
+constexpr std::uint64_t kDistanceWork = 16;
+constexpr std::uint64_t kMotionWork = 80;
+constexpr std::uint64_t kIterationWork = 8;
+constexpr std::uint64_t kTurnWork = 1;
 
 std::uint64_t workOf(const PlannerCounts& counts) {
-  return counts.queries.collision + kDistanceWork * counts.queries.distance + kStepWork * counts.steps;
+  return kCollisionWork * counts.queries.collision + kDistanceWork * counts.queries.distance +
+         kMotionWork * counts.queries.motion + kIterationWork * counts.iterations;
 }
 
 }  // namespace
@@ -58,18 +63,27 @@ void AutomaticPlanner::turn(PlannerHost& host) {
   }
   const std::uint64_t before = workOf(roadmap_.counts);
   const SubPlanner::State state = life->step(host, roadmap_);
-  portfolio_.charge(active_, workOf(roadmap_.counts) - before);
+  portfolio_.charge(active_, workOf(roadmap_.counts) - before + kTurnWork);
   if (state == SubPlanner::State::Solved) {
     path_ = *life->planner().path();
   } else if (state == SubPlanner::State::Failed && members_[active_].contender.restart == Restart::Never) {
     const auto reason = life->planner().failure();
     portfolio_.retire(active_);
+    life->complete(roadmap_);
     life.reset();
     if (portfolio_.next() == Portfolio::kNobody) failure_ = reason;
   } else if (state == SubPlanner::State::Failed || portfolio_.lifeIsOver(active_)) {
     portfolio_.restart(active_);
+    life->complete(roadmap_);
     life.reset();
   }
+}
+
+void AutomaticPlanner::completeRoadmap() {
+  for (const auto& life : lives_) {
+    if (life) life->complete(roadmap_);
+  }
+  updateCounts();
 }
 
 void AutomaticPlanner::updateCounts() {

@@ -21,6 +21,7 @@ class AutomaticPlanner final : public Planner {
   ~AutomaticPlanner() override;
 
   bool solve(PlannerHost& host) override;
+  void completeRoadmap() override;
 
   const std::vector<RoadmapNode>& nodes() const override { return roadmap_.nodes; }
   const std::vector<RoadmapEdge>& edges() const override { return roadmap_.edges; }

@@ -7,17 +7,24 @@
 #include "engine/planning/automatic/shrink_repair.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/fine/multi_layer_planner.h"
+#include "engine/planning/ompl/ompl_planner.h"
 
 namespace glissade {
 namespace {
 
 using Worlds = std::shared_ptr<ErodedWorlds>;
 
-/// First lives, in work (AutomaticPlanner counts it): what most problems need that need a search at all.
-constexpr std::uint64_t kFirstLife = 400'000;
-constexpr std::uint64_t kLongFirstLife = 1'000'000;
-/// The environment model takes some seconds: it is only built where the quick ones have failed.
-constexpr std::uint64_t kModelEntry = 400'000;
+/// First lives, in work (AutomaticPlanner counts it): a few times what the problem needs that the
+/// member is there for, or else the restart comes too early.
+constexpr std::uint64_t kShortFirstLife = 1'000'000;
+constexpr std::uint64_t kFirstLife = 2'500'000;
+constexpr std::uint64_t kLongFirstLife = 10'000'000;
+/// What the quick ones have until the others enter.
+constexpr std::uint64_t kHardEntry = 600'000;
+/// The same for the one with the environment model, and for each triangle of the obstacles: building
+/// the model counts as no work, and took 16 s on 5,000 triangles.
+constexpr std::uint64_t kModelEntry = 12'000'000;
+constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
 Member directMotions(const Problem& problem) {
   return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
@@ -26,9 +33,10 @@ Member directMotions(const Problem& problem) {
 }
 
 Member birrt(const Problem& problem) {
-  return {"birrt", {1.0, kFirstLife, Restart::Luby, 0}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
-            return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
-          }};
+  return {
+      "birrt", {0.5, kFirstLife, Restart::Luby, kHardEntry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+        return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
+      }};
 }
 
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
@@ -39,28 +47,43 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
           }};
 }
 
-/// One tree from the start that turns far while it moves little: out of an assembly.
-Member turningRrt(const Problem& problem) {
-  constexpr double kTurnWeight = 0.1;
-  RrtConnect::Options options;
-  options.range = searchRange(problem, 0.03, kTurnWeight);
-  options.turnWeight = kTurnWeight;
-  options.growth = RrtConnect::Growth::FromStart;
-  return rrtConnect("turning-rrt", {1.0, kFirstLife, Restart::Luby, 0}, problem, options);
+/// The quickest where space is open but for a few bars and walls.
+Member bkpiece(const Problem& problem) {
+  return {"ompl-bkpiece",
+          {3.0, kShortFirstLife, Restart::Luby, 0},
+          [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<OmplPlanner>(problem, seed, OmplAlgorithm::Bkpiece);
+          }};
 }
 
-Member dynamicDomain(const Problem& problem) {
+/// Rotations weigh little in these: an extension turns far while it moves little, and the nearest
+/// configuration is the one at the nearest place.
+RrtConnect::Options turning(const Problem& problem, double range, double turnWeight) {
   RrtConnect::Options options;
-  options.range = searchRange(problem, 0.01);
+  options.turnWeight = turnWeight;
+  options.range = searchRange(problem, range, turnWeight);
+  return options;
+}
+
+/// One tree from the start, out of an assembly.
+Member turningRrt(const Problem& problem) {
+  RrtConnect::Options options = turning(problem, 0.03, 0.02);
+  options.growth = RrtConnect::Growth::FromStart;
+  return rrtConnect("turning-rrt", {2.0, kFirstLife, Restart::Luby, 0}, problem, options);
+}
+
+/// Two trees that are not trapped for long.
+Member dynamicDomain(const Problem& problem) {
+  RrtConnect::Options options = turning(problem, 0.02, 0.1);
   options.domain = 10.0;
-  return rrtConnect("dynamic-domain", {1.0, kLongFirstLife, Restart::Doubling, 0}, problem, options);
+  return rrtConnect("dynamic-domain", {2.0, kLongFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
   RrtConnect::Options options;
   options.range = searchRange(problem, 0.03);
   return {"contact-slide",
-          {1.0, kFirstLife, Restart::Luby, 0},
+          {0.5, kFirstLife, Restart::Luby, kHardEntry},
           [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
             const double r = problem.world->objectRadius();
             auto sampler =
@@ -69,24 +92,29 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
           }};
 }
 
-/// Ends its lives itself. How much is eroded is drawn anew in each.
+/// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
+/// early. How much is eroded is drawn anew in each life.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   constexpr double kShare = 3.0;
+  constexpr std::uint64_t kFirstWork = 10'000;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
   options.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
-          {kShare, 0, Restart::Luby, 0},
-          [problem, worlds, options](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
+          {kShare, 0, Restart::Luby, kHardEntry},
+          [problem, worlds, options, life = std::uint64_t{0}](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
             const bool deep = RandomStream(seed, "erosion").uniform() < 0.6;
             options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
+            options.firstWork = kFirstWork * lubyTerm(++life);
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
           }};
 }
 
 /// Guidance from the environment model, where somebody has built it already; else only late.
 Member multiLayer(const Problem& problem) {
-  const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry;
+  std::uint64_t triangles = 0;
+  for (const RigidBody& body : problem.world->obstacles()) triangles += body.mesh->triangles.size();
+  const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry + kModelEntryPerTriangle * triangles;
   return {"gts", {1.0, 0, Restart::Never, entry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
             return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
           }};
@@ -96,16 +124,8 @@ Member multiLayer(const Problem& problem) {
 
 std::vector<Member> makeMembers(const Problem& problem) {
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
-  RrtConnect::Options shortSteps;
-  shortSteps.range = searchRange(problem, 0.03);
-  return {directMotions(problem),
-          birrt(problem),
-          rrtConnect("rrt-connect", {1.0, kLongFirstLife, Restart::Luby, 0}, problem, shortSteps),
-          dynamicDomain(problem),
-          turningRrt(problem),
-          contactSlide(problem, worlds),
-          shrinkRepair(problem, worlds),
-          multiLayer(problem)};
+  return {directMotions(problem), dynamicDomain(problem),        turningRrt(problem),           bkpiece(problem),
+          birrt(problem),         contactSlide(problem, worlds), shrinkRepair(problem, worlds), multiLayer(problem)};
 }
 
 }  // namespace glissade

@@ -7,8 +7,9 @@
 namespace glissade {
 namespace {
 
-/// What one earns counts this much less.
-constexpr double kBonus = 0.5;
+/// What a life without a path leaves of one's share, down to the least.
+constexpr double kLossOfShare = 0.5;
+constexpr double kLeastShare = 0.25;
 
 }  // namespace
 
@@ -22,7 +23,7 @@ std::uint64_t lubyTerm(std::uint64_t i) {
 }
 
 Portfolio::Portfolio(std::vector<Contender> contenders) {
-  for (const Contender& contender : contenders) states_.push_back({contender});
+  for (const Contender& contender : contenders) states_.push_back({contender, contender.share});
 }
 
 std::size_t Portfolio::next() const {
@@ -59,12 +60,7 @@ void Portfolio::charge(std::size_t contender, std::uint64_t work) {
   State& state = states_[contender];
   state.work += work;
   state.lifeWork += work;
-  state.virtualWork += static_cast<double>(work) / state.contender.share;
-}
-
-void Portfolio::reward(std::size_t contender, std::uint64_t work) {
-  State& state = states_[contender];
-  state.virtualWork -= kBonus * static_cast<double>(work) / state.contender.share;
+  state.virtualWork += static_cast<double>(work) / state.share;
 }
 
 bool Portfolio::lifeIsOver(std::size_t contender) const {
@@ -82,6 +78,8 @@ bool Portfolio::lifeIsOver(std::size_t contender) const {
 void Portfolio::restart(std::size_t contender) {
   State& state = states_[contender];
   ++state.life;
+  const double least = std::min(kLeastShare, state.contender.share);
+  if (state.contender.firstLife > 0) state.share = std::max(least, kLossOfShare * state.share);
   state.lifeWork = 0;
 }
 

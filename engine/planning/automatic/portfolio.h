@@ -20,15 +20,15 @@ std::uint64_t lubyTerm(std::uint64_t i);
 
 /// One who wants machine time.
 struct Contender {
-  double share = 1.0;           ///< of the work, relative to the others' shares; > 0
+  double share = 1.0;           ///< at first, of the work, relative to the others' shares; > 0
   std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
   Restart restart = Restart::Never;
   std::uint64_t entry = 0;  ///< work of all before it first has a turn
 };
 
-/// Deals work out among contenders: the turn is the one's who has had least for his share. Those who
-/// earn have a larger one for as long as they do. A pure value: no clock, no randomness, so that the
-/// same charges give the same turns.
+/// Deals work out among contenders: the turn is the one's who has had least for his share. A
+/// life of a given length that ends without a path halves it: what has failed once is less likely to be what the
+/// problem needs. A pure value: no clock, no randomness, so that the same charges give the same turns.
 class Portfolio {
  public:
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -39,8 +39,6 @@ class Portfolio {
   std::size_t next() const;
   /// What the turn has cost.
   void charge(std::size_t contender, std::uint64_t work);
-  /// This much of its work has earned something: it counts half.
-  void reward(std::size_t contender, std::uint64_t work);
   /// The work of its present life is used up.
   bool lifeIsOver(std::size_t contender) const;
   /// Begins the next life.
@@ -55,6 +53,7 @@ class Portfolio {
  private:
   struct State {
     Contender contender;
+    double share;                ///< at present
     std::uint64_t work = 0;      ///< in all lives
     std::uint64_t lifeWork = 0;  ///< in the present one
     std::uint64_t life = 1;

@@ -21,8 +21,8 @@ class ShrinkRepair final : public Planner {
     double erosion = 0.0;  ///< of the first level, metres
     double growth = 0.0;   ///< beyond the object's size, metres
     RrtConnect::Options search;
-    std::uint64_t firstWork = 30'000;   ///< queries for the first level
-    std::uint64_t repairWork = 60'000;  ///< queries for each of the others
+    std::uint64_t firstWork = 30'000;    ///< queries for the first level
+    std::uint64_t repairWork = 250'000;  ///< queries for each of the others
   };
 
   ShrinkRepair(const Problem& problem, std::uint64_t seed, const Options& options,

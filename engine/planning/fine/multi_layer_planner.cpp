@@ -199,6 +199,7 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
   }
   const std::uint64_t before = local_->randomConfigurations();
   const SubPlanner::State state = local_->step(host, roadmap_);
+  local_->complete(roadmap_);
   authority_ = local_->planner().authority();
   const std::uint64_t spent = local_->randomConfigurations() - before;
   step.randomConfigurations += spent;
@@ -282,6 +283,7 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
   }
   const std::uint64_t before = whole_->randomConfigurations();
   const SubPlanner::State state = whole_->step(host, roadmap_);
+  whole_->complete(roadmap_);
   authority_ = whole_->planner().authority();
   const std::uint64_t spent = whole_->randomConfigurations() - before;
   plan_.fineConfigurations += spent;

@@ -28,11 +28,15 @@ class OneStep final : public PlannerHost {
 SubPlanner::State SubPlanner::step(PlannerHost& host, SharedRoadmap& roadmap) {
   OneStep one(host, region_.get());
   const bool solved = planner_->solve(one);
-  planner_->completeRoadmap();
   collect(roadmap);
   if (solved) return State::Solved;
   const bool spent = randomConfigurations() >= samples_ && !planner_->inContactMode();
   return planner_->failure() || spent ? State::Failed : State::Running;
+}
+
+void SubPlanner::complete(SharedRoadmap& roadmap) {
+  planner_->completeRoadmap();
+  collect(roadmap);
 }
 
 void SubPlanner::collect(SharedRoadmap& roadmap) {
@@ -61,6 +65,7 @@ void SubPlanner::collect(SharedRoadmap& roadmap) {
   add(all.contactConfigurations, now.contactConfigurations, counted_.contactConfigurations);
   add(all.queries.collision, now.queries.collision, counted_.queries.collision);
   add(all.queries.distance, now.queries.distance, counted_.queries.distance);
+  add(all.queries.motion, now.queries.motion, counted_.queries.motion);
 }
 
 }  // namespace glissade

@@ -23,6 +23,8 @@ class SubPlanner {
   enum class State { Running, Solved, Failed };
   /// One step; what it grew and cost is added to the roadmap.
   State step(PlannerHost& host, SharedRoadmap& roadmap);
+  /// Adds what the planner has grown but not listed yet (Planner::completeRoadmap).
+  void complete(SharedRoadmap& roadmap);
 
   const Planner& planner() const { return *planner_; }
   std::uint64_t randomConfigurations() const { return planner_->counts().randomConfigurations; }

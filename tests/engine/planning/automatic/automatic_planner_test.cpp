@@ -32,6 +32,20 @@ TEST(AutomaticPlanner, SameSeedGivesTheSamePathAndCounts) {
   EXPECT_EQ(run(), run());
 }
 
+TEST(AutomaticPlanner, ListsWhatItsMembersHaveGrownOnceTheRunEnds) {
+  const Problem problem = closedProblem();
+  TestHost host(problem, 300);
+  AutomaticPlanner planner(problem, 2);
+  EXPECT_FALSE(planner.solve(host));
+  planner.completeRoadmap();
+  EXPECT_EQ(planner.counts().nodes, planner.nodes().size());
+  EXPECT_EQ(planner.counts().edges, 2 * (planner.edges().size() - planner.droppedEdges().size()));
+  for (const RoadmapEdge& edge : planner.edges()) {
+    EXPECT_LT(std::max(edge.from, edge.to), planner.nodes().size());
+  }
+  EXPECT_GT(planner.edges().size(), 10U);
+}
+
 TEST(AutomaticPlanner, GivesUpWhereNothingIsOutside) {
   Problem problem = windowProblem();
   problem.goal = GoalOut{};

@@ -51,14 +51,27 @@ TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
   EXPECT_EQ(portfolio.next(), Portfolio::kNobody);
 }
 
-TEST(Portfolio, WhatEarnsGetsMore) {
-  Portfolio portfolio({{1.0}, {1.0}});
-  for (int turn = 0; turn < 300; ++turn) {
+TEST(Portfolio, ALifeThatFailsHalvesTheShareDownToALeast) {
+  Portfolio portfolio({{2.0, 1'000'000, Restart::Luby}, {2.0}});
+  const auto ratioAfter = [&](int failures) {
+    for (int i = 0; i < failures; ++i) portfolio.restart(0);
+    const std::uint64_t before[] = {portfolio.work(0), portfolio.work(1)};
+    for (int turn = 0; turn < 1800; ++turn) portfolio.charge(portfolio.next(), 10);
+    return static_cast<double>(portfolio.work(1) - before[1]) / static_cast<double>(portfolio.work(0) - before[0]);
+  };
+  EXPECT_NEAR(ratioAfter(0), 1.0, 0.1);
+  EXPECT_NEAR(ratioAfter(1), 2.0, 0.1);
+  EXPECT_NEAR(ratioAfter(10), 8.0, 0.2);  // not 2^11
+}
+
+TEST(Portfolio, OneThatEndsItsLivesItselfKeepsItsShare) {
+  Portfolio portfolio({{1.0, 0, Restart::Luby}, {1.0}});
+  for (int turn = 0; turn < 1000; ++turn) {
     const std::size_t who = portfolio.next();
     portfolio.charge(who, 10);
-    if (who == 1) portfolio.reward(who, 10);
+    if (who == 0) portfolio.restart(who);
   }
-  EXPECT_NEAR(static_cast<double>(portfolio.work(1)) / static_cast<double>(portfolio.work(0)), 2.0, 0.1);
+  EXPECT_NEAR(static_cast<double>(portfolio.work(0)), static_cast<double>(portfolio.work(1)), 20.0);
 }
 
 }  // namespace
