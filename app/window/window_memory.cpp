@@ -27,7 +27,7 @@ void WindowMemory::noteFile(const QString& file) {
   QStringList files = recentFiles();
   files.removeAll(absolute);
   files.prepend(absolute);
-  settings_.setValue(kFiles, files.mid(0, kMostFiles));
+  settings_.setValue(kFiles, QStringList(files.mid(0, kMostFiles)));
 }
 
 void WindowMemory::forgetFiles() { settings_.remove(kFiles); }
