@@ -23,7 +23,7 @@ constexpr std::uint64_t kLongFirstLife = 10'000'000;
 constexpr std::uint64_t kHardEntry = 600'000;
 /// The same for the one with the environment model, and for each triangle of the obstacles: building
 /// the model counts as no work, and took 16 s on 5,000 triangles.
-constexpr std::uint64_t kModelEntry = 12'000'000;
+constexpr std::uint64_t kModelEntry = 20'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
 Member directMotions(const Problem& problem) {
@@ -95,7 +95,7 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
 /// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
 /// early. How much is eroded is drawn anew in each life.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
-  constexpr double kShare = 3.0;
+  constexpr double kShare = 4.0;
   constexpr std::uint64_t kFirstWork = 10'000;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
@@ -103,7 +103,7 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   return {"shrink-repair",
           {kShare, 0, Restart::Luby, kHardEntry},
           [problem, worlds, options, life = std::uint64_t{0}](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
-            const bool deep = RandomStream(seed, "erosion").uniform() < 0.6;
+            const bool deep = RandomStream(seed, "erosion").uniform() < 0.8;
             options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
             options.firstWork = kFirstWork * lubyTerm(++life);
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
