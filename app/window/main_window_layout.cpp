@@ -16,7 +16,6 @@
 #include "widgets/panels/scene_panel.h"
 
 namespace glissade {
-
 void MainWindow::addPanel(const QString& title, const char* id, QWidget* content, const char* action,
                           Scrolling scrolling) {
   auto* dock = new QDockWidget(title, this);
@@ -63,19 +62,18 @@ void MainWindow::arrangePanels() {
   const auto dock = [this](const char* id) { return findChild<QDockWidget*>(QLatin1String(id)); };
   for (QDockWidget* each : findChildren<QDockWidget*>()) removeDockWidget(each);
   addDockWidget(Qt::LeftDockWidgetArea, dock("interaction"));
-  for (const char* id : {"scene-tree", "run", "path", "semantics", "plan", "difficulty"}) {
-    addDockWidget(Qt::RightDockWidgetArea, dock(id));
-  }
+  addDockWidget(Qt::RightDockWidgetArea, dock("scene-tree"));
+  addDockWidget(Qt::RightDockWidgetArea, dock("run"));
+  // What is looked at by turns shares a place: small screens have no room for six panels, not even for a moment.
+  tabifyDockWidget(dock("scene-tree"), dock("semantics"));
+  tabifyDockWidget(dock("run"), dock("plan"));
+  tabifyDockWidget(dock("plan"), dock("path"));
+  tabifyDockWidget(dock("path"), dock("difficulty"));
   for (QDockWidget* each : findChildren<QDockWidget*>()) {
     each->setFloating(false);
     each->show();
   }
   for (QToolBar* tools : findChildren<QToolBar*>(QStringLiteral("tools"))) tools->show();
-  // What is looked at by turns shares a place: small screens have no room for six panels.
-  tabifyDockWidget(dock("scene-tree"), dock("semantics"));
-  tabifyDockWidget(dock("run"), dock("plan"));
-  tabifyDockWidget(dock("plan"), dock("path"));
-  tabifyDockWidget(dock("path"), dock("difficulty"));
   dock("difficulty")->setVisible(difficulty_->difficulty() != nullptr);
   (*actions_)["panel.scene"]->trigger();
   (*actions_)["panel.run"]->trigger();

@@ -120,7 +120,9 @@ ReportTable timingTable(const Study& study, const std::vector<CellSummary>& summ
   table.caption = words("Median and quartiles over all runs.");
   table.columns = {{words("Row")},
                    {words("Planning (s)"), ReportColumn::Kind::Number},
+                   {words("Planning (CPU s)"), ReportColumn::Kind::Number},
                    {words("Process (s)"), ReportColumn::Kind::Number},
+                   {words("Process (CPU s)"), ReportColumn::Kind::Number},
                    {words("Memory (MB)"), ReportColumn::Kind::Number}};
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const auto show = [&](const char* measure) {

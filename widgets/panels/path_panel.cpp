@@ -29,6 +29,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   for (int i = 0; i < row->count(); ++i) {
     if (auto* button = qobject_cast<QToolButton*>(row->itemAt(i)->widget())) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+      button->setMinimumWidth(2 * button->iconSize().width());  // icons come later, and texts would widen the panel
     }
   }
   row->insertWidget(1, slider_, 1);

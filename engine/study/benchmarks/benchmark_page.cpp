@@ -64,7 +64,8 @@ ReportTable ratioTable(const std::vector<BackendTimes>& times) {
 
 ReportTable aimsTable(const std::vector<BackendTimes>& times) {
   ReportTable table;
-  table.columns = {{"Finding"}, {"Verdict"}, {"Geometric mean", ReportColumn::Kind::Number}};
+  table.columns = {
+      {"Finding"}, {"Verdict", ReportColumn::Kind::Verdict}, {"Geometric mean", ReportColumn::Kind::Number}};
   for (const Aim& aim : kAims) {
     const bool asked = std::any_of(times.begin(), times.end(),
                                    [&](const BackendTimes& pair) { return pair.question == aim.question; });

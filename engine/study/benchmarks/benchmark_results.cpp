@@ -55,7 +55,8 @@ bool isAggregate(const JsonCursor& at) {
 bool isMeasured(const JsonCursor& at) {
   const auto failed = at.find("error_occurred");
   if (failed && failed->boolean()) return false;
-  return !isAggregate(at) || at.at("aggregate_name").text() == "median";
+  const auto aggregate = at.find("aggregate_name");
+  return !isAggregate(at) || (aggregate && aggregate->text() == "median");
 }
 
 BenchmarkTime readTime(const JsonCursor& at) {
