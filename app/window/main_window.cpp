@@ -1,6 +1,7 @@
 #include "app/window/main_window.h"
 
 #include <QCloseEvent>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -351,6 +352,7 @@ std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
 }
 
 QImage MainWindow::picture() {
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // panels as they are going to be
   QPixmap whole = grab();
   QPainter painter(&whole);
   for (QDialog* dialog : findChildren<QDialog*>()) {

@@ -60,7 +60,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      Scale::Absolute, false, true, "Guidance: how strongly the path or the next milestone draws the hand; 0 is off."},
     {Id::OmplRange, "ompl_range", "--ompl-range", "", "OMPL's range", "", 0.0, 1.0, 0.0, Scale::Absolute, false, false,
      "Longest edge of the planners that are OMPL as it is, as a share of the space's extent; 0 is OMPL's default."},
-    {Id::OmplResolution, "ompl_resolution", "--ompl-resolution", "", "OMPL's resolution", "", 1e-5, 1.0, 0.01,
+    {Id::OmplResolution, "ompl_resolution", "--ompl-resolution", "", "OMPL's resolution", "", 1e-5, 0.5, 0.01,
      Scale::Absolute, false, false,
      "The planners that are OMPL as it is look at an edge every so often, as a share of the space's extent."},
     {Id::Tuning, "tuning", "--tuning", "", "Automatic tuning", "", 0.0, 7.0, 0.0, Scale::Absolute, true, true,

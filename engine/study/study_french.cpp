@@ -218,6 +218,56 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {"square hole, large (semantic)", "trou carré, large (sémantique)"},
       {"round hole, large (semantic)", "trou rond, large (sémantique)"},
       {"square hole, large", "trou carré, large"},
+      // The automatic planner, tuning, public problems.
+      {"Five rigid-body problems of OMPL.app, which are not part of Glissade: they are looked for in "
+       "shared/problems/omplapp beside its folder. OMPL's planners run as OMPL's users run them: its metric and "
+       "defaults, collisions by FCL, edges looked at every 1 % or 0.1 % of the extent, the range its default (20 % of "
+       "the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not "
+       "solved. Seconds are of the processor, over all runs: one that was not solved counts with the time it had.",
+       "Cinq problèmes de corps rigides d'OMPL.app, qui ne font pas partie de Glissade : on les cherche dans "
+       "shared/problems/omplapp à côté de son dossier. Les planificateurs d'OMPL tournent comme chez leurs "
+       "utilisateurs : métrique et valeurs par défaut d'OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 "
+       "% de l'étendue, portée par défaut (20 % de l'étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui "
+       "qu'il refuse (non certifié) n'est pas résolu. Les secondes sont celles du processeur, sur tous les essais : un "
+       "essai non résolu compte avec le temps qu'il a eu."},
+      {"Problems nobody here wrote: auto beside OMPL's planners",
+       "Des problèmes que personne ici n'a écrits : auto à côté des planificateurs d'OMPL"},
+      {"auto solves 18 of 20 runs of bugtrap at least.", "auto résout au moins 18 essais sur 20 de bugtrap."},
+      {"auto solves every run of Easy, cubicles, Twistycool and alpha-1.5, with a certified path.",
+       "auto résout tous les essais d'Easy, cubicles, Twistycool et alpha-1.5, avec un chemin certifié."},
+      {"auto takes a fifth of the time of OMPL's best at 0.1 %.",
+       "auto prend un cinquième du temps du meilleur d'OMPL à 0,1 %."},
+      {"Automatic tuning of α, N and d against fixed settings",
+       "Réglage automatique de α, N et d face à des réglages fixes"},
+      {"Tuned runs are solved at least nine tenths as often as with the best fixed setting.",
+       "Les essais réglés automatiquement sont résolus au moins neuf fois sur dix par rapport au meilleur réglage "
+       "fixe."},
+      {"Tuned α, N and d are within 15 % of the best fixed setting in median steps, without knowing it.",
+       "α, N et d réglés automatiquement sont à moins de 15 % du meilleur réglage fixe en pas médians, sans le "
+       "connaître."},
+      {"α, N and d set themselves from what computer, operator and contact earned lately, against the best of a coarse "
+       "grid of fixed settings, the same seeds for all. Lockstep at 40 planner steps a second of the operator's time.",
+       "α, N et d se règlent d'après ce que l'ordinateur, l'opérateur et le contact ont apporté récemment, face au "
+       "meilleur d'une grille grossière de réglages fixes, avec les mêmes graines pour tous. Pas à pas, à 40 pas du "
+       "planificateur par seconde du temps de l'opérateur."},
+      {"BiRRT alone, one run: 2 h 45 (paper 1, table I)", "BiRRT seul, un essai : 2 h 45 (article 1, tableau I)"},
+      {"BiRRT alone: nothing in a night; a person with contact: 61 s (paper 1, table V)",
+       "BiRRT seul : rien en une nuit ; une personne avec contact : 61 s (article 1, tableau V)"},
+      {"Environment 1: a median of 0.2 s at most.", "Environnement 1 : une médiane de 0,2 s au plus."},
+      {"Environment 2: a median of 3 s at most.", "Environnement 2 : une médiane de 3 s au plus."},
+      {"Environments 1 and 2: faster than our BiRRT and than OMPL's planners.",
+       "Environnements 1 et 2 : plus rapide que notre BiRRT et que les planificateurs d'OMPL."},
+      {"Strategy auto, nobody at the device, beside what else is there: our BiRRT, GTS on the pump, and OMPL as it is "
+       "(edges looked at every 0.1 % of the extent). Seconds are of the processor, over all runs: one that was not "
+       "solved counts with the time it had. A path of OMPL's counts as solved where our certificate holds.",
+       "Stratégie auto, personne au dispositif, à côté de ce qui existe : notre BiRRT, GTS sur la pompe, et OMPL tel "
+       "quel (arêtes regardées tous les 0,1 % de l'étendue). Les secondes sont celles du processeur, sur tous les "
+       "essais : un essai non résolu compte avec le temps qu'il a eu. Un chemin d'OMPL compte comme résolu là où notre "
+       "certificat tient."},
+      {"The automatic planner on our samples", "Le planificateur automatique sur nos exemples"},
+      {"The pump: ten times faster than GTS.", "La pompe : dix fois plus rapide que GTS."},
+      {"auto solves every run, with a certified path.", "auto résout tous les essais, avec un chemin certifié."},
+      {"not-certified", "non certifié"},
   };
   return french;
 }

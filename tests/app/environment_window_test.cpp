@@ -78,7 +78,7 @@ TEST_F(EnvironmentWindow, ABodyThatIsHiddenIsNotDrawnAndComesBack) {
                                                      "action body.isolate\naction body.hide\n")
                                           .arg(all, fewer, again));
   expectGood(result);
-  EXPECT_GT(difference(QImage(all), QImage(fewer)).share, 0.01);
+  EXPECT_GT(difference(QImage(all), QImage(fewer)).share, 0.002);
   EXPECT_EQ(difference(QImage(all), QImage(again)).share, 0.0);
   EXPECT_EQ(run(QStringLiteral("teaching"), QStringLiteral("show-body O99 no\n")).exitCode, 3);
 }

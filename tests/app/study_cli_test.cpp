@@ -220,7 +220,7 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
   auto study = test::tinyStudy();
   study["strategies"] = {"auto", "peer-rrtconnect", "peer-rrt", "peer-trrt", "peer-bitrrt", "peer-bkpiece"};
   study["rows"] = {{{"label", "fine"}, {"parameters", {{"ompl_resolution", 0.002}}}},
-                   {{"label", "coarse"}, {"parameters", {{"ompl_resolution", 1}, {"ompl_range", 1}}}}};
+                   {{"label", "coarse"}, {"parameters", {{"ompl_resolution", 0.5}, {"ompl_range", 1}}}}};
   study["seeds"] = {1};
   study.erase("quick");
   use(study);

@@ -17,10 +17,13 @@ BusyBar::BusyBar(QAction* cancel, QWidget* parent)
   setObjectName(QStringLiteral("busy"));
   progress_->setRange(0, kPositions);
   progress_->setFixedWidth(kWidth);
-  progress_->setMaximumHeight(fontMetrics().height() + 4);
+  // No higher than the text beside it, so that the status bar does not grow by it.
+  const int height = fontMetrics().height() + 4;
+  progress_->setMaximumHeight(height);
   auto* button = new QToolButton(this);
   button->setDefaultAction(cancel);
   button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setMaximumHeight(height);
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::TabFocus);
   auto* layout = new QHBoxLayout(this);
