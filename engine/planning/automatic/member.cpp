@@ -22,7 +22,7 @@ constexpr std::uint64_t kLongFirstLife = 10'000'000;
 /// What the quick ones have until the others enter.
 constexpr std::uint64_t kHardEntry = 600'000;
 /// The same for the one with the environment model, and for each triangle of the obstacles: building
-/// the model counts as no work, and took 16 s on 5,000 triangles.
+/// the model counts as no work, and takes the longer the more there are.
 constexpr std::uint64_t kModelEntry = 20'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
