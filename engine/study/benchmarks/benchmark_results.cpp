@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "engine/base/number_text.h"
 #include "engine/scenario/json_reader.h"
@@ -114,6 +115,10 @@ std::vector<BackendTimes> backendTimes(const std::vector<BenchmarkTime>& times) 
     if (peer == fcl.end()) continue;
     pairs.push_back({parts.front(), joined(parts, 1, parts.size() - 1), time.seconds, peer->second});
   }
+  // Repetitions of all questions are mixed while they are measured.
+  std::sort(pairs.begin(), pairs.end(), [](const BackendTimes& a, const BackendTimes& b) {
+    return std::tie(a.question, a.place) < std::tie(b.question, b.place);
+  });
   return pairs;
 }
 

@@ -36,7 +36,7 @@ struct BackendTimes {
 
   double ratio() const { return fcl / kernel; }
 };
-/// In the order of the program; questions that were not asked of both are left out.
+/// By question and place; questions that were not asked of both are left out.
 std::vector<BackendTimes> backendTimes(const std::vector<BenchmarkTime>& times);
 /// Of the ratios of one question. Precondition: there are some.
 double geometricMean(const std::vector<BackendTimes>& times, const std::string& question);
