@@ -1,5 +1,8 @@
 #include "widgets/scene3d/roadmap_layer.h"
 
+#include <osg/BlendColor>
+#include <osg/BlendFunc>
+#include <osg/Depth>
 #include <osg/LineWidth>
 #include <osg/Point>
 
@@ -13,6 +16,9 @@ namespace {
 
 /// Vertices in a batch: uploads stay small, draw calls few.
 constexpr int kBatch = 8192;
+/// Larger trees fade, or nothing else could be seen for them.
+constexpr double kOpaqueSegments = 4000.0;
+constexpr double kLeastOpacity = 0.03;
 
 }  // namespace
 
@@ -53,6 +59,25 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
     edgesBefore_ += chunk.edges.size();
   }
   for (; droppedTaken_ < snapshot.droppedEdges.size(); ++droppedTaken_) drop(snapshot.droppedEdges[droppedTaken_]);
+  fade();
+}
+
+/// Lines of one opacity, blended by a constant colour: their own colours need not be uploaded again. While faded they
+/// do not hide each other.
+void RoadmapLayer::fade() {
+  osg::StateSet* state = root_->getOrCreateStateSet();
+  const double share = kOpaqueSegments / std::max<double>(1.0, static_cast<double>(segmentsDrawn_));
+  if (share >= 1.0) {
+    state->removeAttribute(osg::StateAttribute::BLENDFUNC);
+    state->removeAttribute(osg::StateAttribute::BLENDCOLOR);
+    state->removeAttribute(osg::StateAttribute::DEPTH);
+    return;
+  }
+  const auto opacity = static_cast<float>(std::max(kLeastOpacity, share));
+  state->setAttributeAndModes(
+      new osg::BlendFunc(osg::BlendFunc::CONSTANT_ALPHA, osg::BlendFunc::ONE_MINUS_CONSTANT_ALPHA));
+  state->setAttributeAndModes(new osg::BlendColor(osg::Vec4(1.0F, 1.0F, 1.0F, opacity)));
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
 }
 
 void RoadmapLayer::clear() {
@@ -64,6 +89,7 @@ void RoadmapLayer::clear() {
   chunksTaken_ = nodesBefore_ = edgesBefore_ = 0;
   droppedTaken_ = 0;
   segmentsDrawn_ = 0;
+  fade();
 }
 
 /// What is drawn is the beginning of what is to be shown.

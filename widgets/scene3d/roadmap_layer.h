@@ -41,6 +41,7 @@ class RoadmapLayer {
   void takeNode(const RoadmapNode& node);
   void takeEdge(const RoadmapEdge& edge);
   void drop(const RoadmapEdge& edge);
+  void fade();
   void addVertex(std::vector<Batch>& batches, GLenum mode, const Vector3& position, const osg::Vec4ub& colour);
   Batch makeBatch(GLenum mode);
 
