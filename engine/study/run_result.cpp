@@ -137,7 +137,7 @@ std::string writeRunRow(const RunRow& row) {
   json["timing"]["planning_s"] = timing.planningSeconds ? Json(*timing.planningSeconds) : Json(nullptr);
   json["timing"]["planning_cpu_s"] = timing.planningCpuSeconds ? Json(*timing.planningCpuSeconds) : Json(nullptr);
   json["timing"]["wall_s"] = timing.wallSeconds;
-  json["timing"]["cpu_s"] = timing.cpuSeconds;
+  json["timing"]["cpu_s"] = timing.cpuSeconds ? Json(*timing.cpuSeconds) : Json(nullptr);
   json["timing"]["peak_memory_mb"] = timing.peakMemoryMb;
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -147,6 +147,12 @@ namespace {
 std::optional<double> readOptional(const JsonCursor& at) {
   if (at.json().is_null()) return std::nullopt;
   return at.number();
+}
+
+/// What runs did not measure from the beginning.
+std::optional<double> readIfThere(const JsonCursor& object, const char* key) {
+  const auto at = object.find(key);
+  return at ? readOptional(*at) : std::nullopt;
 }
 
 RunRow readRow(const JsonCursor& root) {
@@ -170,9 +176,9 @@ RunRow readRow(const JsonCursor& root) {
   }
   const JsonCursor timing = root.at("timing");
   row.outcome.timing.planningSeconds = readOptional(timing.at("planning_s"));
-  row.outcome.timing.planningCpuSeconds = readOptional(timing.at("planning_cpu_s"));
+  row.outcome.timing.planningCpuSeconds = readIfThere(timing, "planning_cpu_s");
   row.outcome.timing.wallSeconds = timing.at("wall_s").number();
-  row.outcome.timing.cpuSeconds = timing.at("cpu_s").number();
+  row.outcome.timing.cpuSeconds = readIfThere(timing, "cpu_s");
   row.outcome.timing.peakMemoryMb = timing.at("peak_memory_mb").number();
   return row;
 }

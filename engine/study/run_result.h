@@ -55,8 +55,8 @@ struct RunResult {
 struct RunTiming {
   std::optional<double> planningSeconds;
   std::optional<double> planningCpuSeconds;  ///< a loaded machine matters less to it
+  std::optional<double> cpuSeconds;          ///< of the whole process, with loading
   double wallSeconds = 0.0;                  ///< of the whole process, with loading
-  double cpuSeconds = 0.0;                   ///< of the whole process, with loading
   double peakMemoryMb = 0.0;
 };
 

@@ -33,6 +33,18 @@ std::map<ParameterId, double> readParameters(const JsonCursor& object) {
   return values;
 }
 
+/// All that were in force. Parameters that came after the study was run had their defaults, which say what was done
+/// before there was a choice; those that depend on the object were there from the beginning.
+std::map<ParameterId, double> readAllParameters(const JsonCursor& object) {
+  std::map<ParameterId, double> values = readParameters(object);
+  for (const ParameterSpec& spec : parameterTable()) {
+    if (values.count(spec.id) != 0) continue;
+    if (spec.scale != ParameterScale::Absolute) object.fail("has no '" + std::string(spec.key) + "'");
+    values[spec.id] = spec.defaultValue;
+  }
+  return values;
+}
+
 std::map<std::string, PaperValue> readPaper(const JsonCursor& object) {
   object.expectObject();
   std::map<std::string, PaperValue> values;
@@ -54,12 +66,11 @@ StudyCell readCell(const JsonCursor& at) {
   cell.strategy = at.at("strategy").nonEmptyText();
   cell.operatorName = at.at("operator").nonEmptyText();
   cell.settings = readParameters(at.at("settings"));
-  cell.parameters = readParameters(at.at("parameters"));
+  cell.parameters = readAllParameters(at.at("parameters"));
   cell.memoryLimitMb = at.at("memory_limit_mb").wholeNumber();
   const JsonCursor seeds = at.at("seeds");
   for (std::size_t i = 0; i < seeds.size(); ++i) cell.seeds.push_back(seeds.element(i).wholeNumber());
   cell.paper = readPaper(at.at("paper"));
-  if (cell.parameters.size() != kParameterCount) at.at("parameters").fail("does not have every parameter");
   if (cell.seeds.empty()) seeds.fail("is empty");
   return cell;
 }

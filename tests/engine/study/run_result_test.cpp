@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 
@@ -94,6 +95,17 @@ TEST(RunResult, TornFilesAreRefused) {
   for (std::size_t length = 0; length + 2 < whole.size(); length += 5) {
     EXPECT_FALSE(readRunRow(whole.substr(0, length), "run.json").ok()) << length;
   }
+}
+
+TEST(RunRow, OlderRowsWithoutProcessorTimesStayReadable) {
+  auto older = nlohmann::json::parse(writeRunRow({"plan", 1, 7, {}}));
+  older["timing"].erase("cpu_s");
+  older["timing"].erase("planning_cpu_s");
+  const auto row = readRunRow(older.dump(), "run.json");
+  ASSERT_TRUE(row.ok()) << toString(row.error());
+  EXPECT_EQ(row->seed, 7U);
+  EXPECT_FALSE(row->outcome.timing.cpuSeconds.has_value());
+  EXPECT_FALSE(row->outcome.timing.planningCpuSeconds.has_value());
 }
 
 }  // namespace

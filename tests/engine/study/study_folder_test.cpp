@@ -124,7 +124,7 @@ TEST_F(StudyFolderTest, APlanThatWasTamperedWithIsRefused) {
   ASSERT_TRUE(begin("out", plan()).ok());
   for (const char* patch : {R"([{"op": "replace", "path": "/cells", "value": []}])",
                             R"([{"op": "replace", "path": "/cells/0/seeds", "value": []}])",
-                            R"([{"op": "remove", "path": "/cells/0/parameters/alpha"}])",
+                            R"([{"op": "remove", "path": "/cells/0/parameters/contact_gap"}])",
                             R"([{"op": "replace", "path": "/version", "value": 9}])"}) {
     const auto json = nlohmann::json::parse(writePlan(plan())).patch(nlohmann::json::parse(patch));
     files.folder.write("out/plan.json", json.dump());

@@ -33,6 +33,19 @@ TEST(StudyPlan, ResolvesParametersAndReadsBack) {
   EXPECT_EQ(writePlan(*back), text);
 }
 
+TEST(StudyPlan, OlderPlansStayReadable) {
+  const test::StudyFiles files;
+  auto older = nlohmann::json::parse(writePlan(planOf(files)));
+  older["cells"][0]["parameters"].erase("tuning");
+  const auto back = readPlan(older.dump(), "plan.json");
+  ASSERT_TRUE(back.ok()) << toString(back.error());
+  EXPECT_EQ(back->study.cells[0].parameters.at(ParameterId::Tuning), 0.0);
+  older["cells"][0]["parameters"].erase("contact_distance");
+  const auto torn = readPlan(older.dump(), "plan.json");
+  ASSERT_FALSE(torn.ok());
+  EXPECT_THAT(torn.error().reason, HasSubstr("contact_distance"));
+}
+
 TEST(StudyPlan, ParametersAreCheckedAgainstTheScenario) {
   auto study = test::tinyStudy();
   study["rows"][1]["grid"]["extension_step"] = {0.02, 50};
