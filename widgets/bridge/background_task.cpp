@@ -45,11 +45,12 @@ void BackgroundTask::joinFinished() {
 void BackgroundTask::start(const Work& work, bool atOnce) {
   cancel();
   joinFinished();
+  stop_ = StopSource();
   if (atOnce) {
-    work({})();
+    const std::uint64_t request = request_;
+    deliver(request, work(stop_.token()));
     return;
   }
-  stop_ = StopSource();
   share_ = std::make_shared<std::atomic<double>>(0.0);
   busy_ = true;
   look_.start();

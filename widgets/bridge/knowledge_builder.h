@@ -1,11 +1,7 @@
 #pragma once
 
-#include <QObject>
-#include <atomic>
-#include <list>
-#include <thread>
-
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "widgets/bridge/background_task.h"
 
 namespace glissade {
 
@@ -17,11 +13,10 @@ class KnowledgeBuilder final : public QObject {
 
  public:
   explicit KnowledgeBuilder(QObject* parent = nullptr) : QObject(parent) {}
-  ~KnowledgeBuilder() override;
 
   /// `atOnce`: finished before this returns.
   void build(const Problem& problem, double requiredClearance, bool atOnce);
-  void cancel();
+  void cancel() { task_.cancel(); }
 
  signals:
   void started();
@@ -29,17 +24,7 @@ class KnowledgeBuilder final : public QObject {
   void failed(const glissade::Diagnostic& why);
 
  private:
-  void deliver(std::uint64_t request, const Result<SceneKnowledgePtr>& result);
-
-  struct Worker {
-    std::thread thread;
-    std::atomic<bool> done{false};
-  };
-  void joinFinished();
-
-  std::list<Worker> workers_;
-  StopSource stop_;
-  std::uint64_t request_ = 0;
+  BackgroundTask task_;
 };
 
 }  // namespace glissade

@@ -35,51 +35,32 @@ void replay(const Problem& problem, const std::shared_ptr<const RunLog>& log, Re
 
 }  // namespace
 
-ReplayRunner::~ReplayRunner() {
-  cancel();
-  for (Worker& worker : workers_) worker.thread.join();
-}
-
 void ReplayRunner::cancel() {
   ++request_;
-  stop_.requestStop();
+  task_.cancel();
 }
 
-void ReplayRunner::joinFinished() {
-  for (auto worker = workers_.begin(); worker != workers_.end();) {
-    if (!worker->done) {
-      ++worker;
-      continue;
-    }
-    worker->thread.join();
-    worker = workers_.erase(worker);
+void ReplayRunner::deliver(std::uint64_t request, const Result<ReplayProgress>& result) {
+  if (request != request_) return;
+  if (result) {
+    emit progressed(*result);
+  } else {
+    emit failed(result.error());
   }
 }
 
 void ReplayRunner::run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce) {
   cancel();
-  joinFinished();
-  stop_ = StopSource();
-  const auto deliver = [this, request = request_](const Result<ReplayProgress>& result) {
-    if (request != request_) return;
-    if (result) {
-      emit progressed(*result);
-    } else {
-      emit failed(result.error());
-    }
-  };
-  if (atOnce) {
-    replay(problem, log, end, stop_.token(), deliver);
-    return;
-  }
-  Worker& worker = workers_.emplace_back();
-  worker.thread = std::thread([this, deliver, problem, log, end, stop = stop_.token(), done = &worker.done] {
-    replay(problem, log, end, stop, [this, &deliver](const Result<ReplayProgress>& result) {
+  // What it tells on the way counts, not what it delivers at its end.
+  const auto work = [this, problem, log, end, atOnce, request = request_](const WorkWatch& watch) {
+    replay(problem, log, end, watch.stop, [this, atOnce, request](const Result<ReplayProgress>& result) {
       QMetaObject::invokeMethod(
-          this, [deliver, result] { deliver(result); }, Qt::QueuedConnection);
+          this, [this, request, result] { deliver(request, result); },
+          atOnce ? Qt::DirectConnection : Qt::QueuedConnection);
     });
-    *done = true;
-  });
+    return [] {};
+  };
+  task_.start(work, atOnce);
 }
 
 }  // namespace glissade

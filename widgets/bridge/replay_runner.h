@@ -1,11 +1,7 @@
 #pragma once
 
-#include <QObject>
-#include <atomic>
-#include <list>
-#include <thread>
-
 #include "engine/session/replay_session.h"
+#include "widgets/bridge/background_task.h"
 
 namespace glissade {
 
@@ -23,7 +19,6 @@ class ReplayRunner final : public QObject {
 
  public:
   explicit ReplayRunner(QObject* parent = nullptr) : QObject(parent) {}
-  ~ReplayRunner() override;
 
   /// `atOnce`: ended before this returns.
   void run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce);
@@ -35,15 +30,10 @@ class ReplayRunner final : public QObject {
   void failed(const glissade::Diagnostic& why);
 
  private:
-  struct Worker {
-    std::thread thread;
-    std::atomic<bool> done{false};
-  };
-  void joinFinished();
+  void deliver(std::uint64_t request, const Result<ReplayProgress>& result);
 
-  std::list<Worker> workers_;
-  StopSource stop_;
   std::uint64_t request_ = 0;
+  BackgroundTask task_;
 };
 
 }  // namespace glissade
