@@ -260,35 +260,35 @@ struct Arithmetic {
       }
     }
 
-    F gapAlong(const V& axis) const {
+    /// Both triangles on an axis, from the first corner of a.
+    struct Extents {
+      F lowA, highA;
+      F b[3];
+
+      /// The gap between a and the widened interval of b; negative where they overlap.
+      F gap(F lowB, F highB) const { return max(lowB - highA, lowA - highB); }
+    };
+    Extents along(const V& axis) const {
       const F zero = F::all(0.0F);
       const F a1 = dot(ea[0], axis);
       const F a2 = a1 + dot(ea[1], axis);
-      const F lowA = min(min(a1, a2), zero);
-      const F highA = max(max(a1, a2), zero);
       const F b0 = dot(b[0] - a[0], axis);
       const F b1 = b0 + dot(eb[0], axis);
-      const F b2 = b1 + dot(eb[1], axis);
-      const F lowB = min(min(b0, b1), b2);
-      const F highB = max(max(b0, b1), b2);
-      return max(lowB - highA, lowA - highB);
+      return {min(min(a1, a2), zero), max(max(a1, a2), zero), {b0, b1, b1 + dot(eb[1], axis)}};
+    }
+
+    F gapAlong(const V& axis) const {
+      const Extents on = along(axis);
+      return on.gap(min(min(on.b[0], on.b[1]), on.b[2]), max(max(on.b[0], on.b[1]), on.b[2]));
     }
     /// The same while the corners of b go their ways to both sides.
     F gapAlong(const V& axis, const V (&ways)[3]) const {
-      const F zero = F::all(0.0F);
-      const F a1 = dot(ea[0], axis);
-      const F a2 = a1 + dot(ea[1], axis);
-      const F lowA = min(min(a1, a2), zero);
-      const F highA = max(max(a1, a2), zero);
-      const F b0 = dot(b[0] - a[0], axis);
-      const F b1 = b0 + dot(eb[0], axis);
-      const F b2 = b1 + dot(eb[1], axis);
+      const Extents on = along(axis);
       const F w0 = abs(dot(ways[0], axis));
       const F w1 = abs(dot(ways[1], axis));
       const F w2 = abs(dot(ways[2], axis));
-      const F lowB = min(min(b0 - w0, b1 - w1), b2 - w2);
-      const F highB = max(max(b0 + w0, b1 + w1), b2 + w2);
-      return max(lowB - highA, lowA - highB);
+      return on.gap(min(min(on.b[0] - w0, on.b[1] - w1), on.b[2] - w2),
+                    max(max(on.b[0] + w0, on.b[1] + w1), on.b[2] + w2));
     }
     /// Bits of the pairs that this axis separates: any axis is right, whatever its own rounding.
     unsigned separatedBy(const V& axis, F slack) const {
