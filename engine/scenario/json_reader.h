@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/base/result.h"
 #include "engine/base/work_watch.h"
@@ -57,6 +58,18 @@ struct JsonError {
 
 /// Parses text into a document; syntax errors name line and column. Stopped: an Interrupted error.
 Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch = {});
+/// Parses text and gives the document to `read`, which takes a JsonCursor and may throw JsonError.
+template <class Read>
+auto readJson(const std::string& text, const std::string& file, const Read& read)
+    -> Result<decltype(read(std::declval<const JsonCursor&>()))> {
+  const auto document = parseJson(text, file);
+  if (!document) return document.error();
+  try {
+    return read(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
 /// What a reader that was asked to stop says of its file.
 Diagnostic notReadToItsEnd(const std::string& file);
 

@@ -185,14 +185,6 @@ RunRow readRow(const JsonCursor& root) {
 
 }  // namespace
 
-Result<RunRow> readRunRow(const std::string& text, const std::string& file) {
-  const auto document = parseJson(text, file);
-  if (!document) return document.error();
-  try {
-    return readRow(JsonCursor(*document, file, ""));
-  } catch (const JsonError& error) {
-    return error.diagnostic;
-  }
-}
+Result<RunRow> readRunRow(const std::string& text, const std::string& file) { return readJson(text, file, readRow); }
 
 }  // namespace glissade

@@ -122,14 +122,6 @@ std::string writePlan(const StudyPlan& plan) {
   return json.dump(1) + "\n";
 }
 
-Result<StudyPlan> readPlan(const std::string& text, const std::string& file) {
-  const auto document = parseJson(text, file);
-  if (!document) return document.error();
-  try {
-    return read(JsonCursor(*document, file, ""));
-  } catch (const JsonError& error) {
-    return error.diagnostic;
-  }
-}
+Result<StudyPlan> readPlan(const std::string& text, const std::string& file) { return readJson(text, file, read); }
 
 }  // namespace glissade

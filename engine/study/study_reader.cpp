@@ -316,14 +316,7 @@ class Reader {
 }  // namespace
 
 Result<Study> parseStudy(const std::string& text, const std::string& file, bool quick) {
-  const auto document = parseJson(text, file);
-  if (!document) return document.error();
-  try {
-    const JsonCursor root(*document, file, "");
-    return Reader(root).read(quick);
-  } catch (const JsonError& error) {
-    return error.diagnostic;
-  }
+  return readJson(text, file, [quick](const JsonCursor& root) { return Reader(root).read(quick); });
 }
 
 }  // namespace glissade

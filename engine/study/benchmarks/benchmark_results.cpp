@@ -92,13 +92,7 @@ BenchmarkRun readRun(const JsonCursor& root) {
 bool hasOwnClock(const std::string& benchmarkName) { return benchmarkName.find(kOwnClock) != std::string::npos; }
 
 Result<BenchmarkRun> readBenchmarks(const std::string& text, const std::string& file) {
-  const auto document = parseJson(text, file);
-  if (!document) return document.error();
-  try {
-    return readRun(JsonCursor(*document, file, ""));
-  } catch (const JsonError& error) {
-    return error.diagnostic;
-  }
+  return readJson(text, file, readRun);
 }
 
 std::vector<BackendTimes> backendTimes(const std::vector<BenchmarkTime>& times) {
