@@ -65,15 +65,18 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
 /// Lines of one opacity, blended by a constant colour: their own colours need not be uploaded again. While faded they
 /// do not hide each other.
 void RoadmapLayer::fade() {
-  osg::StateSet* state = root_->getOrCreateStateSet();
   const double share = kOpaqueSegments / std::max<double>(1.0, static_cast<double>(segmentsDrawn_));
-  if (share >= 1.0) {
-    state->removeAttribute(osg::StateAttribute::BLENDFUNC);
-    state->removeAttribute(osg::StateAttribute::BLENDCOLOR);
-    state->removeAttribute(osg::StateAttribute::DEPTH);
+  const auto opacity = static_cast<float>(std::clamp(share, kLeastOpacity, 1.0));
+  if (opacity == opacity_) return;
+  opacity_ = opacity;
+  osg::StateSet* state = root_->getOrCreateStateSet();
+  if (opacity == 1.0F) {
+    for (const auto type :
+         {osg::StateAttribute::BLENDFUNC, osg::StateAttribute::BLENDCOLOR, osg::StateAttribute::DEPTH}) {
+      state->removeAttribute(type);
+    }
     return;
   }
-  const auto opacity = static_cast<float>(std::max(kLeastOpacity, share));
   state->setAttributeAndModes(
       new osg::BlendFunc(osg::BlendFunc::CONSTANT_ALPHA, osg::BlendFunc::ONE_MINUS_CONSTANT_ALPHA));
   state->setAttributeAndModes(new osg::BlendColor(osg::Vec4(1.0F, 1.0F, 1.0F, opacity)));

@@ -55,6 +55,7 @@ class RoadmapLayer {
   std::size_t droppedTaken_ = 0;
   std::size_t segmentsDrawn_ = 0;
   std::size_t uploads_ = 0;
+  float opacity_ = 1.0F;  ///< of the lines
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;  ///< in the order drawn
   std::vector<Batch> lines_;
