@@ -102,6 +102,9 @@ class CollisionWorld {
   /// The same world, asked of another backend.
   std::shared_ptr<const CollisionWorld> withBackend(CollisionBackend backend) const;
 
+  /// Another object among the same obstacles, which are not prepared again.
+  std::shared_ptr<const CollisionWorld> withObject(MeshPtr object) const;
+
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;
 
@@ -110,6 +113,8 @@ class CollisionWorld {
 
  private:
   explicit CollisionWorld(std::unique_ptr<const Impl> impl);
+  static std::shared_ptr<const CollisionWorld> finished(std::unique_ptr<Impl> impl, MeshPtr object);
+
   std::unique_ptr<const Impl> impl_;
 };
 

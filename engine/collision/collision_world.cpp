@@ -10,11 +10,11 @@
 namespace glissade {
 
 struct CollisionWorld::Impl {
-  std::vector<RigidBody> obstacles;
-  MeshPtr object;
   CollisionBackend backend = CollisionBackend::Kernel;
-  double objectRadius = 0.0;
+  std::shared_ptr<const std::vector<RigidBody>> obstacles;
   Box3 obstaclesBox;
+  MeshPtr object;
+  double objectRadius = 0.0;
   std::shared_ptr<const MotionBound> motionBound;
   std::shared_ptr<const Solids> solids;
   std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
@@ -96,33 +96,48 @@ class SolidQuery final : public CollisionQuery {
 CollisionWorld::CollisionWorld(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 CollisionWorld::~CollisionWorld() = default;
 
-std::shared_ptr<const CollisionWorld> CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object,
-                                                            CollisionBackend backend) {
+CollisionWorldPtr CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object, CollisionBackend backend) {
   auto impl = std::make_unique<Impl>();
   impl->backend = backend;
-  impl->objectRadius = radiusAboutOrigin(*object);
   for (const RigidBody& body : obstacles) impl->obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
-  impl->motionBound = std::make_shared<const MotionBound>(*object);
   impl->solids = std::make_shared<const Solids>(obstacles, *object);
   if (backend == CollisionBackend::Kernel) {
     impl->kernel = std::make_shared<const KernelGeometry>(obstacles, *object);
   } else {
     impl->fcl = makeFclGeometry(obstacles, *object);
   }
-  impl->obstacles = std::move(obstacles);
-  impl->object = std::move(object);
-  return std::shared_ptr<const CollisionWorld>(new CollisionWorld(std::move(impl)));
+  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  return finished(std::move(impl), std::move(object));
 }
 
-const std::vector<RigidBody>& CollisionWorld::obstacles() const { return impl_->obstacles; }
+CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
+  auto impl = std::make_unique<Impl>(*impl_);
+  impl->solids = std::make_shared<const Solids>(*impl_->solids, *object);
+  if (impl_->kernel) {
+    impl->kernel = std::make_shared<const KernelGeometry>(impl_->kernel->obstacles, *object);
+  } else {
+    impl->fcl = makeFclGeometry(*impl_->obstacles, *object);
+  }
+  return finished(std::move(impl), std::move(object));
+}
+
+CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
+  return build(*impl_->obstacles, impl_->object, backend);
+}
+
+/// With what depends on the object alone.
+CollisionWorldPtr CollisionWorld::finished(std::unique_ptr<Impl> impl, MeshPtr object) {
+  impl->objectRadius = radiusAboutOrigin(*object);
+  impl->motionBound = std::make_shared<const MotionBound>(*object);
+  impl->object = std::move(object);
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
+}
+
+const std::vector<RigidBody>& CollisionWorld::obstacles() const { return *impl_->obstacles; }
 const TriangleMesh& CollisionWorld::object() const { return *impl_->object; }
 double CollisionWorld::objectRadius() const { return impl_->objectRadius; }
 const Box3& CollisionWorld::obstaclesBox() const { return impl_->obstaclesBox; }
 CollisionBackend CollisionWorld::backend() const { return impl_->backend; }
-
-std::shared_ptr<const CollisionWorld> CollisionWorld::withBackend(CollisionBackend backend) const {
-  return build(impl_->obstacles, impl_->object, backend);
-}
 
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   std::unique_ptr<SurfaceQuery> surfaces;

@@ -11,8 +11,16 @@ bool mayFit(const Box3& inner, const Box3& outer) { return inner.sizes().maxCoef
 
 }  // namespace
 
-Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object) : object_(makeSolid(object)) {
-  for (const RigidBody& body : obstacles) obstacles_.push_back(makeSolid(transformed(*body.mesh, body.X_WB)));
+Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object)
+    : obstacles_(std::make_shared<const std::vector<Solid>>(makeSolids(obstacles))), object_(makeSolid(object)) {}
+
+Solids::Solids(const Solids& other, const TriangleMesh& object)
+    : obstacles_(other.obstacles_), object_(makeSolid(object)) {}
+
+std::vector<Solids::Solid> Solids::makeSolids(const std::vector<RigidBody>& bodies) {
+  std::vector<Solid> solids;
+  for (const RigidBody& body : bodies) solids.push_back(makeSolid(transformed(*body.mesh, body.X_WB)));
+  return solids;
 }
 
 Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
@@ -28,8 +36,9 @@ Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
 
 std::optional<int> Solids::containment(const Pose& X_WB) const {
   const Pose X_BW = inverse(X_WB);
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-    if (objectInside(obstacles_[i], X_WB) || objectAround(obstacles_[i], X_BW)) return static_cast<int>(i);
+  const std::vector<Solid>& obstacles = *obstacles_;
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (objectInside(obstacles[i], X_WB) || objectAround(obstacles[i], X_BW)) return static_cast<int>(i);
   }
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,8 @@ namespace glissade {
 class Solids {
  public:
   Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+  /// Another object among the same obstacles.
+  Solids(const Solids& other, const TriangleMesh& object);
 
   /// The lowest obstacle that contains the object, or that the object contains; nothing where none
   /// does. Precondition: the surfaces do not touch.
@@ -31,10 +34,11 @@ class Solids {
   };
 
   static Solid makeSolid(const TriangleMesh& mesh);
+  static std::vector<Solid> makeSolids(const std::vector<RigidBody>& bodies);
   bool objectInside(const Solid& obstacle, const Pose& X_WB) const;
   bool objectAround(const Solid& obstacle, const Pose& X_BW) const;
 
-  std::vector<Solid> obstacles_;
+  std::shared_ptr<const std::vector<Solid>> obstacles_;
   Solid object_;
 };
 

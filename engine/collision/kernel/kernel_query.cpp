@@ -48,16 +48,19 @@ float roundedUp(double value) {
 }  // namespace
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : obstacles(trianglesOf(obstacleBodies), kMostInALeafOfObstacles),
-      object(trianglesOf(objectMesh), kMostInALeafOfObject) {}
+    : KernelGeometry(std::make_shared<const BoxTree>(trianglesOf(obstacleBodies), kMostInALeafOfObstacles),
+                     objectMesh) {}
+
+KernelGeometry::KernelGeometry(std::shared_ptr<const BoxTree> theirTree, const TriangleMesh& objectMesh)
+    : obstacles(std::move(theirTree)), object(trianglesOf(objectMesh), kMostInALeafOfObject) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)),
       functions_(functions),
-      traversal_(geometry_->obstacles, geometry_->object, functions) {}
+      traversal_(*geometry_->obstacles, geometry_->object, functions) {}
 
 bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
-  if (geometry_->obstacles.empty() || geometry_->object.empty()) return false;
+  if (geometry_->obstacles->empty() || geometry_->object.empty()) return false;
   traversal_.placed.moveTo(X_WB);
   return traversal_.placed.sphereGap() <= bound;
 }
@@ -244,7 +247,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
                                                     SeekViolation seek, const StopToken& stop) {
-  if (geometry_->obstacles.empty() || geometry_->object.empty())
+  if (geometry_->obstacles->empty() || geometry_->object.empty())
     return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
   std::uint64_t tried = 0;
   if (seek == SeekViolation::Any) {

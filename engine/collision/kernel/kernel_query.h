@@ -10,9 +10,11 @@ namespace glissade {
 /// The geometry of a world as the kernel wants it. Immutable, shared by threads.
 struct KernelGeometry {
   KernelGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+  /// Another object among the same obstacles.
+  KernelGeometry(std::shared_ptr<const BoxTree> obstacles, const TriangleMesh& object);
 
-  BoxTree obstacles;  ///< world frame
-  BoxTree object;     ///< frame B
+  std::shared_ptr<const BoxTree> obstacles;  ///< world frame
+  BoxTree object;                            ///< frame B
 };
 
 /// Our own kernel: wide hierarchies searched on vector units in single precision, which only ever rule

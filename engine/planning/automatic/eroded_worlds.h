@@ -1,7 +1,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
+#include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {
@@ -16,6 +18,7 @@ class ErodedWorlds {
 
  private:
   CollisionWorldPtr world_;
+  std::optional<ErodibleMesh> object_;  ///< once it is needed
   std::map<double, CollisionWorldPtr> built_;
 };
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/planning/automatic/eroded_mesh.h"
+#include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/retraction.h"
 #include "tests/engine/support/test_worlds.h"
@@ -8,23 +8,23 @@
 namespace glissade {
 namespace {
 
-TEST(ErodedMesh, ABoxShrinksAndGrowsByTheDepthOnEverySide) {
+TEST(ErodibleMesh, ABoxShrinksAndGrowsByTheDepthOnEverySide) {
   const TriangleMesh box = makeBox({0.4, 0.6, 1.0});
   for (const double depth : {0.05, -0.05}) {
-    const Box3 result = boundingBox(eroded(box, depth));
+    const Box3 result = boundingBox(ErodibleMesh(box).eroded(depth));
     EXPECT_TRUE(result.sizes().isApprox(Vector3(0.4, 0.6, 1.0) - Vector3::Constant(2.0 * depth), 1e-9)) << depth;
   }
 }
 
-TEST(ErodedMesh, AThinPlateKeepsAFifthOfItsThickness) {
-  const Box3 result = boundingBox(eroded(makeBox({1.0, 1.0, 0.02}), 0.05));
+TEST(ErodibleMesh, AThinPlateKeepsAFifthOfItsThickness) {
+  const Box3 result = boundingBox(ErodibleMesh(makeBox({1.0, 1.0, 0.02})).eroded(0.05));
   EXPECT_NEAR(result.sizes().z(), 0.2 * 0.02, 1e-9);
   EXPECT_NEAR(result.sizes().x(), 0.9, 1e-9);
 }
 
-TEST(ErodedMesh, ASphereStaysInsideItself) {
+TEST(ErodibleMesh, ASphereStaysInsideItself) {
   const TriangleMesh sphere = makeSphere(1.0);
-  EXPECT_NEAR(radiusAboutOrigin(eroded(sphere, 0.1)), radiusAboutOrigin(sphere) - 0.1, 5e-3);
+  EXPECT_NEAR(radiusAboutOrigin(ErodibleMesh(sphere).eroded(0.1)), radiusAboutOrigin(sphere) - 0.1, 5e-3);
 }
 
 TEST(ErodedWorlds, BuildsEachDepthOnceAndLeavesTheObjectAlone) {
@@ -33,6 +33,7 @@ TEST(ErodedWorlds, BuildsEachDepthOnceAndLeavesTheObjectAlone) {
   EXPECT_EQ(worlds.at(0.0), problem.world);
   const CollisionWorldPtr smaller = worlds.at(0.05);
   EXPECT_EQ(worlds.at(0.05), smaller);
+  EXPECT_EQ(&smaller->obstacles(), &problem.world->obstacles());  // not copied
   // Touching the wall by 0.04: only the smaller object is free.
   const Pose q = Pose::translation({-0.26, 1.0, 0.0});
   EXPECT_TRUE(problem.world->makeQuery()->collides(q));
