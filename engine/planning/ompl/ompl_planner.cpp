@@ -37,7 +37,7 @@ constexpr double kRange = 0.03;
 constexpr double kBkpieceRange = 0.06;
 /// How many more draws to wait for until nodes are collected: it costs as much as there are nodes.
 constexpr std::uint64_t kCollectEvery = 64;
-constexpr std::uint64_t kCollectFraction = 16;
+constexpr std::uint64_t kCollectFraction = 2;
 /// As it is OMPL must not pay for us: pieces of many draws, and nodes collected when they have doubled.
 constexpr int kAsItIsPiece = 64;
 constexpr std::uint64_t kAsItIsCollectFraction = 1;
