@@ -79,6 +79,9 @@ class Planner {
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
   /// What the coarse planning decided; null for planners without one.
   virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
+  /// How many of its stages it has done, where it works in stages: in a portfolio one that gets on has
+  /// more of the time.
+  virtual std::size_t stagesDone() const { return 0; }
   /// Of a portfolio: the member that has the turn, or that found the path; empty otherwise.
   virtual std::string member() const { return {}; }
   /// What its tuner has set; nothing where nothing sets itself.

@@ -62,8 +62,10 @@ void AutomaticPlanner::turn(PlannerHost& host) {
                                         std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
   const std::uint64_t before = workOf(roadmap_.counts);
+  const std::size_t stagesBefore = life->planner().stagesDone();
   const SubPlanner::State state = life->step(host, roadmap_);
   portfolio_.charge(active_, workOf(roadmap_.counts) - before + kTurnWork);
+  if (life->planner().stagesDone() > stagesBefore) portfolio_.encourage(active_);
   if (state == SubPlanner::State::Solved) {
     path_ = *life->planner().path();
   } else if (state == SubPlanner::State::Failed && members_[active_].contender.restart == Restart::Never) {

@@ -1,5 +1,7 @@
 #include "engine/planning/automatic/member.h"
 
+#include <iterator>
+
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/contact_slide_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
@@ -14,29 +16,32 @@ namespace {
 
 using Worlds = std::shared_ptr<ErodedWorlds>;
 
-/// First lives, in work (AutomaticPlanner counts it): a few times what the problem needs that the
-/// member is there for, or else the restart comes too early.
+/// First lives and patience, in work (AutomaticPlanner counts it): a few times what the problem needs
+/// that the member is there for, or else the restart comes too early.
+constexpr std::uint64_t kShortPatience = 500'000;
 constexpr std::uint64_t kShortFirstLife = 1'000'000;
 constexpr std::uint64_t kFirstLife = 2'500'000;
 constexpr std::uint64_t kLongFirstLife = 10'000'000;
 /// What the quick ones have until the others enter.
 constexpr std::uint64_t kHardEntry = 600'000;
 /// The same for the one with the environment model, and for each triangle of the obstacles: building
-/// the model counts as no work, and takes the longer the more there are.
-constexpr std::uint64_t kModelEntry = 20'000'000;
+/// the model counts as no work, and takes the longer the more there are. It is built once the others
+/// have had about what it costs.
+constexpr std::uint64_t kModelEntry = 8'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
 Member directMotions(const Problem& problem) {
-  return {"direct-motions", {1.0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
+  return {"direct-motions", {1.0, 0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<DirectMotions>(problem);
           }};
 }
 
 Member birrt(const Problem& problem) {
-  return {
-      "birrt", {0.5, kFirstLife, Restart::Luby, kHardEntry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
-        return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
-      }};
+  return {"birrt",
+          {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
+          [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+            return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
+          }};
 }
 
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
@@ -50,7 +55,7 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
 /// The quickest where space is open but for a few bars and walls.
 Member bkpiece(const Problem& problem) {
   return {"ompl-bkpiece",
-          {3.0, kShortFirstLife, Restart::Luby, 0},
+          {4.0, kShortPatience, kShortFirstLife, Restart::Luby, 0},
           [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
             return std::make_unique<OmplPlanner>(problem, seed, OmplAlgorithm::Bkpiece);
           }};
@@ -69,21 +74,21 @@ RrtConnect::Options turning(const Problem& problem, double range, double turnWei
 Member turningRrt(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
-  return rrtConnect("turning-rrt", {2.0, kFirstLife, Restart::Luby, 0}, problem, options);
+  return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 /// Two trees that are not trapped for long.
 Member dynamicDomain(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.02, 0.1);
   options.domain = 10.0;
-  return rrtConnect("dynamic-domain", {2.0, kLongFirstLife, Restart::Luby, 0}, problem, options);
+  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem, options);
 }
 
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
   RrtConnect::Options options;
   options.range = searchRange(problem, 0.03);
   return {"contact-slide",
-          {0.5, kFirstLife, Restart::Luby, kHardEntry},
+          {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
           [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
             const double r = problem.world->objectRadius();
             auto sampler =
@@ -92,19 +97,22 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
           }};
 }
 
+/// Of the object's radius. Few: a world is built for each, and for each level.
+constexpr double kErosions[] = {0.06, 0.07, 0.08};
+
 /// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
 /// early. How much is eroded is drawn anew in each life.
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   constexpr double kShare = 4.0;
-  constexpr std::uint64_t kFirstWork = 10'000;
+  constexpr std::uint64_t kFirstWork = 5'000;
   ShrinkRepair::Options options;
   options.growth = tolerance::kContactGap * problem.world->objectRadius();
   options.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
-          {kShare, 0, Restart::Luby, kHardEntry},
+          {kShare, kFirstLife, 0, Restart::Luby, kHardEntry},
           [problem, worlds, options, life = std::uint64_t{0}](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
-            const bool deep = RandomStream(seed, "erosion").uniform() < 0.8;
-            options.erosion = (deep ? 0.08 : 0.05) * problem.world->objectRadius();
+            const double draw = RandomStream(seed, "erosion").uniform() * std::size(kErosions);
+            options.erosion = kErosions[static_cast<std::size_t>(draw)] * problem.world->objectRadius();
             options.firstWork = kFirstWork * lubyTerm(++life);
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
           }};
@@ -115,9 +123,10 @@ Member multiLayer(const Problem& problem) {
   std::uint64_t triangles = 0;
   for (const RigidBody& body : problem.world->obstacles()) triangles += body.mesh->triangles.size();
   const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry + kModelEntryPerTriangle * triangles;
-  return {"gts", {1.0, 0, Restart::Never, entry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
-            return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
-          }};
+  return {
+      "gts", {1.0, kFirstLife, 0, Restart::Never, entry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+        return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
+      }};
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 namespace glissade {
 namespace {
 
-/// What a life without a path leaves of one's share, down to the least.
+/// What patience used up leaves of one's share, down to the least.
 constexpr double kLossOfShare = 0.5;
 constexpr double kLeastShare = 0.25;
+/// Of the first share, for one that gets on.
+constexpr double kGain = 2.0;
 
 }  // namespace
 
@@ -23,7 +25,9 @@ std::uint64_t lubyTerm(std::uint64_t i) {
 }
 
 Portfolio::Portfolio(std::vector<Contender> contenders) {
-  for (const Contender& contender : contenders) states_.push_back({contender, contender.share});
+  for (const Contender& contender : contenders) {
+    states_.push_back({contender, contender.share, contender.patience, contender.patience});
+  }
 }
 
 std::size_t Portfolio::next() const {
@@ -61,6 +65,19 @@ void Portfolio::charge(std::size_t contender, std::uint64_t work) {
   state.work += work;
   state.lifeWork += work;
   state.virtualWork += static_cast<double>(work) / state.share;
+  while (state.patience > 0 && state.work >= state.lossAt) {
+    state.lossAt += state.patience;
+    state.patience *= 2;
+    const double least = std::min(kLeastShare, state.contender.share);
+    state.share = std::max(least, kLossOfShare * state.share);
+  }
+}
+
+void Portfolio::encourage(std::size_t contender) {
+  State& state = states_[contender];
+  state.share = kGain * state.contender.share;
+  state.patience = state.contender.patience;
+  state.lossAt = state.work + state.patience;
 }
 
 bool Portfolio::lifeIsOver(std::size_t contender) const {
@@ -76,11 +93,8 @@ bool Portfolio::lifeIsOver(std::size_t contender) const {
 }
 
 void Portfolio::restart(std::size_t contender) {
-  State& state = states_[contender];
-  ++state.life;
-  const double least = std::min(kLeastShare, state.contender.share);
-  if (state.contender.firstLife > 0) state.share = std::max(least, kLossOfShare * state.share);
-  state.lifeWork = 0;
+  ++states_[contender].life;
+  states_[contender].lifeWork = 0;
 }
 
 void Portfolio::retire(std::size_t contender) { states_[contender].retired = true; }

@@ -21,14 +21,16 @@ std::uint64_t lubyTerm(std::uint64_t i);
 /// One who wants machine time.
 struct Contender {
   double share = 1.0;           ///< at first, of the work, relative to the others' shares; > 0
+  std::uint64_t patience = 0;   ///< work without a path until the share is halved; 0: it stays
   std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
   Restart restart = Restart::Never;
   std::uint64_t entry = 0;  ///< work of all before it first has a turn
 };
 
-/// Deals work out among contenders: the turn is the one's who has had least for his share. A
-/// life of a given length that ends without a path halves it: what has failed once is less likely to be what the
-/// problem needs. A pure value: no clock, no randomness, so that the same charges give the same turns.
+/// Deals work out among contenders: the turn is the one's who has had least for his share. Patience that
+/// is used up halves the share and doubles the patience, since what has failed so far is less likely to be
+/// what the problem needs; whoever gets on has more than at first. A pure value: no clock, no randomness, so that the
+/// same charges give the same turns.
 class Portfolio {
  public:
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
@@ -37,6 +39,8 @@ class Portfolio {
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
+  /// It has got on: its share is twice what it was at first, its patience the same as then.
+  void encourage(std::size_t contender);
   /// What the turn has cost.
   void charge(std::size_t contender, std::uint64_t work);
   /// The work of its present life is used up.
@@ -54,6 +58,8 @@ class Portfolio {
   struct State {
     Contender contender;
     double share;                ///< at present
+    std::uint64_t lossAt;        ///< work at which it is halved next
+    std::uint64_t patience;      ///< from there to the next but one
     std::uint64_t work = 0;      ///< in all lives
     std::uint64_t lifeWork = 0;  ///< in the present one
     std::uint64_t life = 1;

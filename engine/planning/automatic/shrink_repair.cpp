@@ -45,6 +45,8 @@ void ShrinkRepair::step(PlannerHost& host) {
   counts_ = roadmap.counts;
   if (state == SubPlanner::State::Solved) {
     endLevel();
+  } else if (state == SubPlanner::State::Failed && level_ > 0 && halvings_ < options_.halvings) {
+    halveGrowth();
   } else if (state == SubPlanner::State::Failed || (level_ == 0 && workOf(counts_) - levelWork_ > options_.firstWork)) {
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
                           "Start again with another seed."};
@@ -71,6 +73,12 @@ void ShrinkRepair::startLevel() {
   search_ = std::make_unique<SubPlanner>(std::move(search), std::numeric_limits<std::uint64_t>::max(), nullptr);
   eroded_ = {};
   levelWork_ = workOf(counts_);
+}
+
+void ShrinkRepair::halveGrowth() {
+  ++halvings_;
+  depths_.insert(depths_.begin() + static_cast<std::ptrdiff_t>(level_), 0.5 * (wayDepth_ + depths_[level_]));
+  search_.reset();
 }
 
 void ShrinkRepair::endLevel() {

@@ -11,8 +11,9 @@ namespace glissade {
 /// Shrink and repair: a path of the eroded object is found first, then found again near itself while
 /// the object grows back, a little beyond its size and back again (after D. Hsu, G. Sanchez-Ante,
 /// H. Cheng, J.-C. Latombe, "Multi-level free-space dilation for sampling narrow passages in PRM
-/// planning", 2006; here for single queries). Gives up where a level takes too long: the way of the
-/// smaller object may be none of the whole. Then a fresh seed may find another.
+/// planning", 2006; here for single queries). Where a level takes too long the object grows by half as
+/// much first; gives up after some of these: the way of the smaller object may be none of the whole.
+/// Then a fresh seed may find another.
 ///
 /// Nodes and edges are those of the level of the object itself; the eroded ones' are not free.
 class ShrinkRepair final : public Planner {
@@ -21,8 +22,9 @@ class ShrinkRepair final : public Planner {
     double erosion = 0.0;  ///< of the first level, metres
     double growth = 0.0;   ///< beyond the object's size, metres
     RrtConnect::Options search;
-    std::uint64_t firstWork = 30'000;    ///< queries for the first level
-    std::uint64_t repairWork = 250'000;  ///< queries for each of the others
+    std::uint64_t firstWork = 30'000;   ///< queries for the first level
+    std::uint64_t repairWork = 60'000;  ///< queries for each of the others
+    int halvings = 4;                   ///< of a level's growth, all in all
   };
 
   ShrinkRepair(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -38,12 +40,14 @@ class ShrinkRepair final : public Planner {
   Author authority() const override { return Author::Computer; }
   bool inContactMode() const override { return false; }
   std::optional<Diagnostic> failure() const override { return failure_; }
+  std::size_t stagesDone() const override { return level_; }
 
  private:
   bool isLast() const { return level_ + 1 == depths_.size(); }
   void step(PlannerHost& host);
   void startLevel();
   void endLevel();
+  void halveGrowth();
 
   Problem problem_;
   std::uint64_t seed_;
@@ -51,6 +55,7 @@ class ShrinkRepair final : public Planner {
   std::shared_ptr<ErodedWorlds> worlds_;
   std::vector<double> depths_;  ///< per level; the last is 0
   std::size_t level_ = 0;
+  int halvings_ = 0;
   std::vector<Pose> way_;  ///< of the level before
   double wayDepth_ = 0.0;  ///< of that level
   std::unique_ptr<SubPlanner> search_;

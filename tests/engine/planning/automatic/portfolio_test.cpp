@@ -20,7 +20,7 @@ TEST(Portfolio, DealsWorkByShareWhateverATurnCosts) {
 }
 
 TEST(Portfolio, LivesFollowTheRestartSchedule) {
-  Portfolio portfolio({{1.0, 10, Restart::Luby}, {1.0, 10, Restart::Doubling}, {1.0, 0, Restart::Never}});
+  Portfolio portfolio({{1.0, 0, 10, Restart::Luby}, {1.0, 0, 10, Restart::Doubling}, {1.0}});
   const auto lifeLength = [&](std::size_t who) {
     std::uint64_t length = 0;
     for (; !portfolio.lifeIsOver(who) && length < 1000; ++length) portfolio.charge(who, 1);
@@ -33,7 +33,7 @@ TEST(Portfolio, LivesFollowTheRestartSchedule) {
 }
 
 TEST(Portfolio, ALateOneEntersAfterItsWorkAndDoesNotCatchUp) {
-  Portfolio portfolio({{1.0}, {1.0, 0, Restart::Never, 100}});
+  Portfolio portfolio({{1.0}, {1.0, 0, 0, Restart::Never, 100}});
   for (int turn = 0; turn < 100; ++turn) {
     ASSERT_EQ(portfolio.next(), 0U);
     portfolio.charge(0, 1);
@@ -44,28 +44,32 @@ TEST(Portfolio, ALateOneEntersAfterItsWorkAndDoesNotCatchUp) {
 }
 
 TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
-  Portfolio portfolio({{1.0}, {1.0, 0, Restart::Never, 100}});
+  Portfolio portfolio({{1.0}, {1.0, 0, 0, Restart::Never, 100}});
   portfolio.retire(0);
   EXPECT_EQ(portfolio.next(), 1U);
   portfolio.retire(1);
   EXPECT_EQ(portfolio.next(), Portfolio::kNobody);
 }
 
-TEST(Portfolio, ALifeThatFailsHalvesTheShareDownToALeast) {
-  Portfolio portfolio({{2.0, 1'000'000, Restart::Luby}, {2.0}});
-  const auto ratioAfter = [&](int failures) {
-    for (int i = 0; i < failures; ++i) portfolio.restart(0);
+TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
+  Portfolio portfolio({{2.0, 1000}, {2.0}});
+  const auto ratioUntil = [&](std::uint64_t worth) {
     const std::uint64_t before[] = {portfolio.work(0), portfolio.work(1)};
-    for (int turn = 0; turn < 1800; ++turn) portfolio.charge(portfolio.next(), 10);
+    while (portfolio.work(0) < worth) portfolio.charge(portfolio.next(), 10);
     return static_cast<double>(portfolio.work(1) - before[1]) / static_cast<double>(portfolio.work(0) - before[0]);
   };
-  EXPECT_NEAR(ratioAfter(0), 1.0, 0.1);
-  EXPECT_NEAR(ratioAfter(1), 2.0, 0.1);
-  EXPECT_NEAR(ratioAfter(10), 8.0, 0.2);  // not 2^11
+  EXPECT_NEAR(ratioUntil(1000), 1.0, 0.1);
+  EXPECT_NEAR(ratioUntil(2000), 2.0, 0.1);
+  EXPECT_NEAR(ratioUntil(4000), 4.0, 0.1);
+  EXPECT_NEAR(ratioUntil(8000), 8.0, 0.1);
+  EXPECT_NEAR(ratioUntil(16000), 8.0, 0.1);  // not 16
+  portfolio.encourage(0);
+  EXPECT_NEAR(ratioUntil(17000), 0.5, 0.1);
+  EXPECT_NEAR(ratioUntil(18000), 1.0, 0.1);
 }
 
-TEST(Portfolio, OneThatEndsItsLivesItselfKeepsItsShare) {
-  Portfolio portfolio({{1.0, 0, Restart::Luby}, {1.0}});
+TEST(Portfolio, OneOfEndlessPatienceKeepsItsShare) {
+  Portfolio portfolio({{1.0, 0, 0, Restart::Luby}, {1.0}});
   for (int turn = 0; turn < 1000; ++turn) {
     const std::size_t who = portfolio.next();
     portfolio.charge(who, 10);
