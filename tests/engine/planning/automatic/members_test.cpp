@@ -114,7 +114,7 @@ TEST(ShrinkRepair, GrowsBackThroughAWindowThatJustFits) {
   options.erosion = 0.1 * r;
   options.growth = 1e-3 * r;
   options.search.range = 0.2;
-  options.repairWork = 60'000;
+  options.repairWork = 30'000;  // now and then too few: the growth is halved
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
   int solved = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
@@ -125,6 +125,7 @@ TEST(ShrinkRepair, GrowsBackThroughAWindowThatJustFits) {
       continue;
     }
     ++solved;
+    EXPECT_GE(planner.stagesDone(), 6U);  // levels before the last
     EXPECT_EQ(planner.path()->points.front().q, problem.start);
     const auto query = problem.world->makeQuery();
     EXPECT_EQ(certifyPath(*query, planner.path()->configurations(), host.values[ParameterId::RequiredClearance]).status,
