@@ -4,6 +4,8 @@
 #include <QMainWindow>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/scenario/run_record.h"
 #include "widgets/bridge/session_bridge.h"
@@ -93,7 +95,11 @@ class MainWindow final : public QMainWindow {
   void chooseExport();
   void chooseRecording();
   void chooseSaveRecording();
-  void offerJournal(const QString& file);
+  /// Where the user wants it; empty where he does not.
+  QString offerJournal(const QString& file);
+  /// A journal, and the recording that it is to become.
+  using JournalSave = std::pair<QString, QString>;
+  void saveJournals(const std::vector<JournalSave>& saves);
   void save();
   void chooseSave();
   /// False: the user wants to stay, because something is not saved.

@@ -119,11 +119,17 @@ void MainWindow::chooseSaveRecording() {
 }
 
 void MainWindow::keepJournals(const QString& folder) {
-  for (const std::string& file : abandonedJournals(folder.toStdString())) offerJournal(QString::fromStdString(file));
+  std::vector<JournalSave> saves;
+  for (const std::string& file : abandonedJournals(folder.toStdString())) {
+    const QString journal = QString::fromStdString(file);
+    const QString target = offerJournal(journal);
+    if (!target.isEmpty()) saves.emplace_back(journal, target);
+  }
+  if (!saves.empty()) saveJournals(saves);
   replay_->recorder().keepJournals(folder.toStdString());
 }
 
-void MainWindow::offerJournal(const QString& file) {
+QString MainWindow::offerJournal(const QString& file) {
   QMessageBox box(QMessageBox::Question, tr("A recording was left"),
                   tr("Glissade ended unexpectedly during a run. Its recording is still there."), QMessageBox::NoButton,
                   this);
@@ -132,17 +138,23 @@ void MainWindow::offerJournal(const QString& file) {
   box.addButton(tr("Later"), QMessageBox::RejectRole);
   box.exec();
   if (box.clickedButton() == discarded) QFile::remove(file);
-  if (box.clickedButton() != saved) return;
-  const QString target = QFileDialog::getSaveFileName(this, tr("Save the recording"), QStringLiteral("run.json"),
-                                                      tr("Recordings (*.json)"));
-  if (target.isEmpty()) return;
-  const auto record = readRunRecord(file.toStdString());
-  const Outcome written = record ? writeRunRecord(*record, target.toStdString()) : Outcome(record.error());
-  if (written) {
-    QFile::remove(file);
-  } else {
-    showError(tr("The recording cannot be saved"), written.error());
-  }
+  if (box.clickedButton() != saved) return {};
+  return QFileDialog::getSaveFileName(this, tr("Save the recording"), QStringLiteral("run.json"),
+                                      tr("Recordings (*.json)"));
+}
+
+/// Whoever cancels is asked again the next time.
+void MainWindow::saveJournals(const std::vector<JournalSave>& saves) {
+  work_->run(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    std::vector<Diagnostic> trouble;
+    for (const auto& [journal, target] : saves) {
+      const Outcome saved = saveJournal(journal.toStdString(), target.toStdString(), watch);
+      if (!saved) trouble.push_back(saved.error());
+    }
+    return [this, trouble] {
+      for (const Diagnostic& why : trouble) showError(tr("The recording cannot be saved"), why);
+    };
+  });
 }
 
 void MainWindow::showError(const QString& title, const Diagnostic& why) {

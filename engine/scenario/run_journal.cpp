@@ -85,6 +85,14 @@ std::vector<std::string> abandonedJournals(const std::string& folder) {
   return files;
 }
 
+Outcome saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch) {
+  const auto record = readRunRecord(journal, watch);
+  if (!record) return record.error();
+  const Outcome written = writeRunRecord(*record, target);
+  if (written) ::unlink(journal.c_str());
+  return written;
+}
+
 bool isJournal(const std::string& text) { return text.rfind(kFirst, 0) == 0; }
 
 Result<Json> mergedJournal(const std::string& text, const std::string& file, const WorkWatch& watch) {

@@ -1909,6 +1909,10 @@
         <source>Open re&amp;cent</source>
         <translation>Fichiers ré&amp;cents</translation>
     </message>
+    <message>
+        <source>Saving the recording</source>
+        <translation>Sauvegarde de l&apos;enregistrement</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>

@@ -143,6 +143,31 @@ TEST(RunJournal, OnesThatAreNotNeededGoAndBadFoldersAreSaid) {
   EXPECT_EQ(broken.error().kind, ErrorKind::MalformedInput);
 }
 
+TEST(RunJournal, GoesOnceItsRecordingIsWritten) {
+  const test::TemporaryFolder folder;
+  const RunRecord whole = test::someRunRecord();
+  RunRecord head = whole;
+  head.log = {};
+  head.log.start = whole.log.start;
+  auto journal = RunJournal::begin(head, folder / "recordings");
+  ASSERT_TRUE(journal.ok());
+  ASSERT_TRUE((*journal)->append(whole.log).ok());
+  const std::string file = (*journal)->file();
+  journal->reset();
+
+  StopSource source;
+  source.requestStop();
+  EXPECT_FALSE(saveJournal(file, folder / "run.json", source.token()).ok());
+  EXPECT_FALSE(saveJournal(file, folder.write("file", "") + "/run.json").ok());
+  EXPECT_EQ(abandonedJournals(folder / "recordings"), std::vector<std::string>{file});  // nothing is lost
+  const Outcome saved = saveJournal(file, folder / "run.json");
+  ASSERT_TRUE(saved.ok()) << toString(saved.error());
+  EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());
+  const auto read = readRunRecord(folder / "run.json");
+  ASSERT_TRUE(read.ok()) << toString(read.error());
+  expectSameLog(read->log, whole.log);
+}
+
 class ReplayLog : public testing::Test {
  protected:
   void SetUp() override {
