@@ -11,7 +11,7 @@ namespace {
 constexpr double kLossOfShare = 0.5;
 constexpr double kLeastShare = 0.25;
 /// Of the first share, for one that gets on.
-constexpr double kGain = 2.0;
+constexpr double kGain = 4.0;
 
 }  // namespace
 

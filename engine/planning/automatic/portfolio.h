@@ -39,7 +39,7 @@ class Portfolio {
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
-  /// It has got on: its share is twice what it was at first, its patience the same as then.
+  /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
   /// What the turn has cost.
   void charge(std::size_t contender, std::uint64_t work);

@@ -64,8 +64,8 @@ TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
   EXPECT_NEAR(ratioUntil(8000), 8.0, 0.1);
   EXPECT_NEAR(ratioUntil(16000), 8.0, 0.1);  // not 16
   portfolio.encourage(0);
-  EXPECT_NEAR(ratioUntil(17000), 0.5, 0.1);
-  EXPECT_NEAR(ratioUntil(18000), 1.0, 0.1);
+  EXPECT_NEAR(ratioUntil(17000), 0.25, 0.1);
+  EXPECT_NEAR(ratioUntil(18000), 0.5, 0.1);
 }
 
 TEST(Portfolio, OneOfEndlessPatienceKeepsItsShare) {
