@@ -18,9 +18,9 @@ constexpr std::uint64_t kFirstGapWork = 1'000;
 /// Configurations by which a gap is widened on either side.
 constexpr std::size_t kWidening = 3;
 
-std::uint64_t queriesOf(const PlannerCounts& counts) { return counts.queries.collision + counts.queries.distance; }
-
 }  // namespace
+
+std::uint64_t queriesOf(const PlannerCounts& counts) { return counts.queries.collision + counts.queries.distance; }
 
 PathRepair::PathRepair(const Problem& problem, std::uint64_t seed, std::vector<Pose> way, Options options)
     : problem_(problem),

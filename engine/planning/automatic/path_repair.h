@@ -8,6 +8,9 @@
 
 namespace glissade {
 
+/// What shrinking and repairing count their work in: yes/no and distance queries.
+std::uint64_t queriesOf(const PlannerCounts& counts);
+
 /// Makes a way of a smaller object one of this problem's object: configurations are retracted from
 /// what they would now collide with, straight motions between them are certified, and where one is
 /// not, a local search bridges the gap, taking in more of the way each time it fails. Gives up when

@@ -39,10 +39,10 @@ class Portfolio {
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
-  /// It has got on: its share is four times what it was at first, its patience the same as then.
-  void encourage(std::size_t contender);
   /// What the turn has cost.
   void charge(std::size_t contender, std::uint64_t work);
+  /// It has got on: its share is four times what it was at first, its patience the same as then.
+  void encourage(std::size_t contender);
   /// The work of its present life is used up.
   bool lifeIsOver(std::size_t contender) const;
   /// Begins the next life.

@@ -17,8 +17,6 @@ bool isFree(const Problem& problem) {
          !query->collides(goalRoots(problem, *query).front());
 }
 
-std::uint64_t workOf(const PlannerCounts& counts) { return counts.queries.collision + counts.queries.distance; }
-
 }  // namespace
 
 ShrinkRepair::ShrinkRepair(const Problem& problem, std::uint64_t seed, const Options& options,
@@ -47,7 +45,8 @@ void ShrinkRepair::step(PlannerHost& host) {
     endLevel();
   } else if (state == SubPlanner::State::Failed && level_ > 0 && halvings_ < options_.halvings) {
     halveGrowth();
-  } else if (state == SubPlanner::State::Failed || (level_ == 0 && workOf(counts_) - levelWork_ > options_.firstWork)) {
+  } else if (state == SubPlanner::State::Failed ||
+             (level_ == 0 && queriesOf(counts_) - levelWork_ > options_.firstWork)) {
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
                           "Start again with another seed."};
   }
@@ -72,7 +71,7 @@ void ShrinkRepair::startLevel() {
   }
   search_ = std::make_unique<SubPlanner>(std::move(search), std::numeric_limits<std::uint64_t>::max(), nullptr);
   eroded_ = {};
-  levelWork_ = workOf(counts_);
+  levelWork_ = queriesOf(counts_);
 }
 
 void ShrinkRepair::halveGrowth() {
