@@ -4,7 +4,8 @@
 #include <optional>
 
 #include "engine/environment/inside_columns.h"
-#include "engine/geometry/triangle_box.h"
+#include "engine/environment/unchanged_cells.h"
+#include "engine/geometry/cube_intersector.h"
 
 namespace glissade {
 namespace {
@@ -19,24 +20,24 @@ class SurfaceWalk {
       : frame_(frame), depth_(depth), stop_(stop) {
     triangles_.reserve(mesh_W.triangles.size());
     for (const auto& [a, b, c] : mesh_W.triangles) {
-      triangles_.push_back({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
+      triangles_.push_back(CubeIntersector({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]}));
     }
     if (closed) columns_.emplace(mesh_W, frame, depth);
     candidates_.resize(static_cast<std::size_t>(depth) + 1);
   }
 
-  CellRuns run() {
+  /// Cells that `unchanged` knows are not looked at.
+  CellRuns run(UnchangedCells* unchanged = nullptr) {
+    unchanged_ = unchanged;
     auto& all = candidates_.front();
     all.resize(triangles_.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
     const Box3 root = frame_.box(Cell{});
     all.erase(std::remove_if(all.begin(), all.end(),
-                             [&](std::uint32_t i) {
-                               return !triangleEntersCube(triangles_[i], root.center(), frame_.side / 2.0);
-                             }),
+                             [&](std::uint32_t i) { return !triangles_[i].enters(root.center(), frame_.side / 2.0); }),
               all.end());
     visit(Cell{});
-    return std::move(runs_);
+    return std::move(occupied_);
   }
 
  private:
@@ -59,41 +60,57 @@ class SurfaceWalk {
     Cell part{cell.level + 1,
               {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
                2 * cell.index[2] + (child & 1U)}};
+    if (unchanged_ && !unchanged_->changed(part)) {
+      unchanged_->copy(finest(part), occupied_);
+      return;
+    }
     const double half = frame_.cellSize(part.level) / 2.0;
     const Vector3 centre =
         frame_.origin + half * (2.0 * Vector3(part.index[0], part.index[1], part.index[2]) + Vector3::Ones());
     auto& entering = candidates_[static_cast<std::size_t>(part.level)];
     entering.clear();
     for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level)]) {
-      if (triangleEntersCube(triangles_[i], centre, half)) entering.push_back(i);
+      if (triangles_[i].enters(centre, half)) entering.push_back(i);
     }
     visit(part);
   }
 
-  void occupy(const Cell& cell) {
+  CellRun finest(const Cell& cell) const {
     const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
     const std::uint64_t begin = mortonCode({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
-    const std::uint64_t end = begin + finestCellsIn(cell.level, depth_);
-    if (!runs_.empty() && runs_.back().end == begin) {
-      runs_.back().end = end;
-    } else {
-      runs_.push_back({begin, end});
-    }
+    return {begin, begin + finestCellsIn(cell.level, depth_)};
   }
+
+  void occupy(const Cell& cell) { addRun(occupied_, finest(cell)); }
 
   CellFrame frame_;
   int depth_;
   StopToken stop_;
-  std::vector<std::array<Vector3, 3>> triangles_;
+  std::vector<CubeIntersector> triangles_;
   std::optional<InsideColumns> columns_;
   std::vector<std::vector<std::uint32_t>> candidates_;  ///< per level, of the cell being visited
-  CellRuns runs_;
+  UnchangedCells* unchanged_ = nullptr;
+  CellRuns occupied_;
 };
 
 }  // namespace
 
+void addRun(CellRuns& runs, const CellRun& run) {
+  if (!runs.empty() && runs.back().end == run.begin) {
+    runs.back().end = run.end;
+  } else {
+    runs.push_back(run);
+  }
+}
+
 CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth, const StopToken& stop) {
   return SurfaceWalk(mesh_W, closed, frame, depth, stop).run();
+}
+
+CellRuns coverageAfterMotion(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
+                             const CellRuns& before, const std::vector<Box3>& changed) {
+  UnchangedCells unchanged(before, changed, frame, depth);
+  return SurfaceWalk(mesh_W, closed, frame, depth, {}).run(&unchanged);
 }
 
 CellRuns difference(const CellRuns& a, const CellRuns& b) {

@@ -19,11 +19,18 @@ struct CellRun {
 /// Ascending, disjoint, not adjacent: equal sets of cells are equal lists.
 using CellRuns = std::vector<CellRun>;
 
+/// Appends cells that come after all that are there.
+void addRun(CellRuns& runs, const CellRun& run);
+
 /// The finest cells (at `depth`) that a body occupies: those that its surface crosses, and where
 /// `closed` those inside its solid. A cell that the surface merely touches is not occupied.
 /// `mesh_W` is in world coordinates; parts outside the root cube are left out. Unfinished after a stop.
 CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
                     const StopToken& stop = {});
+
+/// The same after a motion: `before` outside the `changed` boxes (changedBoxes()), looked at afresh in them.
+CellRuns coverageAfterMotion(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
+                             const CellRuns& before, const std::vector<Box3>& changed);
 
 /// The cells of a that are not in b.
 CellRuns difference(const CellRuns& a, const CellRuns& b);

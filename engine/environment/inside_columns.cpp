@@ -34,7 +34,7 @@ InsideColumns::InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame,
     first_[a] = at(box.min()[axis]);
     counts_[a] = at(box.max()[axis]) - first_[a] + 1;
   }
-  crossings_.resize(static_cast<std::size_t>(counts_[0]) * counts_[1]);
+  last_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1], kNone);
   for (const auto& [a, b, c] : mesh_W.triangles) {
     addTriangle({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
   }
@@ -66,7 +66,9 @@ void InsideColumns::addTriangle(const std::array<Vector3, 3>& triangle) {
       const bool left = leftOf(a, b, x, y);
       if (leftOf(b, c, x, y) != left || leftOf(c, a, x, y) != left) continue;
       const double z = a.z() - (normal.x() * (x - a.x()) + normal.y() * (y - a.y())) / normal.z();
-      crossings_[column(ix, iy)].push_back({z, left ? 1 : -1});
+      std::int32_t& last = last_[column(ix, iy)];
+      crossings_.push_back({z, left ? 1 : -1, last});
+      last = static_cast<std::int32_t>(crossings_.size() - 1);
     }
   }
 }
@@ -78,8 +80,10 @@ bool InsideColumns::inside(const std::array<std::uint32_t, 3>& index) const {
   }
   const double z = coordinate(index[2], 2);
   int winding = 0;
-  for (const Crossing& crossing : crossings_[column(index[0], index[1])]) {
+  for (std::int32_t i = last_[column(index[0], index[1])]; i != kNone;) {
+    const Crossing& crossing = crossings_[static_cast<std::size_t>(i)];
     if (crossing.z > z) winding += crossing.turns;
+    i = crossing.next;
   }
   return winding != 0;
 }

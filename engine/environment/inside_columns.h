@@ -20,8 +20,11 @@ class InsideColumns {
  private:
   struct Crossing {
     double z;
-    int turns;  ///< +1 where the surface faces up, -1 where down
+    std::int32_t turns;  ///< +1 where the surface faces up, -1 where down
+    std::int32_t next;   ///< of the same column; kNone: the last
   };
+
+  static constexpr std::int32_t kNone = -1;
 
   void addTriangle(const std::array<Vector3, 3>& triangle);
   std::size_t column(std::uint32_t x, std::uint32_t y) const { return (x - first_[0]) * counts_[1] + (y - first_[1]); }
@@ -31,7 +34,8 @@ class InsideColumns {
   double size_;
   std::array<std::uint32_t, 2> first_{0, 0};
   std::array<std::uint32_t, 2> counts_{0, 0};
-  std::vector<std::vector<Crossing>> crossings_;
+  std::vector<std::int32_t> last_;  ///< per column: the crossing found last
+  std::vector<Crossing> crossings_;
 };
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/environment/changed_boxes.h"
 #include "engine/geometry/mesh_audit.h"
 
 namespace glissade {
@@ -43,9 +44,15 @@ CellRuns Octree::coverage(const Occupant& body, const StopToken& stop) const {
   return coverageOf(transformed(*body.mesh, body.X_WB), body.closed, frame_, depth_, stop);
 }
 
+CellRuns Octree::coverageAt(const Occupant& body, const Pose& X_WB) const {
+  const TriangleMesh before_W = transformed(*body.mesh, body.X_WB);
+  const TriangleMesh after_W = transformed(*body.mesh, X_WB);
+  return coverageAfterMotion(after_W, body.closed, frame_, depth_, body.cells, changedBoxes(before_W, after_W));
+}
+
 Octree::Change Octree::moveBody(std::size_t body, const Pose& X_WB) {
+  CellRuns now = coverageAt(bodies_[body], X_WB);
   bodies_[body].X_WB = X_WB;
-  CellRuns now = coverage(bodies_[body]);
   const CellRuns left = difference(bodies_[body].cells, now);
   const CellRuns entered = difference(now, bodies_[body].cells);
   edit(body, left, Edit::Remove);

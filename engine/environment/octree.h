@@ -93,6 +93,8 @@ class Octree {
 
   void addAll(const StopToken& stop);
   CellRuns coverage(const Occupant& body, const StopToken& stop = {}) const;
+  /// Of a body that moves there; a face that slides in its own plane is not looked at but at its rim.
+  CellRuns coverageAt(const Occupant& body, const Pose& X_WB) const;
   void edit(std::size_t body, const CellRuns& cells, Edit edit);
   void editNode(std::size_t node, std::uint64_t begin, int level, CellRuns::const_iterator& run,
                 CellRuns::const_iterator end);

@@ -4,9 +4,9 @@
 
 #include <set>
 
+#include "engine/geometry/cube_intersector.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
-#include "engine/geometry/triangle_box.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
@@ -82,8 +82,8 @@ TEST(Coverage, AgreesWithAskingEveryCell) {
     const CellRuns expected = runsWhere([&](const Index& c) {
       const Vector3 centre = kFrame.box(Cell{kDepth, c}).center();
       for (const auto& t : mesh_W.triangles) {
-        if (triangleEntersCube({mesh_W.vertices[t[0]], mesh_W.vertices[t[1]], mesh_W.vertices[t[2]]}, centre,
-                               kSize / 2)) {
+        const CubeIntersector triangle({mesh_W.vertices[t[0]], mesh_W.vertices[t[1]], mesh_W.vertices[t[2]]});
+        if (triangle.enters(centre, kSize / 2)) {
           return true;
         }
       }

@@ -1,7 +1,10 @@
 // Moving a body gives the same octree as building it afresh.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/environment/octree.h"
+#include "engine/geometry/primitives.h"
 #include "tests/engine/support/environment_worlds.h"
 
 namespace glissade {
@@ -31,6 +34,61 @@ TEST_P(OctreeMoves, EqualAFreshOctreeAfterEveryMove) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OctreeMoves, testing::Range(1, 7));
+
+TriangleMesh boxBetween(const Vector3& least, const Vector3& most) {
+  return transformed(makeBox(most - least), Pose::translation((least + most) / 2.0));
+}
+
+/// Shapes with faces across the axes: a box, two that overlap, an open box, a sheet that is folded over,
+/// a cylinder and a wedge.
+std::vector<TriangleMesh> shapesOnTheAxes() {
+  TriangleMesh overlapping = boxBetween({0, 0, 0}, {0.25, 0.125, 0.1});
+  append(overlapping, boxBetween({0.1, 0, 0}, {0.2, 0.3, 0.1}));
+  TriangleMesh open = makeBox({0.2, 0.25, 0.3});
+  open.triangles.resize(open.triangles.size() - 3);
+  TriangleMesh folded;
+  folded.vertices = {{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.2, 0}, {0.2, 0.1, 0}};
+  folded.triangles = {{0, 1, 2}, {0, 2, 3}};
+  TriangleMesh wedge = makeBox({0.3, 0.2, 0.2});
+  for (Vector3& vertex : wedge.vertices) {
+    if (vertex.z() > 0.0) vertex.x() *= 0.5;
+  }
+  return {makeBox({0.25, 0.3, 0.2}), overlapping, open, folded, makeCylinder(0.1, 0.3, 12), wedge};
+}
+
+/// Along an axis by any length, by whole cells, in a plane, or turned about an axis.
+Pose slid(const Pose& X_WB, RandomStream& stream) {
+  Pose moved = X_WB;
+  const int axis = static_cast<int>(stream.uniform(0, 3));
+  switch (static_cast<int>(stream.uniform(0, 4))) {
+    case 0: moved.position[axis] += stream.uniform(-0.1, 0.1); break;
+    case 1: moved.position[axis] += std::round(stream.uniform(-3, 3)) * kResolution.cellSize; break;
+    case 2:
+      for (int i = 0; i < 3; ++i) moved.position[i] += i == axis ? 0.0 : stream.uniform(-0.1, 0.1);
+      break;
+    default: moved.orientation = fromRollPitchYaw(0, 0, stream.uniform(-3, 3)); break;
+  }
+  moved.position = moved.position.cwiseMax(0.0).cwiseMin(0.75);
+  return moved;
+}
+
+class OctreeSlides : public testing::TestWithParam<int> {};
+
+TEST_P(OctreeSlides, EqualAFreshOctreeAfterEverySlide) {
+  RandomStream stream(static_cast<std::uint64_t>(GetParam()), "slides");
+  for (const TriangleMesh& shape : shapesOnTheAxes()) {
+    RigidBody body = boxBody("slides", {1, 1, 1}, Pose::translation(Vector3(0.375, 0.375, 0.25)));
+    body.mesh = std::make_shared<const TriangleMesh>(shape);
+    Octree octree({body}, kWorkspace, kResolution);
+    for (int move = 0; move < 40; ++move) {
+      body.X_WB = slid(body.X_WB, stream);
+      octree.moveBody(0, body.X_WB);
+      ASSERT_TRUE(octree == Octree({body}, kWorkspace, kResolution)) << "move " << move;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, OctreeSlides, testing::Range(1, 9));
 
 TEST(OctreeMove, ThereAndBackIsTheSameAndTellsWhatItCost) {
   RandomStream stream(8, "moves");

@@ -1,4 +1,4 @@
-#include "engine/geometry/triangle_box.h"
+#include "engine/geometry/cube_intersector.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Vector3 randomPoint(RandomStream& stream, double reach) {
   return {stream.uniform(-reach, reach), stream.uniform(-reach, reach), stream.uniform(-reach, reach)};
 }
 
-TEST(TriangleEntersCube, AgreesWithSampledPoints) {
+TEST(CubeIntersector, AgreesWithSampledPoints) {
   RandomStream stream(1, "triangles");
   int entering = 0;
   int apart = 0;
@@ -47,7 +47,7 @@ TEST(TriangleEntersCube, AgreesWithSampledPoints) {
     const Triangle t{about + randomPoint(stream, reach), about + randomPoint(stream, reach),
                      about + randomPoint(stream, reach)};
     const double nearest = nearestSample(t, centre);
-    const bool enters = triangleEntersCube(t, centre, half);
+    const bool enters = CubeIntersector(t).enters(centre, half);
     if (nearest < half * (1.0 - 1e-6)) {
       EXPECT_TRUE(enters) << "trial " << trial;
     }
@@ -61,24 +61,24 @@ TEST(TriangleEntersCube, AgreesWithSampledPoints) {
   EXPECT_GT(apart, 500);
 }
 
-TEST(TriangleEntersCube, OnlyTheInteriorCounts) {
+TEST(CubeIntersector, OnlyTheInteriorCounts) {
   const Vector3 centre(0.5, 0.5, 0.5);
   const Triangle onAFace{Vector3(1, -1, -1), Vector3(1, 3, -1), Vector3(1, 0.5, 3)};
   const Triangle onAnEdge{Vector3(1, 1, -1), Vector3(1, 1, 2), Vector3(2, 2, 0.5)};
   const Triangle onACorner{Vector3(1, 1, 1), Vector3(2, 1, 1), Vector3(1, 2, 2)};
   const Triangle acrossACorner{Vector3(3, 0, 0), Vector3(0, 3, 0), Vector3(0, 0, 3)};  // x + y + z = 3
   for (const Triangle& touching : {onAFace, onAnEdge, onACorner, acrossACorner}) {
-    EXPECT_FALSE(triangleEntersCube(touching, centre, 0.5));
-    EXPECT_TRUE(triangleEntersCube(touching, centre, 0.5 + 1e-6));
+    EXPECT_FALSE(CubeIntersector(touching).enters(centre, 0.5));
+    EXPECT_TRUE(CubeIntersector(touching).enters(centre, 0.5 + 1e-6));
   }
 }
 
-TEST(TriangleEntersCube, ATriangleMayLieInsideOrRoundTheCube) {
+TEST(CubeIntersector, ATriangleMayLieInsideOrRoundTheCube) {
   const Triangle tiny{Vector3(0.5, 0.5, 0.5), Vector3(0.51, 0.5, 0.5), Vector3(0.5, 0.51, 0.5)};
   const Triangle huge{Vector3(-100, -100, 0.5), Vector3(100, -100, 0.5), Vector3(0, 200, 0.5)};
-  EXPECT_TRUE(triangleEntersCube(tiny, Vector3::Constant(0.5), 0.5));
-  EXPECT_TRUE(triangleEntersCube(huge, Vector3::Constant(0.5), 0.5));
-  EXPECT_FALSE(triangleEntersCube(huge, Vector3(0.5, 0.5, 1.5), 0.5));
+  EXPECT_TRUE(CubeIntersector(tiny).enters(Vector3::Constant(0.5), 0.5));
+  EXPECT_TRUE(CubeIntersector(huge).enters(Vector3::Constant(0.5), 0.5));
+  EXPECT_FALSE(CubeIntersector(huge).enters(Vector3(0.5, 0.5, 1.5), 0.5));
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+
+#include "engine/environment/coverage.h"
+
+namespace glissade {
+
+/// What is known of a body's cells after a motion before they are looked at: where nothing changed they
+/// are occupied as they were. Asked by a walk down the octree, in Z order. Refers to `before`.
+class UnchangedCells {
+ public:
+  /// `changed`: boxes outside which the body covers the same as before (changedBoxes()).
+  UnchangedCells(const CellRuns& before, const std::vector<Box3>& changed, const CellFrame& frame, int depth);
+
+  /// Whether a box of change meets the cell. Precondition: it met the cell's parent when that was asked for.
+  bool changed(const Cell& cell);
+  /// Appends what was occupied of these finest cells. Precondition: no cells behind them were asked for.
+  void copy(const CellRun& cells, CellRuns& target);
+
+ private:
+  /// Finest cells, from `first` to `last` along each axis.
+  struct Block {
+    std::array<std::uint32_t, 3> first;
+    std::array<std::uint32_t, 3> last;
+  };
+
+  static bool meet(const Block& a, const Block& b);
+  static bool contains(const Block& outer, const Block& inner);
+  Block blockOf(const Cell& cell) const;
+  void addBlock(const Box3& box, const CellFrame& frame);
+
+  int depth_;
+  CellRuns::const_iterator next_;  ///< the first run that may still be asked for
+  CellRuns::const_iterator end_;
+  std::vector<Block> changed_;
+  std::vector<std::vector<std::uint32_t>> meeting_;  ///< per level: those that meet the cell asked for last
+};
+
+}  // namespace glissade
