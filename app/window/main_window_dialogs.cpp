@@ -133,9 +133,9 @@ QString MainWindow::offerJournal(const QString& file) {
   QMessageBox box(QMessageBox::Question, tr("A recording was left"),
                   tr("Glissade ended unexpectedly during a run. Its recording is still there."), QMessageBox::NoButton,
                   this);
-  const auto* saved = box.addButton(tr("Save..."), QMessageBox::AcceptRole);
-  const auto* discarded = box.addButton(tr("Discard"), QMessageBox::DestructiveRole);
-  box.addButton(tr("Later"), QMessageBox::RejectRole);
+  const auto* saved = box.addButton(tr("&Save..."), QMessageBox::AcceptRole);
+  const auto* discarded = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+  box.addButton(tr("&Later"), QMessageBox::RejectRole);
   box.exec();
   if (box.clickedButton() == discarded) QFile::remove(file);
   if (box.clickedButton() != saved) return {};
@@ -145,7 +145,7 @@ QString MainWindow::offerJournal(const QString& file) {
 
 /// Whoever cancels is asked again the next time.
 void MainWindow::saveJournals(const std::vector<JournalSave>& saves) {
-  work_->run(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
+  work_->runToEnd(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
     std::vector<Diagnostic> trouble;
     for (const auto& [journal, target] : saves) {
       const Outcome saved = saveJournal(journal.toStdString(), target.toStdString(), watch);

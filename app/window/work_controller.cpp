@@ -1,5 +1,7 @@
 #include "app/window/work_controller.h"
 
+#include <utility>
+
 namespace glissade {
 
 WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& actions, QStatusBar& bar)
@@ -14,17 +16,33 @@ WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& act
   connect(&task_, &BackgroundTask::progressed, busy_, &BusyBar::setShare);
   connect(&task_, &BackgroundTask::ended, this, [this] {
     busy_->end();
+    toTheEnd_ = false;
+    if (const auto next = std::exchange(waiting_, std::nullopt)) begin(*next);
     enable();
   });
   enable();
 }
 
-void WorkController::run(const QString& what, const BackgroundTask::Work& work) {
-  task_.start(work, atOnce_);
+void WorkController::run(const Job& job) {
+  if (toTheEnd_) {
+    waiting_ = job;
+  } else {
+    begin(job);
+  }
+}
+
+void WorkController::begin(const Job& job) {
+  task_.start(job.work, atOnce_);
   if (!task_.isBusy()) return;
+  toTheEnd_ = job.toTheEnd;
   smoothing_ = false;
-  busy_->begin(what);
+  busy_->begin(job.what);
   enable();
+}
+
+void WorkController::cancel() {
+  waiting_.reset();
+  if (!toTheEnd_) task_.cancel();
 }
 
 void WorkController::showSnapshot(const SessionSnapshot& snapshot) {

@@ -2,6 +2,8 @@
 
 #include <QStatusBar>
 
+#include <optional>
+
 #include "widgets/bridge/background_task.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/commands/action_catalogue.h"
@@ -18,13 +20,25 @@ class WorkController final : public QObject {
   WorkController(SessionBridge& bridge, const ActionCatalogue& actions, QStatusBar& bar);
 
   void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
-  /// Another work that is under way is cancelled.
-  void run(const QString& what, const BackgroundTask::Work& work);
-  void cancel() { task_.cancel(); }
+  /// Another work that is under way is cancelled, unless it is one to be finished: then this one waits,
+  /// in place of another that did.
+  void run(const QString& what, const BackgroundTask::Work& work) { run({what, work, false}); }
+  /// Only the user ends it early.
+  void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
+  /// Ends what need not be finished.
+  void cancel();
   /// Smoothing goes on in the session; it is shown and cancelled here like all else.
   void showSnapshot(const SessionSnapshot& snapshot);
 
  private:
+  struct Job {
+    QString what;
+    BackgroundTask::Work work;
+    bool toTheEnd;
+  };
+
+  void run(const Job& job);
+  void begin(const Job& job);
   void cancelAll();
   void enable();
 
@@ -34,6 +48,8 @@ class WorkController final : public QObject {
   BackgroundTask task_;
   bool atOnce_;
   bool smoothing_ = false;
+  bool toTheEnd_ = false;  ///< what is under way
+  std::optional<Job> waiting_;
 };
 
 }  // namespace glissade

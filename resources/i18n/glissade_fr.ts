@@ -1870,16 +1870,16 @@
         <translation>Glissade s&apos;est arrêté brusquement pendant un calcul. Son enregistrement est toujours là.</translation>
     </message>
     <message>
-        <source>Save...</source>
-        <translation>Enregistrer...</translation>
+        <source>&amp;Save...</source>
+        <translation>&amp;Enregistrer...</translation>
     </message>
     <message>
-        <source>Discard</source>
-        <translation>Supprimer</translation>
+        <source>&amp;Discard</source>
+        <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>Later</source>
-        <translation>Plus tard</translation>
+        <source>&amp;Later</source>
+        <translation>&amp;Plus tard</translation>
     </message>
     <message>
         <source>&amp;Study</source>

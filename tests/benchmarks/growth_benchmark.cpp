@@ -151,8 +151,9 @@ void registerPlanners() {
         return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
       },
       1'000'000);
-  registerPlanner("OMPL's RRT", ompl(OmplAlgorithm::Rrt), 1'000'000);
-  registerPlanner("OMPL's RRT-Connect", ompl(OmplAlgorithm::RrtConnect), 1'000'000);
+  // A tree of a million nodes takes OMPL's planners more than an hour.
+  registerPlanner("OMPL's RRT", ompl(OmplAlgorithm::Rrt), 100'000);
+  registerPlanner("OMPL's RRT-Connect", ompl(OmplAlgorithm::RrtConnect), 100'000);
 }
 
 // --- collision checks ---

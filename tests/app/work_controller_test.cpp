@@ -1,0 +1,65 @@
+#include "app/window/work_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <QThread>
+#include <QtTest>
+#include <atomic>
+
+namespace glissade {
+namespace {
+
+class Works : public testing::Test {
+ protected:
+  /// Goes on until it is let go or stopped.
+  BackgroundTask::Work work(bool& delivered) {
+    return [this, &delivered](const WorkWatch& watch) -> BackgroundTask::Delivery {
+      while (!go && !watch.stop.stopRequested()) QThread::msleep(1);
+      return [&delivered] { delivered = true; };
+    };
+  }
+
+  void TearDown() override { go = true; }
+
+  std::atomic<bool> go{false};
+  bool first = false;
+  bool second = false;
+  bool third = false;
+  QStatusBar bar;
+  ActionCatalogue actions{nullptr};
+  SessionBridge bridge{SessionClock::RealTime};
+  WorkController works{bridge, actions, bar};
+};
+
+TEST_F(Works, TakeEachOthersPlace) {
+  works.run(QStringLiteral("first"), work(first));
+  works.run(QStringLiteral("second"), work(second));
+  go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second; }));
+  EXPECT_FALSE(first);
+}
+
+TEST_F(Works, WaitForOneThatIsToBeFinished) {
+  works.runToEnd(QStringLiteral("first"), work(first));
+  works.run(QStringLiteral("second"), work(second));
+  works.run(QStringLiteral("third"), work(third));  // in place of the second
+  go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return first && third; }));
+  EXPECT_FALSE(second);
+  EXPECT_FALSE(actions[QStringLiteral("work.cancel")]->isEnabled());
+}
+
+TEST_F(Works, OnlyTheUserEndsOneThatIsToBeFinished) {
+  works.runToEnd(QStringLiteral("first"), work(first));
+  works.cancel();
+  QAction* cancel = actions[QStringLiteral("work.cancel")];
+  EXPECT_TRUE(cancel->isEnabled());
+  works.run(QStringLiteral("second"), work(second));
+  cancel->trigger();
+  go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return second; }));
+  EXPECT_FALSE(first);
+}
+
+}  // namespace
+}  // namespace glissade
