@@ -34,6 +34,7 @@ enum class ParameterId : std::size_t {
   OmplRange,
   OmplResolution,
   Tuning,
+  Lanes,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -82,8 +82,10 @@ class Planner {
   /// How many of its stages it has done, where it works in stages: in a portfolio one that gets on has
   /// more of the time.
   virtual std::size_t stagesDone() const { return 0; }
-  /// Of a portfolio: the member that has the turn, or that found the path; empty otherwise.
+  /// Of a portfolio: the members that have the turn, or the one that found the path; empty otherwise.
   virtual std::string member() const { return {}; }
+  /// What threads of its own, beside the one that calls solve(), have had of the processor.
+  virtual double helpersCpuSeconds() const { return 0.0; }
   /// What its tuner has set; nothing where nothing sets itself.
   virtual std::optional<TuningReport> tuning() const { return std::nullopt; }
 };

@@ -67,7 +67,7 @@ struct SessionSnapshot {
   PlannerCounts counts;
   double virtualSeconds = 0.0;      ///< the operator's clock: real time in the window, lockstep time headless
   double planningSeconds = 0.0;     ///< time spent planning, pauses excluded
-  double planningCpuSeconds = 0.0;  ///< of the planner's thread; known between its turns only
+  double planningCpuSeconds = 0.0;  ///< of all threads that plan; known between the planner's turns only
   Author authority = Author::Computer;
   bool contactMode = false;
   OperatorSample device;  ///< q_device and its nearest obstacle

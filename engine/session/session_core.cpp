@@ -1,10 +1,9 @@
 #include "engine/session/session_core.h"
 
-#include <time.h>
-
 #include <exception>
 #include <sstream>
 
+#include "engine/base/cpu_time.h"
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/smoothing/shortcuts.h"
@@ -24,12 +23,8 @@ std::string grouped(std::uint64_t count) {
   return digits;
 }
 
-/// What this thread has had of the processor.
-double threadCpuSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
+/// What planning has cost so far on this thread and on the planner's own.
+double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + planner.helpersCpuSeconds(); }
 
 }  // namespace
 
@@ -153,7 +148,7 @@ void SessionCore::startRun() {
 void SessionCore::plan(const Hooks& hooks) {
   Host host(*this, hooks);
   planningSince_ = std::chrono::steady_clock::now();
-  const double cpuBefore = threadCpuSeconds();
+  const double cpuBefore = cpuSeconds(*planner_);
   try {
     if (planner_->solve(host)) {
       planned_ = std::make_shared<const Path>(*planner_->path());
@@ -168,7 +163,7 @@ void SessionCore::plan(const Hooks& hooks) {
   }
   spent_ += std::chrono::steady_clock::now() - *planningSince_;
   planningSince_.reset();
-  cpuSpent_ += threadCpuSeconds() - cpuBefore;
+  cpuSpent_ += cpuSeconds(*planner_) - cpuBefore;
 }
 
 /// The delivered path has its clearance bounded closely, where there is time for it.

@@ -1,5 +1,6 @@
 #include "engine/planning/automatic/automatic_planner.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "engine/planning/goal_roots.h"
@@ -13,23 +14,18 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   return contenders;
 }
 
-/// What the members do, in quarters of a yes/no query. An iteration looks for neighbours; a draw that
-/// is discarded at once costs next to nothing, so that steps do not count but for one a turn.
-constexpr std::uint64_t kCollisionWork = 4;
-constexpr std::uint64_t kDistanceWork = 16;
-constexpr std::uint64_t kMotionWork = 80;
-constexpr std::uint64_t kIterationWork = 8;
-constexpr std::uint64_t kTurnWork = 1;
-
-std::uint64_t workOf(const PlannerCounts& counts) {
-  return kCollisionWork * counts.queries.collision + kDistanceWork * counts.queries.distance +
-         kMotionWork * counts.queries.motion + kIterationWork * counts.iterations;
-}
+/// Work of a lane in a round: some milliseconds, so that waiting for the slowest costs little, and that
+/// commands and snapshots still come often enough.
+constexpr std::uint64_t kQuantum = 10'000;
 
 }  // namespace
 
-AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed)
-    : seed_(seed), members_(makeMembers(problem)), portfolio_(contendersOf(members_)), lives_(members_.size()) {
+AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, std::size_t mostThreads)
+    : seed_(seed),
+      mostThreads_(std::max<std::size_t>(1, mostThreads)),
+      members_(makeMembers(problem)),
+      portfolio_(contendersOf(members_)),
+      lives_(members_.size()) {
   roadmap_.nodes.push_back({problem.start, Author::Computer, TreeSide::Start});
   updateCounts();
   const auto query = problem.world->makeQuery();
@@ -42,43 +38,84 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed)
 AutomaticPlanner::~AutomaticPlanner() = default;
 
 std::string AutomaticPlanner::member() const {
-  return active_ == Portfolio::kNobody ? std::string() : members_[active_].name;
+  if (path_) return solver_;
+  std::string names;
+  for (const Part& part : parts_) names += (names.empty() ? "" : ", ") + members_[part.member].name;
+  return names;
 }
 
 bool AutomaticPlanner::solve(PlannerHost& host) {
-  while (!path_ && !failure_) {
-    turn(host);
+  while (owedTurns_ > 0 || (!path_ && !failure_)) {
+    if (owedTurns_ == 0) round(host);
+    --owedTurns_;
     updateCounts();
     if (!host.afterStep()) break;
   }
   return path_.has_value();
 }
 
-void AutomaticPlanner::turn(PlannerHost& host) {
-  active_ = portfolio_.next();
-  std::unique_ptr<SubPlanner>& life = lives_[active_];
+void AutomaticPlanner::round(PlannerHost& host) {
+  const auto lanes = static_cast<std::size_t>(host.parameters().integer(ParameterId::Lanes));
+  parts_.clear();
+  for (const std::size_t member : portfolio_.next(lanes)) parts_.push_back({member, {}});
+  runParts(host, lanes);
+  for (const Part& part : parts_) {
+    lives_[part.member]->collect(roadmap_);
+    portfolio_.charge(part.member, part.result.work);
+    if (part.result.gotOn) portfolio_.encourage(part.member);
+    owedTurns_ += part.result.turns;
+  }
+  deliver();
+  for (const Part& part : parts_) settle(part);
+}
+
+/// One lane has turns of a step, as they come.
+void AutomaticPlanner::runParts(PlannerHost& host, std::size_t lanes) {
+  if (lanes == 1) {
+    work(parts_.front(), host, 0);
+    return;
+  }
+  if (!team_) team_ = std::make_unique<ThreadTeam>(std::min(lanes, mostThreads_) - 1);
+  RoundHost roundHost(host);
+  team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, kQuantum); });
+}
+
+void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum) {
+  std::unique_ptr<SubPlanner>& life = lives_[part.member];
   if (!life) {
-    life = std::make_unique<SubPlanner>(members_[active_].make(seedOf(active_)),
+    life = std::make_unique<SubPlanner>(members_[part.member].make(seedOf(part.member)),
                                         std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
-  const std::uint64_t before = workOf(roadmap_.counts);
-  const std::size_t stagesBefore = life->planner().stagesDone();
-  const SubPlanner::State state = life->step(host, roadmap_);
-  portfolio_.charge(active_, workOf(roadmap_.counts) - before + kTurnWork);
-  if (life->planner().stagesDone() > stagesBefore) portfolio_.encourage(active_);
-  if (state == SubPlanner::State::Solved) {
-    path_ = *life->planner().path();
-  } else if (state == SubPlanner::State::Failed && members_[active_].contender.restart == Restart::Never) {
-    const auto reason = life->planner().failure();
-    portfolio_.retire(active_);
-    life->complete(roadmap_);
-    life.reset();
-    if (portfolio_.next() == Portfolio::kNobody) failure_ = reason;
-  } else if (state == SubPlanner::State::Failed || portfolio_.lifeIsOver(active_)) {
-    portfolio_.restart(active_);
-    life->complete(roadmap_);
-    life.reset();
+  part.result = runLane(*life, host, quantum);
+}
+
+/// The path of who needed least work in this round, the first among equals.
+void AutomaticPlanner::deliver() {
+  const Part* best = nullptr;
+  for (const Part& part : parts_) {
+    const bool solved = part.result.state == SubPlanner::State::Solved;
+    if (solved && (best == nullptr || part.result.work < best->result.work)) best = &part;
   }
+  if (best == nullptr) return;
+  path_ = *lives_[best->member]->planner().path();
+  solver_ = members_[best->member].name;
+}
+
+/// Lives that are over make room for the next one.
+void AutomaticPlanner::settle(const Part& part) {
+  std::unique_ptr<SubPlanner>& life = lives_[part.member];
+  const SubPlanner::State state = part.result.state;
+  if (state == SubPlanner::State::Solved) return;
+  if (state == SubPlanner::State::Failed && members_[part.member].contender.restart == Restart::Never) {
+    portfolio_.retire(part.member);
+    if (!path_ && portfolio_.next() == Portfolio::kNobody) failure_ = life->planner().failure();
+  } else if (state == SubPlanner::State::Failed || portfolio_.lifeIsOver(part.member)) {
+    portfolio_.restart(part.member);
+  } else {
+    return;
+  }
+  life->complete(roadmap_);
+  life.reset();
 }
 
 void AutomaticPlanner::completeRoadmap() {
@@ -89,10 +126,11 @@ void AutomaticPlanner::completeRoadmap() {
 }
 
 void AutomaticPlanner::updateCounts() {
-  PlannerCounts& counts = roadmap_.counts;
-  counts.nodes = roadmap_.nodes.size();
-  counts.droppedEdges = roadmap_.droppedEdges.size();
-  counts.edges = 2 * (roadmap_.edges.size() - roadmap_.droppedEdges.size());
+  counts_ = roadmap_.counts;
+  counts_.steps -= std::min(owedTurns_, counts_.steps);
+  counts_.nodes = roadmap_.nodes.size();
+  counts_.droppedEdges = roadmap_.droppedEdges.size();
+  counts_.edges = 2 * (roadmap_.edges.size() - roadmap_.droppedEdges.size());
 }
 
 /// Of the present life of a member.

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <thread>
 #include <vector>
 
+#include "engine/base/thread_team.h"
+#include "engine/planning/automatic/lane.h"
 #include "engine/planning/automatic/member.h"
-#include "engine/planning/fine/sub_planner.h"
 
 namespace glissade {
 
@@ -12,12 +14,21 @@ namespace glissade {
 /// work (collision and distance queries, never seconds, so that a seed gives one roadmap on every
 /// machine), starts afresh when a life of it is over, and the first certified path ends the run.
 ///
-/// The roadmap is that of all members, in the order in which it grew, also of lives that are over; of
-/// members that plan with another object than the given one, only what holds for the given one.
+/// With several lanes (parameter `lanes`) it goes in rounds: as many members as there are lanes work
+/// side by side, each for the same quantum of work, and what they grew and cost is added up in the order
+/// in which the portfolio dealt it. The result depends on the seed and the lanes, not on how many threads
+/// carry them out nor on how fast these are. Of several paths found in a round the one that took the
+/// least work in it counts. The host is asked by the calling thread only, once for every turn, after the
+/// round.
+///
+/// The roadmap is that of all members, in the order in which it was collected, also of lives that are
+/// over; of members that plan with another object than the given one, only what holds for the given one.
 /// Counts are summed over all members and lives.
 class AutomaticPlanner final : public Planner {
  public:
-  AutomaticPlanner(const Problem& problem, std::uint64_t seed);
+  /// At most so many threads, the calling one included, carry out the lanes.
+  AutomaticPlanner(const Problem& problem, std::uint64_t seed,
+                   std::size_t mostThreads = std::thread::hardware_concurrency());
   ~AutomaticPlanner() override;
 
   bool solve(PlannerHost& host) override;
@@ -26,25 +37,41 @@ class AutomaticPlanner final : public Planner {
   const std::vector<RoadmapNode>& nodes() const override { return roadmap_.nodes; }
   const std::vector<RoadmapEdge>& edges() const override { return roadmap_.edges; }
   const std::vector<std::uint32_t>& droppedEdges() const override { return roadmap_.droppedEdges; }
-  const PlannerCounts& counts() const override { return roadmap_.counts; }
+  const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
   Author authority() const override { return Author::Computer; }
   bool inContactMode() const override { return false; }
   std::optional<Diagnostic> failure() const override { return failure_; }
   std::string member() const override;
+  double helpersCpuSeconds() const override { return team_ ? team_->helpersCpuSeconds() : 0.0; }
 
  private:
-  void turn(PlannerHost& host);
+  /// A member's part in a round.
+  struct Part {
+    std::size_t member;
+    LaneResult result;
+  };
+
+  void round(PlannerHost& host);
+  void runParts(PlannerHost& host, std::size_t lanes);
+  void work(Part& part, PlannerHost& host, std::uint64_t quantum);
+  void settle(const Part& part);
+  void deliver();
   void updateCounts();
   std::uint64_t seedOf(std::size_t member) const;
 
   std::uint64_t seed_;
+  std::size_t mostThreads_;
   std::vector<Member> members_;
   Portfolio portfolio_;
   std::vector<std::unique_ptr<SubPlanner>> lives_;  ///< per member; null before a life
-  std::size_t active_ = Portfolio::kNobody;         ///< whose turn it was last
+  std::vector<Part> parts_;                         ///< of the last round, in the order dealt
+  std::uint64_t owedTurns_ = 0;                     ///< of the last round, that the host was not told of yet
+  std::unique_ptr<ThreadTeam> team_;                ///< once there is more than one lane
   SharedRoadmap roadmap_;
+  PlannerCounts counts_;  ///< without the steps of the turns owed
   std::optional<Path> path_;
+  std::string solver_;
   std::optional<Diagnostic> failure_;
 };
 

@@ -4,6 +4,7 @@ namespace glissade {
 
 CollisionWorldPtr ErodedWorlds::at(double depth) {
   if (depth == 0.0) return world_;
+  const std::lock_guard lock(mutex_);
   CollisionWorldPtr& world = built_[depth];
   if (!world) {
     if (!object_) object_.emplace(world_->object());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <mutex>
 #include <optional>
 
 #include "engine/planning/automatic/erodible_mesh.h"
@@ -8,7 +9,8 @@
 
 namespace glissade {
 
-/// The world with the object eroded by this or that depth, each built once. Not shared by threads.
+/// The world with the object eroded by this or that depth, each built once. Shared by threads: one
+/// that wants a depth waits while another is built.
 class ErodedWorlds {
  public:
   explicit ErodedWorlds(CollisionWorldPtr world) : world_(std::move(world)) {}
@@ -17,6 +19,7 @@ class ErodedWorlds {
   CollisionWorldPtr at(double depth);
 
  private:
+  std::mutex mutex_;  ///< of what follows but the first
   CollisionWorldPtr world_;
   std::optional<ErodibleMesh> object_;  ///< once it is needed
   std::map<double, CollisionWorldPtr> built_;

@@ -45,6 +45,19 @@ std::size_t Portfolio::next() const {
   return best != kNobody ? best : first;
 }
 
+std::vector<std::size_t> Portfolio::next(std::size_t turns) const {
+  const std::size_t first = next();
+  if (first == kNobody || turns < 2) return std::vector<std::size_t>(first == kNobody ? 0 : 1, first);
+  std::vector<std::size_t> dealt;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (i == first || (!states_[i].retired && states_[i].contender.entry <= total_)) dealt.push_back(i);
+  }
+  std::stable_sort(dealt.begin(), dealt.end(),
+                   [&](std::size_t a, std::size_t b) { return states_[a].virtualWork < states_[b].virtualWork; });
+  dealt.resize(std::min(dealt.size(), turns));
+  return dealt;
+}
+
 /// Whoever comes late is dealt as much as the others from now on; what they have had is theirs.
 void Portfolio::enter(State& late) {
   late.entered = true;

@@ -39,6 +39,9 @@ class Portfolio {
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
+  /// Whose turns these are, at the same time: a turn each, by whose it is first, and fewer than asked for
+  /// where there are not as many. Nobody enters early for them.
+  std::vector<std::size_t> next(std::size_t turns) const;
   /// What the turn has cost.
   void charge(std::size_t contender, std::uint64_t work);
   /// It has got on: its share is four times what it was at first, its patience the same as then.

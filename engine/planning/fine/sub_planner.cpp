@@ -26,9 +26,14 @@ class OneStep final : public PlannerHost {
 }  // namespace
 
 SubPlanner::State SubPlanner::step(PlannerHost& host, SharedRoadmap& roadmap) {
+  const State state = advance(host);
+  collect(roadmap);
+  return state;
+}
+
+SubPlanner::State SubPlanner::advance(PlannerHost& host) {
   OneStep one(host, region_.get());
   const bool solved = planner_->solve(one);
-  collect(roadmap);
   if (solved) return State::Solved;
   const bool spent = randomConfigurations() >= samples_ && !planner_->inContactMode();
   return planner_->failure() || spent ? State::Failed : State::Running;

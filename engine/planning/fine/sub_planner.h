@@ -23,15 +23,19 @@ class SubPlanner {
   enum class State { Running, Solved, Failed };
   /// One step; what it grew and cost is added to the roadmap.
   State step(PlannerHost& host, SharedRoadmap& roadmap);
+  /// One step alone: to be followed, some time, by collect().
+  State advance(PlannerHost& host);
+  /// Adds what was grown and spent since the last time.
+  void collect(SharedRoadmap& roadmap);
   /// Adds what the planner has grown but not listed yet (Planner::completeRoadmap).
   void complete(SharedRoadmap& roadmap);
 
   const Planner& planner() const { return *planner_; }
   std::uint64_t randomConfigurations() const { return planner_->counts().randomConfigurations; }
+  /// What collect() has added so far.
+  const PlannerCounts& collected() const { return counted_; }
 
  private:
-  void collect(SharedRoadmap& roadmap);
-
   std::unique_ptr<Planner> planner_;
   std::uint64_t samples_;
   SamplingRegionPtr region_;
