@@ -17,9 +17,10 @@ struct Entry {
   PlannerRegistry (*registry)();
   std::string name;  ///< of the registry
   std::string id;
+  int lanes;
 
   friend std::ostream& operator<<(std::ostream& stream, const Entry& entry) {
-    return stream << entry.name << ' ' << entry.id;
+    return stream << entry.name << ' ' << entry.id << ' ' << entry.lanes;
   }
 };
 
@@ -27,10 +28,11 @@ std::vector<Entry> allEntries() {
   std::vector<Entry> all;
   const auto addFrom = [&](PlannerRegistry (*make)(), const char* name) {
     const PlannerRegistry registry = make();
-    for (const PlannerEntry& entry : registry.entries()) all.push_back({make, name, entry.id});
+    for (const PlannerEntry& entry : registry.entries()) all.push_back({make, name, entry.id, 1});
   };
   addFrom(makePlannerRegistry, "whole");
   addFrom(makeLocalPlannerRegistry, "local");
+  for (const int lanes : {2, 4}) all.push_back({makePlannerRegistry, "whole", "auto", lanes});
   return all;
 }
 
@@ -44,13 +46,18 @@ class PlannerConformance : public testing::TestWithParam<Entry> {
   std::unique_ptr<Planner> make(const Problem& problem, std::uint64_t seed = 1) const {
     return GetParam().registry().find(GetParam().id)->make(problem, seed);
   }
+  TestHost hostFor(const Problem& problem, std::uint64_t maxSteps = 20000) const {
+    TestHost host(problem, maxSteps);
+    EXPECT_TRUE(host.values.set(ParameterId::Lanes, GetParam().lanes));
+    return host;
+  }
   bool complete() const { return GetParam().registry().find(GetParam().id)->complete; }
 };
 
 TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
   const Problem problem = windowProblem();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    TestHost host(problem);
+    TestHost host = hostFor(problem);
     ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));  // those that give up do it soon
     const auto planner = make(problem, seed);
     const bool solved = planner->solve(host);
@@ -74,7 +81,7 @@ TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
 
 TEST_P(PlannerConformance, CountsAreThoseOfTheRoadmap) {
   const Problem problem = windowProblem();
-  TestHost host(problem);
+  TestHost host = hostFor(problem);
   const auto planner = make(problem);
   ASSERT_TRUE(planner->solve(host) || !complete());
   const PlannerCounts& counts = planner->counts();
@@ -93,7 +100,7 @@ TEST_P(PlannerConformance, CountsAreThoseOfTheRoadmap) {
 TEST_P(PlannerConformance, SameSeedGrowsTheSameRoadmapBitByBitHoweverOftenItIsInterrupted) {
   const Problem problem = windowProblem();
   const auto whole = make(problem, 3);
-  TestHost host(problem);
+  TestHost host = hostFor(problem);
   host.sample = operatorAt(problem, Pose::translation({-0.4, 0.1, 0.05}));
   const bool solved = whole->solve(host);
   ASSERT_TRUE(solved || whole->failure());
@@ -112,7 +119,7 @@ TEST_P(PlannerConformance, DifferentSeedsGrowDifferentRoadmaps) {
   const Problem problem = complete() ? closedProblem() : windowProblem();
   std::set<double> seen;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    TestHost host(problem, 40);
+    TestHost host = hostFor(problem, 40);
     const auto planner = make(problem, seed);
     planner->solve(host);
     double sum = 0.0;
@@ -124,7 +131,7 @@ TEST_P(PlannerConformance, DifferentSeedsGrowDifferentRoadmaps) {
 
 TEST_P(PlannerConformance, EveryNodeIsFreeAndEveryEdgeWasCheckedAtItsEnds) {
   const Problem problem = windowProblem();
-  TestHost host(problem, 300);
+  TestHost host = hostFor(problem, 300);
   host.sample = operatorAt(problem, Pose::translation({-0.35, 0.2, 0.1}));
   const auto planner = make(problem, 2);
   planner->solve(host);
@@ -142,7 +149,7 @@ TEST_P(PlannerConformance, EveryNodeIsFreeAndEveryEdgeWasCheckedAtItsEnds) {
 
 TEST_P(PlannerConformance, EndsWithoutAPathWhenToldTo) {
   const Problem problem = closedProblem();
-  TestHost host(problem, 50);
+  TestHost host = hostFor(problem, 50);
   const auto planner = make(problem);
   EXPECT_FALSE(planner->solve(host));
   EXPECT_EQ(planner->path(), nullptr);
@@ -154,7 +161,7 @@ TEST_P(PlannerConformance, EndsWithoutAPathWhenToldTo) {
 
 TEST_P(PlannerConformance, AStopIsSeenInsideAStep) {
   const Problem problem = windowProblem();
-  TestHost host(problem);
+  TestHost host = hostFor(problem);
   StopSource source;
   source.requestStop();
   host.stop = source.token();
@@ -168,7 +175,7 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
   Problem problem = windowProblem();
   problem.goal = GoalOut{};
   problem.bounds = Box3(Vector3::Constant(-5.0), Vector3::Constant(5.0));
-  TestHost host(problem);
+  TestHost host = hostFor(problem);
   const auto planner = make(problem);
   if (!planner->solve(host)) {
     ASSERT_FALSE(complete());
@@ -181,6 +188,7 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
 
 std::string testName(const testing::TestParamInfo<Entry>& parameter) {
   std::string name = parameter.param.name + "_" + parameter.param.id;
+  if (parameter.param.lanes > 1) name += "_" + std::to_string(parameter.param.lanes) + "_lanes";
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }

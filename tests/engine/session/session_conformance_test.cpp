@@ -98,6 +98,22 @@ TEST_P(SessionConformance, StopKeepsWhatWasFoundAndARestartBeginsAnew) {
   EXPECT_NE(session->snapshot()->roadmap.empty() ? nullptr : session->snapshot()->roadmap[0], stopped->roadmap[0]);
 }
 
+TEST_P(SessionConformance, PlannersSideBySideAreShownAndStopped) {
+  SessionConfig config = sessionConfig(closedProblem());
+  config.plannerId = "auto";
+  ASSERT_TRUE(config.parameters.set(ParameterId::Lanes, 4));
+  const auto session = make(std::move(config));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 2000 && !s.member.empty(); }));
+  EXPECT_NE(session->snapshot()->member.find(", "), std::string::npos);
+  session->post(command::Stop{});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  const SnapshotPtr stopped = session->snapshot();
+  EXPECT_EQ(stopped->state, SessionState::Stopped);
+  EXPECT_EQ(allNodes(stopped->roadmap).size(), stopped->counts.nodes);
+  EXPECT_GT(stopped->planningCpuSeconds, 0.0);
+}
+
 TEST_P(SessionConformance, ParametersChangeWhileItRunsAndAreLogged) {
   const auto session = make(sessionConfig(closedProblem()));
   session->post(command::Start{});

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/automatic/eroded_worlds.h"
+#include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/automatic/retraction.h"
 #include "tests/engine/support/test_worlds.h"
 

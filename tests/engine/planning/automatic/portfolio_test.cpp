@@ -51,6 +51,34 @@ TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
   EXPECT_EQ(portfolio.next(), Portfolio::kNobody);
 }
 
+TEST(Portfolio, DealsTurnsAtTheSameTimeToDistinctOnesByWhoseItIsFirst) {
+  Portfolio portfolio({{1.0}, {2.0}, {1.0}, {1.0, 0, 0, Restart::Never, 1000}});
+  portfolio.charge(0, 30);
+  portfolio.charge(1, 40);  // for twice the share: 20
+  portfolio.charge(2, 10);
+  using Turns = std::vector<std::size_t>;
+  EXPECT_EQ(portfolio.next(1), Turns({2}));
+  EXPECT_EQ(portfolio.next(2), Turns({2, 1}));
+  EXPECT_EQ(portfolio.next(8), Turns({2, 1, 0}));  // nobody enters early
+  portfolio.retire(1);
+  EXPECT_EQ(portfolio.next(8), Turns({2, 0}));
+  portfolio.retire(0);
+  portfolio.retire(2);
+  EXPECT_EQ(portfolio.next(8), Turns({3}));  // there is nobody else
+  portfolio.retire(3);
+  EXPECT_EQ(portfolio.next(8), Turns());
+}
+
+TEST(Portfolio, SharesHoldForTurnsAtTheSameTimeAsFarAsDistinctOnesAllow) {
+  Portfolio portfolio({{1.0}, {1.0}, {2.0}});
+  for (int round = 0; round < 1000; ++round) {
+    for (const std::size_t who : portfolio.next(2)) portfolio.charge(who, 10);
+  }
+  EXPECT_NEAR(static_cast<double>(portfolio.work(2)), 10'000.0, 20.0);  // half of all: in every round
+  EXPECT_NEAR(static_cast<double>(portfolio.work(0)), 5'000.0, 20.0);
+  EXPECT_NEAR(static_cast<double>(portfolio.work(1)), 5'000.0, 20.0);
+}
+
 TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
   Portfolio portfolio({{2.0, 1000}, {2.0}});
   const auto ratioUntil = [&](std::uint64_t worth) {

@@ -1,0 +1,145 @@
+// Members of the automatic planner that work side by side.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <thread>
+
+#include "engine/planning/automatic/automatic_planner.h"
+#include "tests/engine/support/test_host.h"
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+TestHost hostWithLanes(const Problem& problem, int lanes, std::uint64_t steps) {
+  TestHost host(problem, steps);
+  EXPECT_TRUE(host.values.set(ParameterId::Lanes, lanes));
+  return host;
+}
+
+/// Two windows that are not in line: no direct motion leads through both.
+Problem twoWindows() {
+  Problem problem = windowProblem();
+  std::vector<RigidBody> walls = problem.world->obstacles();
+  for (RigidBody wall : problem.world->obstacles()) {
+    wall.id += " behind";
+    wall.X_WB.position += Vector3(0.9, 0.7, -0.7);
+    walls.push_back(wall);
+  }
+  problem.world = CollisionWorld::build(walls, std::make_shared<const TriangleMesh>(problem.world->object()));
+  return problem;
+}
+
+/// All that a run comes to.
+struct Trace {
+  bool solved;
+  std::string member;
+  std::vector<Pose> path;
+  std::vector<Pose> nodes;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  std::vector<std::uint64_t> counts;
+
+  friend bool operator==(const Trace& a, const Trace& b) {
+    return a.solved == b.solved && a.member == b.member && a.path == b.path && a.nodes == b.nodes &&
+           a.edges == b.edges && a.counts == b.counts;
+  }
+};
+
+Trace traceOf(const Problem& problem, std::uint64_t seed, int lanes, std::size_t threads, std::uint64_t steps) {
+  TestHost host = hostWithLanes(problem, lanes, steps);
+  AutomaticPlanner planner(problem, seed, threads);
+  Trace trace;
+  trace.solved = planner.solve(host);
+  planner.completeRoadmap();
+  trace.member = planner.member();
+  if (trace.solved) trace.path = planner.path()->configurations();
+  for (const RoadmapNode& node : planner.nodes()) trace.nodes.push_back(node.q);
+  for (const RoadmapEdge& edge : planner.edges()) trace.edges.emplace_back(edge.from, edge.to);
+  const PlannerCounts& counts = planner.counts();
+  trace.counts = {counts.iterations,       counts.steps,         counts.randomConfigurations, counts.queries.collision,
+                  counts.queries.distance, counts.queries.motion};
+  return trace;
+}
+
+TEST(Lanes, SeedAndLanesDecideTheResultNotTheThreads) {
+  const Problem problem = twoWindows();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const Trace alone = traceOf(problem, seed, 4, 1, 1'000'000);
+    EXPECT_TRUE(alone.solved);
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      EXPECT_TRUE(traceOf(problem, seed, 4, threads, 1'000'000) == alone) << threads << " threads, seed " << seed;
+    }
+  }
+}
+
+/// Long enough for the members that enter late, several lives of the others, and OMPL's beside ours.
+TEST(Lanes, ALongSearchIsTheSameOnAnyNumberOfThreads) {
+  const Problem problem = closedProblem();
+  const Trace alone = traceOf(problem, 1, 4, 1, 50'000);
+  EXPECT_FALSE(alone.solved);
+  EXPECT_GT(alone.nodes.size(), 1000U);
+  EXPECT_TRUE(traceOf(problem, 1, 4, 4, 50'000) == alone);
+}
+
+TEST(Lanes, OtherLanesAreAnotherSearch) {
+  const Problem problem = closedProblem();
+  const auto nodes = [&](int lanes) { return traceOf(problem, 1, lanes, 4, 8'000).nodes; };
+  EXPECT_NE(nodes(1), nodes(2));
+  EXPECT_NE(nodes(2), nodes(3));
+}
+
+TEST(Lanes, TheHostIsAskedOnceForEachTurn) {
+  const Problem problem = closedProblem();
+  for (const int lanes : {1, 4}) {
+    TestHost host = hostWithLanes(problem, lanes, 5'000);
+    AutomaticPlanner planner(problem, 1);
+    planner.solve(host);
+    EXPECT_LE(planner.counts().steps, 5'000U);
+    EXPECT_GT(planner.counts().steps, 4'900U);
+  }
+}
+
+TEST(Lanes, NamesAllWhoseTurnItIs) {
+  const Problem problem = closedProblem();
+  TestHost host = hostWithLanes(problem, 2, 5'000);
+  AutomaticPlanner planner(problem, 1);
+  planner.solve(host);
+  const std::string names = planner.member();
+  const std::size_t comma = names.find(", ");
+  ASSERT_NE(comma, std::string::npos) << names;
+  EXPECT_NE(names.substr(0, comma), names.substr(comma + 2));
+}
+
+/// As a session's: it ends the run once it is stopped.
+class StoppableHost final : public PlannerHost {
+ public:
+  explicit StoppableHost(const TestHost& host) : host_(host) {}
+  std::optional<OperatorSample> operatorSample() override { return std::nullopt; }
+  const ParameterValues& parameters() const override { return host_.values; }
+  bool afterStep() override { return !stop.token().stopRequested(); }
+  const StopToken& stopToken() const override { return token_; }
+
+  StopSource stop;
+
+ private:
+  const TestHost& host_;
+  StopToken token_ = stop.token();
+};
+
+TEST(Lanes, AStopFromAnotherThreadEndsAllOfThem) {
+  const Problem problem = closedProblem();
+  const TestHost parameters = hostWithLanes(problem, 4, 1);
+  StoppableHost host(parameters);
+  AutomaticPlanner planner(problem, 1, 4);
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    host.stop.requestStop();
+  });
+  EXPECT_FALSE(planner.solve(host));
+  other.join();
+  EXPECT_EQ(planner.path(), nullptr);
+  EXPECT_FALSE(planner.failure());
+}
+
+}  // namespace
+}  // namespace glissade
