@@ -59,12 +59,13 @@ void AutomaticPlanner::round(PlannerHost& host) {
   parts_.clear();
   for (const std::size_t member : portfolio_.next(lanes)) parts_.push_back({member, {}});
   runParts(host, lanes);
+  std::vector<Portfolio::Turn> turns;
   for (const Part& part : parts_) {
     lives_[part.member]->collect(roadmap_);
-    portfolio_.charge(part.member, part.result.work);
-    if (part.result.gotOn) portfolio_.encourage(part.member);
+    turns.push_back({part.member, part.result.work});
     owedTurns_ += part.result.turns;
   }
+  portfolio_.charge(turns);
   deliver();
   for (const Part& part : parts_) settle(part);
 }
@@ -105,6 +106,7 @@ void AutomaticPlanner::deliver() {
 void AutomaticPlanner::settle(const Part& part) {
   std::unique_ptr<SubPlanner>& life = lives_[part.member];
   const SubPlanner::State state = part.result.state;
+  if (part.result.gotOn) portfolio_.encourage(part.member);
   if (state == SubPlanner::State::Solved) return;
   if (state == SubPlanner::State::Failed && members_[part.member].contender.restart == Restart::Never) {
     portfolio_.retire(part.member);

@@ -36,7 +36,7 @@ std::size_t Portfolio::next() const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const State& state = states_[i];
     if (state.retired) continue;
-    if (state.contender.entry > total_) {
+    if (state.contender.entry > elapsed_) {
       if (first == kNobody || state.contender.entry < states_[first].contender.entry) first = i;
     } else if (best == kNobody || state.virtualWork < states_[best].virtualWork) {
       best = i;
@@ -50,7 +50,7 @@ std::vector<std::size_t> Portfolio::next(std::size_t turns) const {
   if (first == kNobody || turns < 2) return std::vector<std::size_t>(first == kNobody ? 0 : 1, first);
   std::vector<std::size_t> dealt;
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (i == first || (!states_[i].retired && states_[i].contender.entry <= total_)) dealt.push_back(i);
+    if (i == first || (!states_[i].retired && states_[i].contender.entry <= elapsed_)) dealt.push_back(i);
   }
   std::stable_sort(dealt.begin(), dealt.end(),
                    [&](std::size_t a, std::size_t b) { return states_[a].virtualWork < states_[b].virtualWork; });
@@ -69,12 +69,17 @@ void Portfolio::enter(State& late) {
   if (std::isfinite(least)) late.virtualWork = std::max(late.virtualWork, least);
 }
 
-void Portfolio::charge(std::size_t contender, std::uint64_t work) {
-  total_ += work;
+void Portfolio::charge(const std::vector<Turn>& turns) {
+  std::uint64_t longest = 0;
+  for (const Turn& turn : turns) longest = std::max(longest, turn.work);
+  elapsed_ += longest;
   for (State& state : states_) {
-    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= total_) enter(state);
+    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= elapsed_) enter(state);
   }
-  State& state = states_[contender];
+  for (const Turn& turn : turns) debit(states_[turn.contender], turn.work);
+}
+
+void Portfolio::debit(State& state, std::uint64_t work) {
   state.work += work;
   state.lifeWork += work;
   state.virtualWork += static_cast<double>(work) / state.share;

@@ -24,7 +24,7 @@ struct Contender {
   std::uint64_t patience = 0;   ///< work without a path until the share is halved; 0: it stays
   std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
   Restart restart = Restart::Never;
-  std::uint64_t entry = 0;  ///< work of all before it first has a turn
+  std::uint64_t entry = 0;  ///< work before it first has a turn: of all; of turns at the same time the longest counts
 };
 
 /// Deals work out among contenders: the turn is the one's who has had least for his share. Patience that
@@ -42,8 +42,14 @@ class Portfolio {
   /// Whose turns these are, at the same time: a turn each, by whose it is first, and fewer than asked for
   /// where there are not as many. Nobody enters early for them.
   std::vector<std::size_t> next(std::size_t turns) const;
-  /// What the turn has cost.
-  void charge(std::size_t contender, std::uint64_t work);
+  struct Turn {
+    std::size_t contender;
+    std::uint64_t work;
+  };
+  /// What turns have cost that were had at the same time.
+  void charge(const std::vector<Turn>& turns);
+  /// What a turn has cost that was had alone.
+  void charge(std::size_t contender, std::uint64_t work) { charge({{contender, work}}); }
   /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
   /// The work of its present life is used up.
@@ -72,9 +78,10 @@ class Portfolio {
   };
 
   void enter(State& late);
+  void debit(State& state, std::uint64_t work);
 
   std::vector<State> states_;
-  std::uint64_t total_ = 0;
+  std::uint64_t elapsed_ = 0;  ///< work that entries are measured by
 };
 
 }  // namespace glissade
