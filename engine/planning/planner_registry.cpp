@@ -93,8 +93,9 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
 
 PlannerRegistry makePlannerRegistry() {
   PlannerRegistry registry;
-  registry.add({"auto", "Automatic", "Several planners take turns, dealt out by what each earns; no settings needed.",
-                false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+  registry.add({"auto", "Automatic",
+                "Several planners side by side and by turns, dealt out by what each earns; no settings needed.", false,
+                true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<AutomaticPlanner>(problem, seed);
                 }});
   addFirstPapersPlanners(registry);

@@ -76,6 +76,8 @@ Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario
     return Diagnostic{ErrorKind::MalformedInput, file, "/planner", "there is no planner '" + log.start.planner + "'",
                       "Replay it with the Glissade that recorded it: " + record.program + "."};
   }
+  // Records of earlier versions do not know it: the automatic planner had one.
+  if (record.parameters.count(ParameterId::Lanes) == 0) (void)log.start.parameters.set(ParameterId::Lanes, 1.0);
   const Outcome parameters = checkParameters(record, log.start.parameters);
   if (!parameters) return refuse(parameters.error());
   const Outcome semantics = checkSemantics(log, scenario);

@@ -200,6 +200,12 @@ TEST_F(ReplayLog, IsThatOfTheScenarioWhateverElseItSaysNow) {
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(ReplayLog, OfAVersionWithoutLanesHasOne) {
+  EXPECT_GT(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Lanes), 1);
+  record_.parameters.erase(ParameterId::Lanes);
+  EXPECT_EQ(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Lanes), 1);
+}
+
 TEST_F(ReplayLog, IsRefusedOnAnotherScenario) {
   scenario_->scenario.bodies[0].pose.position.x() += 1e-9;
   EXPECT_EQ(refusal(), "run.json: /problem_sha256");
