@@ -25,7 +25,8 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
       mostThreads_(std::max<std::size_t>(1, mostThreads)),
       members_(makeMembers(problem)),
       portfolio_(contendersOf(members_)),
-      lives_(members_.size()) {
+      lives_(members_.size()),
+      livesBegun_(members_.size(), 0) {
   roadmap_.nodes.push_back({problem.start, Author::Computer, TreeSide::Start});
   updateCounts();
   const auto query = problem.world->makeQuery();
@@ -40,7 +41,9 @@ AutomaticPlanner::~AutomaticPlanner() = default;
 std::string AutomaticPlanner::member() const {
   if (path_) return solver_;
   std::string names;
-  for (const Part& part : parts_) names += (names.empty() ? "" : ", ") + members_[part.member].name;
+  for (const Part& part : parts_) {
+    if (part.place == 0) names += (names.empty() ? "" : ", ") + members_[part.member].name;
+  }
   return names;
 }
 
@@ -56,18 +59,35 @@ bool AutomaticPlanner::solve(PlannerHost& host) {
 
 void AutomaticPlanner::round(PlannerHost& host) {
   const auto lanes = static_cast<std::size_t>(host.parameters().integer(ParameterId::Lanes));
-  parts_.clear();
-  for (const std::size_t member : portfolio_.next(lanes)) parts_.push_back({member, {}});
+  deal(lanes);
   runParts(host, lanes);
   std::vector<Portfolio::Turn> turns;
   for (const Part& part : parts_) {
-    lives_[part.member]->collect(roadmap_);
+    Life& life = lifeOf(part);
+    life.planner->collect(roadmap_);
+    life.work += part.result.work;
     turns.push_back({part.member, part.result.work});
     owedTurns_ += part.result.turns;
   }
   portfolio_.charge(turns);
   deliver();
   for (const Part& part : parts_) settle(part);
+}
+
+/// Of a member's lives those that have got on farthest come first.
+void AutomaticPlanner::deal(std::size_t lanes) {
+  const auto stages = [](const Life& life) { return life.planner ? life.planner->planner().stagesDone() : 0; };
+  for (std::vector<Life>& lives : lives_) {
+    std::stable_sort(lives.begin(), lives.end(), [&](const Life& a, const Life& b) { return stages(a) > stages(b); });
+  }
+  std::vector<std::size_t> dealt(members_.size(), 0);
+  parts_.clear();
+  for (const std::size_t member : portfolio_.next(lanes, kQuantum)) {
+    const Part& part = parts_.emplace_back(Part{member, dealt[member]++, {}});
+    if (part.place == lives_[member].size()) lives_[member].emplace_back();
+    Life& life = lifeOf(part);
+    if (life.number == 0) life.number = ++livesBegun_[member];
+  }
 }
 
 /// One lane has turns of a step, as they come.
@@ -82,12 +102,12 @@ void AutomaticPlanner::runParts(PlannerHost& host, std::size_t lanes) {
 }
 
 void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum) {
-  std::unique_ptr<SubPlanner>& life = lives_[part.member];
-  if (!life) {
-    life = std::make_unique<SubPlanner>(members_[part.member].make(seedOf(part.member)),
-                                        std::numeric_limits<std::uint64_t>::max(), nullptr);
+  Life& life = lifeOf(part);
+  if (!life.planner) {
+    auto planner = members_[part.member].make(seedOf(part.member, life.number), life.number);
+    life.planner = std::make_unique<SubPlanner>(std::move(planner), std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
-  part.result = runLane(*life, host, quantum);
+  part.result = runLane(*life.planner, host, quantum);
 }
 
 /// The path of who needed least work in this round, the first among equals.
@@ -98,31 +118,32 @@ void AutomaticPlanner::deliver() {
     if (solved && (best == nullptr || part.result.work < best->result.work)) best = &part;
   }
   if (best == nullptr) return;
-  path_ = *lives_[best->member]->planner().path();
+  path_ = *lifeOf(*best).planner->planner().path();
   solver_ = members_[best->member].name;
 }
 
-/// Lives that are over make room for the next one.
+/// Lives that are over make room for others.
 void AutomaticPlanner::settle(const Part& part) {
-  std::unique_ptr<SubPlanner>& life = lives_[part.member];
+  Life& life = lifeOf(part);
+  const Contender& contender = members_[part.member].contender;
   const SubPlanner::State state = part.result.state;
   if (part.result.gotOn) portfolio_.encourage(part.member);
   if (state == SubPlanner::State::Solved) return;
-  if (state == SubPlanner::State::Failed && members_[part.member].contender.restart == Restart::Never) {
+  const bool failed = state == SubPlanner::State::Failed;
+  if (!failed && life.work < lifeLength(contender, life.number)) return;
+  if (failed && contender.restart == Restart::Never) {
     portfolio_.retire(part.member);
-    if (!path_ && portfolio_.next() == Portfolio::kNobody) failure_ = life->planner().failure();
-  } else if (state == SubPlanner::State::Failed || portfolio_.lifeIsOver(part.member)) {
-    portfolio_.restart(part.member);
-  } else {
-    return;
+    if (!path_ && portfolio_.next() == Portfolio::kNobody) failure_ = life.planner->planner().failure();
   }
-  life->complete(roadmap_);
-  life.reset();
+  life.planner->complete(roadmap_);
+  life = {};
 }
 
 void AutomaticPlanner::completeRoadmap() {
-  for (const auto& life : lives_) {
-    if (life) life->complete(roadmap_);
+  for (std::vector<Life>& lives : lives_) {
+    for (Life& life : lives) {
+      if (life.planner) life.planner->complete(roadmap_);
+    }
   }
   updateCounts();
 }
@@ -135,9 +156,8 @@ void AutomaticPlanner::updateCounts() {
   counts_.edges = 2 * (roadmap_.edges.size() - roadmap_.droppedEdges.size());
 }
 
-/// Of the present life of a member.
-std::uint64_t AutomaticPlanner::seedOf(std::size_t member) const {
-  return RandomStream(seed_, members_[member].name + " life " + std::to_string(portfolio_.life(member))).bits();
+std::uint64_t AutomaticPlanner::seedOf(std::size_t member, std::uint64_t life) const {
+  return RandomStream(seed_, members_[member].name + " life " + std::to_string(life)).bits();
 }
 
 }  // namespace glissade

@@ -31,7 +31,9 @@ constexpr std::uint64_t kModelEntry = 8'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
 Member directMotions(const Problem& problem) {
-  return {"direct-motions", {1.0, 0, 0, Restart::Never, 0}, [problem](std::uint64_t) -> std::unique_ptr<Planner> {
+  return {"direct-motions",
+          {1.0, 0, 0, Restart::Never, 0},
+          [problem](std::uint64_t, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<DirectMotions>(problem);
           }};
 }
@@ -39,24 +41,24 @@ Member directMotions(const Problem& problem) {
 Member birrt(const Problem& problem) {
   return {"birrt",
           {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
-          [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+          [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<InteractiveContactBirrt>(problem, seed, OperatorUse::None);
           }};
 }
 
 Member rrtConnect(std::string name, const Contender& contender, const Problem& problem,
                   const RrtConnect::Options& options) {
-  return {std::move(name), contender, [problem, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
-            return std::make_unique<RrtConnect>(problem, seed, options,
-                                                std::make_unique<UniformSampler>(problem, seed));
-          }};
+  return {
+      std::move(name), contender, [problem, options](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
+        return std::make_unique<RrtConnect>(problem, seed, options, std::make_unique<UniformSampler>(problem, seed));
+      }};
 }
 
 /// The quickest where space is open but for a few bars and walls.
 Member bkpiece(const Problem& problem) {
   return {"ompl-bkpiece",
           {4.0, kShortPatience, kShortFirstLife, Restart::Luby, 0},
-          [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
+          [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<OmplPlanner>(problem, seed, OmplAlgorithm::Bkpiece);
           }};
 }
@@ -89,7 +91,7 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
   options.range = searchRange(problem, 0.03);
   return {"contact-slide",
           {0.5, kFirstLife, kFirstLife, Restart::Luby, kHardEntry},
-          [problem, worlds, options](std::uint64_t seed) -> std::unique_ptr<Planner> {
+          [problem, worlds, options](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             const double r = problem.world->objectRadius();
             auto sampler =
                 std::make_unique<ContactSlideSampler>(problem, seed, *worlds, 0.05 * r, tolerance::kContactGap * r);
@@ -105,15 +107,16 @@ constexpr double kErosions[] = {0.06, 0.07, 0.08};
 Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   constexpr double kShare = 4.0;
   constexpr std::uint64_t kFirstWork = 5'000;
-  ShrinkRepair::Options options;
-  options.growth = tolerance::kContactGap * problem.world->objectRadius();
-  options.search.range = searchRange(problem, 0.03);
+  ShrinkRepair::Options base;
+  base.growth = tolerance::kContactGap * problem.world->objectRadius();
+  base.search.range = searchRange(problem, 0.03);
   return {"shrink-repair",
           {kShare, kFirstLife, 0, Restart::Luby, kHardEntry},
-          [problem, worlds, options, life = std::uint64_t{0}](std::uint64_t seed) mutable -> std::unique_ptr<Planner> {
+          [problem, worlds, base](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
+            ShrinkRepair::Options options = base;
             const double draw = RandomStream(seed, "erosion").uniform() * std::size(kErosions);
             options.erosion = kErosions[static_cast<std::size_t>(draw)] * problem.world->objectRadius();
-            options.firstWork = kFirstWork * lubyTerm(++life);
+            options.firstWork = kFirstWork * lubyTerm(life);
             return std::make_unique<ShrinkRepair>(problem, seed, options, worlds);
           }};
 }
@@ -123,10 +126,11 @@ Member multiLayer(const Problem& problem) {
   std::uint64_t triangles = 0;
   for (const RigidBody& body : problem.world->obstacles()) triangles += body.mesh->triangles.size();
   const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry + kModelEntryPerTriangle * triangles;
-  return {
-      "gts", {1.0, kFirstLife, 0, Restart::Never, entry}, [problem](std::uint64_t seed) -> std::unique_ptr<Planner> {
-        return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
-      }};
+  return {"gts",
+          {1.0, kFirstLife, 0, Restart::Never, entry},
+          [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
+            return std::make_unique<MultiLayerPlanner>(problem, seed, rulesOf(problem, "gts"));
+          }};
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ namespace glissade {
 struct Member {
   std::string name;  ///< in reports
   Contender contender;
-  std::function<std::unique_ptr<Planner>(std::uint64_t seed)> make;
+  /// For a life with this number, from 1; called for several lives at once.
+  std::function<std::unique_ptr<Planner>(std::uint64_t seed, std::uint64_t life)> make;
 };
 
 /// The members that may solve this problem. Explicit, no static initialisers.

@@ -24,6 +24,17 @@ std::uint64_t lubyTerm(std::uint64_t i) {
   }
 }
 
+std::uint64_t lifeLength(const Contender& contender, std::uint64_t life) {
+  constexpr std::uint64_t kNoEnd = std::numeric_limits<std::uint64_t>::max();
+  if (contender.firstLife == 0) return kNoEnd;
+  switch (contender.restart) {
+    case Restart::Never: break;
+    case Restart::Luby: return contender.firstLife * lubyTerm(life);
+    case Restart::Doubling: return contender.firstLife << std::min<std::uint64_t>(life - 1, 40);
+  }
+  return kNoEnd;
+}
+
 Portfolio::Portfolio(std::vector<Contender> contenders) {
   for (const Contender& contender : contenders) {
     states_.push_back({contender, contender.share, contender.patience, contender.patience});
@@ -45,16 +56,18 @@ std::size_t Portfolio::next() const {
   return best != kNobody ? best : first;
 }
 
-std::vector<std::size_t> Portfolio::next(std::size_t turns) const {
-  const std::size_t first = next();
-  if (first == kNobody || turns < 2) return std::vector<std::size_t>(first == kNobody ? 0 : 1, first);
+std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) const {
   std::vector<std::size_t> dealt;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (i == first || (!states_[i].retired && states_[i].contender.entry <= elapsed_)) dealt.push_back(i);
+  Portfolio imagined = *this;
+  while (dealt.size() < turns) {
+    const std::size_t who = imagined.next();
+    if (who == kNobody) break;
+    State& state = imagined.states_[who];
+    if (!dealt.empty() && state.contender.entry > elapsed_) break;
+    dealt.push_back(who);
+    if (state.contender.restart == Restart::Never) state.retired = true;
+    debit(state, work);
   }
-  std::stable_sort(dealt.begin(), dealt.end(),
-                   [&](std::size_t a, std::size_t b) { return states_[a].virtualWork < states_[b].virtualWork; });
-  dealt.resize(std::min(dealt.size(), turns));
   return dealt;
 }
 
@@ -81,7 +94,6 @@ void Portfolio::charge(const std::vector<Turn>& turns) {
 
 void Portfolio::debit(State& state, std::uint64_t work) {
   state.work += work;
-  state.lifeWork += work;
   state.virtualWork += static_cast<double>(work) / state.share;
   while (state.patience > 0 && state.work >= state.lossAt) {
     state.lossAt += state.patience;
@@ -96,23 +108,6 @@ void Portfolio::encourage(std::size_t contender) {
   state.share = kGain * state.contender.share;
   state.patience = state.contender.patience;
   state.lossAt = state.work + state.patience;
-}
-
-bool Portfolio::lifeIsOver(std::size_t contender) const {
-  const State& state = states_[contender];
-  std::uint64_t length = state.contender.firstLife;
-  if (length == 0) return false;
-  switch (state.contender.restart) {
-    case Restart::Never: return false;
-    case Restart::Luby: length *= lubyTerm(state.life); break;
-    case Restart::Doubling: length <<= std::min<std::uint64_t>(state.life - 1, 40); break;
-  }
-  return state.lifeWork >= length;
-}
-
-void Portfolio::restart(std::size_t contender) {
-  ++states_[contender].life;
-  states_[contender].lifeWork = 0;
 }
 
 void Portfolio::retire(std::size_t contender) { states_[contender].retired = true; }

@@ -27,6 +27,9 @@ struct Contender {
   std::uint64_t entry = 0;  ///< work before it first has a turn: of all; of turns at the same time the longest counts
 };
 
+/// Work of a contender's life, by its number from 1; the largest number where it has no end.
+std::uint64_t lifeLength(const Contender& contender, std::uint64_t life);
+
 /// Deals work out among contenders: the turn is the one's who has had least for his share. Patience that
 /// is used up halves the share and doubles the patience, since what has failed so far is less likely to be
 /// what the problem needs; whoever gets on has more than at first. A pure value: no clock, no randomness, so that the
@@ -39,9 +42,9 @@ class Portfolio {
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
-  /// Whose turns these are, at the same time: a turn each, by whose it is first, and fewer than asked for
-  /// where there are not as many. Nobody enters early for them.
-  std::vector<std::size_t> next(std::size_t turns) const;
+  /// Whose turns these are, at the same time: those that would be dealt one after the other if each cost
+  /// `work`. Who has but one life has one of them; nobody enters early for them.
+  std::vector<std::size_t> next(std::size_t turns, std::uint64_t work) const;
   struct Turn {
     std::size_t contender;
     std::uint64_t work;
@@ -52,33 +55,25 @@ class Portfolio {
   void charge(std::size_t contender, std::uint64_t work) { charge({{contender, work}}); }
   /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
-  /// The work of its present life is used up.
-  bool lifeIsOver(std::size_t contender) const;
-  /// Begins the next life.
-  void restart(std::size_t contender);
   /// No more turns.
   void retire(std::size_t contender);
 
-  /// Lives begun, from 1.
-  std::uint64_t life(std::size_t contender) const { return states_[contender].life; }
   std::uint64_t work(std::size_t contender) const { return states_[contender].work; }
 
  private:
   struct State {
     Contender contender;
-    double share;                ///< at present
-    std::uint64_t lossAt;        ///< work at which it is halved next
-    std::uint64_t patience;      ///< from there to the next but one
-    std::uint64_t work = 0;      ///< in all lives
-    std::uint64_t lifeWork = 0;  ///< in the present one
-    std::uint64_t life = 1;
+    double share;              ///< at present
+    std::uint64_t lossAt;      ///< work at which it is halved next
+    std::uint64_t patience;    ///< from there to the next but one
+    std::uint64_t work = 0;    ///< in all lives
     double virtualWork = 0.0;  ///< work by share: the least has the turn
     bool entered = false;      ///< of one with an entry
     bool retired = false;
   };
 
   void enter(State& late);
-  void debit(State& state, std::uint64_t work);
+  static void debit(State& state, std::uint64_t work);
 
   std::vector<State> states_;
   std::uint64_t elapsed_ = 0;  ///< work that entries are measured by

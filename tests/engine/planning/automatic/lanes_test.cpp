@@ -101,7 +101,7 @@ TEST(Lanes, TheHostIsAskedOnceForEachTurn) {
 
 TEST(Lanes, NamesAllWhoseTurnItIs) {
   const Problem problem = closedProblem();
-  TestHost host = hostWithLanes(problem, 2, 5'000);
+  TestHost host = hostWithLanes(problem, 4, 5'000);
   AutomaticPlanner planner(problem, 1);
   planner.solve(host);
   const std::string names = planner.member();

@@ -26,7 +26,7 @@ TEST(Members, DeliverCertifiedPathsOrSayWhyNot) {
   int solved = 0;
   for (const Member& member : makeMembers(problem)) {
     TestHost host(problem);
-    const auto planner = member.make(3);
+    const auto planner = member.make(3, 1);
     if (!planner->solve(host)) {
       EXPECT_TRUE(planner->failure()) << member.name;
       continue;

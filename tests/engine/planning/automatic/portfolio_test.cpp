@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace glissade {
 namespace {
 
@@ -19,17 +21,17 @@ TEST(Portfolio, DealsWorkByShareWhateverATurnCosts) {
   EXPECT_NEAR(static_cast<double>(portfolio.work(1)) / static_cast<double>(portfolio.work(0)), 3.0, 0.1);
 }
 
-TEST(Portfolio, LivesFollowTheRestartSchedule) {
-  Portfolio portfolio({{1.0, 0, 10, Restart::Luby}, {1.0, 0, 10, Restart::Doubling}, {1.0}});
-  const auto lifeLength = [&](std::size_t who) {
-    std::uint64_t length = 0;
-    for (; !portfolio.lifeIsOver(who) && length < 1000; ++length) portfolio.charge(who, 1);
-    portfolio.restart(who);
-    return length;
+TEST(LifeLength, FollowsTheRestartSchedule) {
+  const auto lengths = [](const Contender& contender) {
+    std::vector<std::uint64_t> first;
+    for (std::uint64_t life = 1; life <= 7; ++life) first.push_back(lifeLength(contender, life));
+    return first;
   };
-  for (const std::uint64_t expected : {10U, 10U, 20U, 10U, 10U, 20U, 40U}) EXPECT_EQ(lifeLength(0), expected);
-  for (const std::uint64_t expected : {10U, 20U, 40U, 80U}) EXPECT_EQ(lifeLength(1), expected);
-  EXPECT_EQ(lifeLength(2), 1000U);
+  EXPECT_EQ(lengths({1.0, 0, 10, Restart::Luby}), (std::vector<std::uint64_t>{10, 10, 20, 10, 10, 20, 40}));
+  EXPECT_EQ(lengths({1.0, 0, 10, Restart::Doubling}), (std::vector<std::uint64_t>{10, 20, 40, 80, 160, 320, 640}));
+  for (const Contender& endless : {Contender{1.0}, Contender{1.0, 0, 0, Restart::Luby}}) {
+    EXPECT_EQ(lifeLength(endless, 1), std::numeric_limits<std::uint64_t>::max());
+  }
 }
 
 TEST(Portfolio, ALateOneEntersAfterItsWorkAndDoesNotCatchUp) {
@@ -46,10 +48,10 @@ TEST(Portfolio, ALateOneEntersAfterItsWorkAndDoesNotCatchUp) {
 TEST(Portfolio, EntriesAreMeasuredByTheLongestOfTheTurnsAtTheSameTime) {
   Portfolio portfolio({{1.0}, {1.0}, {1.0, 0, 0, Restart::Never, 100}});
   for (int round = 0; round < 10; ++round) {
-    ASSERT_EQ(portfolio.next(8).size(), 2U);
+    ASSERT_EQ(portfolio.next(8, 10).size(), 2U);
     portfolio.charge({{0, 10}, {1, 4}});
   }
-  EXPECT_EQ(portfolio.next(8).size(), 3U);
+  EXPECT_EQ(portfolio.next(8, 10).size(), 3U);
 }
 
 TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
@@ -60,32 +62,32 @@ TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
   EXPECT_EQ(portfolio.next(), Portfolio::kNobody);
 }
 
-TEST(Portfolio, DealsTurnsAtTheSameTimeToDistinctOnesByWhoseItIsFirst) {
+TEST(Portfolio, WhoHasOneLifeHasOneOfTheTurnsAtTheSameTime) {
   Portfolio portfolio({{1.0}, {2.0}, {1.0}, {1.0, 0, 0, Restart::Never, 1000}});
   portfolio.charge(0, 30);
   portfolio.charge(1, 40);  // for twice the share: 20
   portfolio.charge(2, 10);
   using Turns = std::vector<std::size_t>;
-  EXPECT_EQ(portfolio.next(1), Turns({2}));
-  EXPECT_EQ(portfolio.next(2), Turns({2, 1}));
-  EXPECT_EQ(portfolio.next(8), Turns({2, 1, 0}));  // nobody enters early
+  EXPECT_EQ(portfolio.next(1, 10), Turns({2}));
+  EXPECT_EQ(portfolio.next(2, 10), Turns({2, 1}));
+  EXPECT_EQ(portfolio.next(8, 10), Turns({2, 1, 0}));  // nobody enters early
   portfolio.retire(1);
-  EXPECT_EQ(portfolio.next(8), Turns({2, 0}));
+  EXPECT_EQ(portfolio.next(8, 10), Turns({2, 0}));
   portfolio.retire(0);
   portfolio.retire(2);
-  EXPECT_EQ(portfolio.next(8), Turns({3}));  // there is nobody else
+  EXPECT_EQ(portfolio.next(8, 10), Turns({3}));  // there is nobody else
   portfolio.retire(3);
-  EXPECT_EQ(portfolio.next(8), Turns());
+  EXPECT_EQ(portfolio.next(8, 10), Turns());
 }
 
-TEST(Portfolio, SharesHoldForTurnsAtTheSameTimeAsFarAsDistinctOnesAllow) {
-  Portfolio portfolio({{1.0}, {1.0}, {2.0}});
+TEST(Portfolio, SharesHoldForTurnsAtTheSameTimeToo) {
+  Portfolio portfolio({{1.0, 0, 0, Restart::Luby}, {1.0}, {6.0, 0, 0, Restart::Luby}});
   for (int round = 0; round < 1000; ++round) {
-    for (const std::size_t who : portfolio.next(2)) portfolio.charge(who, 10);
+    for (const std::size_t who : portfolio.next(4, 10)) portfolio.charge(who, 10);
   }
-  EXPECT_NEAR(static_cast<double>(portfolio.work(2)), 10'000.0, 20.0);  // half of all: in every round
-  EXPECT_NEAR(static_cast<double>(portfolio.work(0)), 5'000.0, 20.0);
-  EXPECT_NEAR(static_cast<double>(portfolio.work(1)), 5'000.0, 20.0);
+  EXPECT_NEAR(static_cast<double>(portfolio.work(2)), 30'000.0, 50.0);  // three of four in every round
+  EXPECT_NEAR(static_cast<double>(portfolio.work(0)), 5'000.0, 50.0);
+  EXPECT_NEAR(static_cast<double>(portfolio.work(1)), 5'000.0, 50.0);
 }
 
 TEST(Portfolio, PatienceUsedUpHalvesTheShareDownToALeast) {
@@ -110,7 +112,6 @@ TEST(Portfolio, OneOfEndlessPatienceKeepsItsShare) {
   for (int turn = 0; turn < 1000; ++turn) {
     const std::size_t who = portfolio.next();
     portfolio.charge(who, 10);
-    if (who == 0) portfolio.restart(who);
   }
   EXPECT_NEAR(static_cast<double>(portfolio.work(0)), static_cast<double>(portfolio.work(1)), 20.0);
 }
