@@ -58,7 +58,7 @@ build_and_run() {
 build_and_run release ""
 # Sanitizers where they matter: what reads files, and what runs in threads.
 build_and_run asan "import_test scenario_test" -L 'import|scenario'
-build_and_run tsan "session_test operator_test haptic_test" -L 'session|operator'
+build_and_run tsan "session_test operator_test haptic_test lanes_test" -L 'session|operator|lanes'
 
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

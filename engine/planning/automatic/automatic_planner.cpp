@@ -61,15 +61,13 @@ void AutomaticPlanner::round(PlannerHost& host) {
   const auto lanes = static_cast<std::size_t>(host.parameters().integer(ParameterId::Lanes));
   deal(lanes);
   runParts(host, lanes);
-  std::vector<Portfolio::Turn> turns;
   for (const Part& part : parts_) {
     Life& life = lifeOf(part);
     life.planner->collect(roadmap_);
     life.work += part.result.work;
-    turns.push_back({part.member, part.result.work});
+    portfolio_.charge(part.member, part.result.work);
     owedTurns_ += part.result.turns;
   }
-  portfolio_.charge(turns);
   deliver();
   for (const Part& part : parts_) settle(part);
 }
@@ -90,7 +88,7 @@ void AutomaticPlanner::deal(std::size_t lanes) {
   }
 }
 
-/// One lane has turns of a step, as they come.
+/// A single lane has turns of one step.
 void AutomaticPlanner::runParts(PlannerHost& host, std::size_t lanes) {
   if (lanes == 1) {
     work(parts_.front(), host, 0);

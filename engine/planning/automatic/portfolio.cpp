@@ -47,7 +47,7 @@ std::size_t Portfolio::next() const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const State& state = states_[i];
     if (state.retired) continue;
-    if (state.contender.entry > elapsed_) {
+    if (state.contender.entry > total_) {
       if (first == kNobody || state.contender.entry < states_[first].contender.entry) first = i;
     } else if (best == kNobody || state.virtualWork < states_[best].virtualWork) {
       best = i;
@@ -63,7 +63,7 @@ std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) 
     const std::size_t who = imagined.next();
     if (who == kNobody) break;
     State& state = imagined.states_[who];
-    if (!dealt.empty() && state.contender.entry > elapsed_) break;
+    if (!dealt.empty() && state.contender.entry > total_) break;
     dealt.push_back(who);
     if (state.contender.restart == Restart::Never) state.retired = true;
     debit(state, work);
@@ -82,14 +82,12 @@ void Portfolio::enter(State& late) {
   if (std::isfinite(least)) late.virtualWork = std::max(late.virtualWork, least);
 }
 
-void Portfolio::charge(const std::vector<Turn>& turns) {
-  std::uint64_t longest = 0;
-  for (const Turn& turn : turns) longest = std::max(longest, turn.work);
-  elapsed_ += longest;
+void Portfolio::charge(std::size_t contender, std::uint64_t work) {
+  total_ += work;
   for (State& state : states_) {
-    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= elapsed_) enter(state);
+    if (!state.entered && state.contender.entry > 0 && state.contender.entry <= total_) enter(state);
   }
-  for (const Turn& turn : turns) debit(states_[turn.contender], turn.work);
+  debit(states_[contender], work);
 }
 
 void Portfolio::debit(State& state, std::uint64_t work) {

@@ -24,7 +24,7 @@ struct Contender {
   std::uint64_t patience = 0;   ///< work without a path until the share is halved; 0: it stays
   std::uint64_t firstLife = 0;  ///< work until the first restart; 0: it ends its lives itself
   Restart restart = Restart::Never;
-  std::uint64_t entry = 0;  ///< work before it first has a turn: of all; of turns at the same time the longest counts
+  std::uint64_t entry = 0;  ///< work of all before it first has a turn
 };
 
 /// Work of a contender's life, by its number from 1; the largest number where it has no end.
@@ -45,14 +45,8 @@ class Portfolio {
   /// Whose turns these are, at the same time: those that would be dealt one after the other if each cost
   /// `work`. Who has but one life has one of them; nobody enters early for them.
   std::vector<std::size_t> next(std::size_t turns, std::uint64_t work) const;
-  struct Turn {
-    std::size_t contender;
-    std::uint64_t work;
-  };
-  /// What turns have cost that were had at the same time.
-  void charge(const std::vector<Turn>& turns);
-  /// What a turn has cost that was had alone.
-  void charge(std::size_t contender, std::uint64_t work) { charge({{contender, work}}); }
+  /// What the turn has cost.
+  void charge(std::size_t contender, std::uint64_t work);
   /// It has got on: its share is four times what it was at first, its patience the same as then.
   void encourage(std::size_t contender);
   /// No more turns.
@@ -76,7 +70,7 @@ class Portfolio {
   static void debit(State& state, std::uint64_t work);
 
   std::vector<State> states_;
-  std::uint64_t elapsed_ = 0;  ///< work that entries are measured by
+  std::uint64_t total_ = 0;
 };
 
 }  // namespace glissade

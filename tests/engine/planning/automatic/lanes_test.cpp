@@ -66,7 +66,7 @@ TEST(Lanes, SeedAndLanesDecideTheResultNotTheThreads) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Trace alone = traceOf(problem, seed, 4, 1, 1'000'000);
     EXPECT_TRUE(alone.solved);
-    for (const std::size_t threads : {1U, 2U, 4U}) {
+    for (const std::size_t threads : {2U, 4U}) {
       EXPECT_TRUE(traceOf(problem, seed, 4, threads, 1'000'000) == alone) << threads << " threads, seed " << seed;
     }
   }

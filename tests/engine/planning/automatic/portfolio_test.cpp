@@ -45,15 +45,6 @@ TEST(Portfolio, ALateOneEntersAfterItsWorkAndDoesNotCatchUp) {
   EXPECT_EQ(portfolio.work(1), 50U);
 }
 
-TEST(Portfolio, EntriesAreMeasuredByTheLongestOfTheTurnsAtTheSameTime) {
-  Portfolio portfolio({{1.0}, {1.0}, {1.0, 0, 0, Restart::Never, 100}});
-  for (int round = 0; round < 10; ++round) {
-    ASSERT_EQ(portfolio.next(8, 10).size(), 2U);
-    portfolio.charge({{0, 10}, {1, 4}});
-  }
-  EXPECT_EQ(portfolio.next(8, 10).size(), 3U);
-}
-
 TEST(Portfolio, TheRetiredHaveNoTurnsAndALateOneNeedNotWaitForThem) {
   Portfolio portfolio({{1.0}, {1.0, 0, 0, Restart::Never, 100}});
   portfolio.retire(0);
