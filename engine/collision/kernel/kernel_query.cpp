@@ -83,10 +83,10 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
   return found;
 }
 
-/// The opened pairs that may meet, the deepest on top.
-void KernelQuery::pushMeeting(const PairTraversal::Opened& opened) {
+/// The opened pairs that may be at `reach` or nearer, the deepest on top.
+void KernelQuery::pushWithin(const PairTraversal::Opened& opened, float reach) {
   alignas(32) std::array<float, lanes::kWidth> separation;
-  unsigned mask = traversal_.mayMeet(opened, separation.data());
+  unsigned mask = traversal_.within(opened, reach, separation.data());
   if (mask == 0) return;
   auto deepest = static_cast<unsigned>(__builtin_ctz(mask));
   for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
@@ -109,7 +109,7 @@ bool KernelQuery::touches(const Pose& X_WB) {
       if (leavesMeet(pair, std::numeric_limits<int>::max(), body)) return true;
       continue;
     }
-    pushMeeting(traversal_.open(pair));
+    pushWithin(traversal_.open(pair), 0.0F);
   }
   return false;
 }
@@ -126,7 +126,7 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
       leavesMeet(pair, lowest, lowest);
       continue;
     }
-    pushMeeting(traversal_.open(pair));
+    pushWithin(traversal_.open(pair), 0.0F);
   }
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
@@ -219,28 +219,39 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   return result;
 }
 
+/// Two leaves meet, or are at `bound` or nearer. Of triangles that pierce each other all edges may be far
+/// apart: distances do not see that they meet.
+bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
+  unsigned mask = traversal_.within(leaves, roundedUp(bound));
+  if (mask == 0) return false;
+  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
+  triangles_.clear();
+  for (; mask != 0; mask &= mask - 1) {
+    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
+    triangles_.push_back(
+        {{firstObstacle + bit % lanes::kLeafTriangles, firstObject + bit / lanes::kLeafTriangles}, 0.0F});
+  }
+  Best best{kInfinity, {}};
+  decide(best);
+  int body = 0;
+  if (best.squared > bound * bound) return leavesMeet(leaves, std::numeric_limits<int>::max(), body);
+  last_ = best.pair;
+  return true;
+}
+
 bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
-  const double squared = bound * bound;
-  const float reach = roundedUp(squared);
-  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
-  candidates_.assign(1, {kRoots, 0.0F});
-  while (!candidates_.empty()) {
-    const Candidate candidate = pop();
-    if (!traversal_.bothLeaves(candidate.pair)) {
-      push(traversal_.open(candidate.pair), reach);
-      continue;
+  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= bound * bound) return true;
+  stack_.assign(1, kRoots);
+  while (!stack_.empty()) {
+    const BoxPair pair = stack_.back();
+    stack_.pop_back();
+    if (!traversal_.bothLeaves(pair)) {
+      pushWithin(traversal_.open(pair), roundedUp(bound));
+    } else if (leavesWithin(pair, bound)) {
+      return true;
     }
-    const auto leaves = traversal_.triangleDistances(candidate.pair);
-    triangles_.clear();
-    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
-      if (leaves.squared[i] <= reach) triangles_.push_back({leaves[i], leaves.squared[i]});
-    }
-    Best best{kInfinity, {}};
-    decide(best);
-    if (best.squared > squared) continue;
-    last_ = best.pair;
-    return true;
   }
   return false;
 }

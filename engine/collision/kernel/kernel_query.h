@@ -51,7 +51,8 @@ class KernelQuery final : public SurfaceQuery {
   /// False where there is nothing, or spheres around all are farther apart than `bound`.
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
-  void pushMeeting(const PairTraversal::Opened& opened);
+  bool leavesWithin(const BoxPair& leaves, double bound);
+  void pushWithin(const PairTraversal::Opened& opened, float reach);
   void push(const PairTraversal::Opened& opened, float bound);
   Candidate pop();
   float collect(float bound, bool byEstimates);
