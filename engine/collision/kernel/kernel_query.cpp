@@ -196,8 +196,9 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   result.distance = enough;
   if (!moveTo(X_WB, enough)) return result;
   Best best{enough * enough, {kNone, kNone}};
-  if (last_) {
-    triangles_.assign(1, {*last_, 0.0F});
+  if (recentCount_ > 0) {
+    triangles_.clear();
+    for (std::size_t i = 0; i < recentCount_; ++i) triangles_.push_back({recent_[i], 0.0F});
     decide(best);
   }
   const float left = collect(roundedUp(best.squared), true);
@@ -208,7 +209,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
     decide(best);
   }
   if (best.pair.obstacle == kNone) return result;
-  last_ = best.pair;
+  remember(best.pair);
   const TriangleDistance distance =
       triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
   // Surfaces that do not touch are apart, by however little.
@@ -236,13 +237,36 @@ bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
   decide(best);
   int body = 0;
   if (best.squared > bound * bound) return leavesMeet(leaves, std::numeric_limits<int>::max(), body);
-  last_ = best.pair;
+  remember(best.pair);
   return true;
+}
+
+/// One of the pairs that were near of late is at `bound` or nearer.
+bool KernelQuery::recentlyWithin(double bound) {
+  if (recentCount_ == 0) return false;
+  const auto squared = traversal_.exactDistances(recent_.data(), recentCount_);
+  const auto nearest = std::min_element(squared.begin(), squared.end());
+  if (*nearest > bound * bound) return false;
+  // Lanes beyond the count repeat the last.
+  remember(recent_[std::min<std::size_t>(static_cast<std::size_t>(nearest - squared.begin()), recentCount_ - 1)]);
+  return true;
+}
+
+/// Puts a pair in front of those that were near of late; the oldest is forgotten.
+void KernelQuery::remember(const TrianglePair& pair) {
+  const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recentCount_);
+  auto at = std::find_if(recent_.begin(), end, [&](const TrianglePair& other) {
+    return other.obstacle == pair.obstacle && other.object == pair.object;
+  });
+  if (at == end)
+    at = recentCount_ < recent_.size() ? recent_.begin() + static_cast<std::ptrdiff_t>(recentCount_++) : at - 1;
+  *at = pair;
+  std::rotate(recent_.begin(), at, at + 1);
 }
 
 bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
-  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= bound * bound) return true;
+  if (recentlyWithin(bound)) return true;
   stack_.assign(1, kRoots);
   while (!stack_.empty()) {
     const BoxPair pair = stack_.back();

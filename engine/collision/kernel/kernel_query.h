@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "engine/collision/kernel/pair_traversal.h"
@@ -57,6 +58,8 @@ class KernelQuery final : public SurfaceQuery {
   Candidate pop();
   float collect(float bound, bool byEstimates);
   void decide(Best& best);
+  bool recentlyWithin(double bound);
+  void remember(const TrianglePair& pair);
 
   std::shared_ptr<const KernelGeometry> geometry_;
   const lanes::LaneFunctions& functions_;
@@ -64,7 +67,9 @@ class KernelQuery final : public SurfaceQuery {
   std::vector<BoxPair> stack_;
   std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be
   std::vector<TriangleCandidate> triangles_;
-  std::optional<TrianglePair> last_;  ///< nearest triangles of the last search
+  std::array<TrianglePair, 4>
+      recent_;  ///< pairs that were near of late, the last first; as many as are looked at at once
+  std::size_t recentCount_ = 0;
 };
 
 }  // namespace glissade
