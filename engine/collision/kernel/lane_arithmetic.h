@@ -346,8 +346,7 @@ struct Arithmetic {
                       F::halves(lways.coordinate[2] + at)};
     }
     return unseparated(pairs, [&](const V& axis) {
-      const F limit = slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis));
-      return bits(less(limit, pairs.gapAlong(axis, ways)));
+      return bits(less(slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis)), pairs.gapAlong(axis, ways)));
     });
   }
 
