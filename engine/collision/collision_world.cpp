@@ -57,7 +57,7 @@ class SolidQuery final : public CollisionQuery {
 
   bool clearAbove(const Pose& X_WB, double bound) override {
     ++counts_.distance;
-    return !inCollision(X_WB) && !surfaces_->isWithin(X_WB, bound);
+    return !surfaces_->isWithin(X_WB, bound) && !solids_->containment(X_WB);
   }
 
   MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,

@@ -97,7 +97,7 @@ NearestObstacle FclSurfaceQuery::nearest(const Pose& X_WB, double enough) {
 }
 
 bool FclSurfaceQuery::isWithin(const Pose& X_WB, double bound) {
-  return nearest(X_WB, std::numeric_limits<double>::infinity()).distance <= bound;
+  return touches(X_WB) || nearest(X_WB, std::numeric_limits<double>::infinity()).distance <= bound;
 }
 
 std::optional<MotionCheck> FclSurfaceQuery::checkMotion(const Pose&, const Pose&, double, SeekViolation,

@@ -12,14 +12,31 @@ bool mayFit(const Box3& inner, const Box3& outer) { return inner.sizes().maxCoef
 }  // namespace
 
 Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object)
-    : obstacles_(std::make_shared<const std::vector<Solid>>(makeSolids(obstacles))), object_(makeSolid(object)) {}
+    : Solids(makeSolids(obstacles), makeSolid(object)) {}
 
-Solids::Solids(const Solids& other, const TriangleMesh& object)
-    : obstacles_(other.obstacles_), object_(makeSolid(object)) {}
+Solids::Solids(const Solids& other, const TriangleMesh& object) : Solids(other.obstacles_, makeSolid(object)) {}
 
-std::vector<Solids::Solid> Solids::makeSolids(const std::vector<RigidBody>& bodies) {
-  std::vector<Solid> solids;
-  for (const RigidBody& body : bodies) solids.push_back(makeSolid(transformed(*body.mesh, body.X_WB)));
+Solids::Solids(SolidsPtr obstacles, Solid object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
+  if (object_.box.isEmpty()) return;
+  squaredReach_ = object_.box.min().cwiseAbs().cwiseMax(object_.box.max().cwiseAbs()).squaredNorm();
+  for (const Component& component : object_.components) {
+    Guest guest{component.point, {}};
+    for (std::size_t i = 0; i < obstacles_->size(); ++i) {
+      const Solid& obstacle = (*obstacles_)[i];
+      if (obstacle.interior && mayFit(component.box, obstacle.box)) guest.hosts.push_back(i);
+    }
+    if (!guest.hosts.empty()) guests_.push_back(std::move(guest));
+  }
+  for (std::size_t i = 0; object_.interior && i < obstacles_->size(); ++i) {
+    for (const Component& component : (*obstacles_)[i].components) {
+      if (mayFit(component.box, object_.box)) cores_.push_back({component.point, i});
+    }
+  }
+}
+
+Solids::SolidsPtr Solids::makeSolids(const std::vector<RigidBody>& bodies) {
+  auto solids = std::make_shared<std::vector<Solid>>();
+  for (const RigidBody& body : bodies) solids->push_back(makeSolid(transformed(*body.mesh, body.X_WB)));
   return solids;
 }
 
@@ -35,32 +52,30 @@ Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
 }
 
 std::optional<int> Solids::containment(const Pose& X_WB) const {
-  const Pose X_BW = inverse(X_WB);
-  const std::vector<Solid>& obstacles = *obstacles_;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (objectInside(obstacles[i], X_WB) || objectAround(obstacles[i], X_BW)) return static_cast<int>(i);
-  }
-  return std::nullopt;
+  const std::size_t none = obstacles_->size();
+  const std::size_t lowest = insideObject(X_WB, aroundObject(X_WB, none));
+  return lowest < none ? std::optional<int>(static_cast<int>(lowest)) : std::nullopt;
 }
 
-bool Solids::objectInside(const Solid& obstacle, const Pose& X_WB) const {
-  if (!obstacle.interior) return false;
-  for (const Component& component : object_.components) {
-    const Vector3 point = X_WB * component.point;
-    if (!obstacle.box.contains(point) || !mayFit(component.box, obstacle.box)) continue;
-    if (obstacle.interior->contains(point)) return true;
+std::size_t Solids::aroundObject(const Pose& X_WB, std::size_t limit) const {
+  for (const Guest& guest : guests_) {
+    const Vector3 point = X_WB * guest.point;
+    for (const std::size_t host : guest.hosts) {
+      if (host >= limit) break;
+      if ((*obstacles_)[host].interior->contains(point)) limit = host;
+    }
   }
-  return false;
+  return limit;
 }
 
-bool Solids::objectAround(const Solid& obstacle, const Pose& X_BW) const {
-  if (!object_.interior) return false;
-  for (const Component& component : obstacle.components) {
-    const Vector3 point = X_BW * component.point;
-    if (!object_.box.contains(point) || !mayFit(component.box, object_.box)) continue;
-    if (object_.interior->contains(point)) return true;
+std::size_t Solids::insideObject(const Pose& X_WB, std::size_t limit) const {
+  constexpr double kRounding = 1.0 + 1e-9;
+  for (const Core& core : cores_) {
+    if (core.obstacle >= limit) break;
+    if ((core.point - X_WB.position).squaredNorm() > kRounding * squaredReach_) continue;
+    if (object_.interior->contains(inverse(X_WB) * core.point)) return core.obstacle;
   }
-  return false;
+  return limit;
 }
 
 }  // namespace glissade

@@ -32,14 +32,30 @@ class Solids {
     std::optional<SolidInterior> interior;  ///< of a closed mesh
     std::vector<Component> components;
   };
+  using SolidsPtr = std::shared_ptr<const std::vector<Solid>>;
+  /// A component that may lie in some solids.
+  struct Guest {
+    Vector3 point;
+    std::vector<std::size_t> hosts;  ///< obstacles, the lowest first
+  };
+  /// A component of an obstacle that may lie in the object.
+  struct Core {
+    Vector3 point;
+    std::size_t obstacle;
+  };
 
+  Solids(SolidsPtr obstacles, Solid object);
   static Solid makeSolid(const TriangleMesh& mesh);
-  static std::vector<Solid> makeSolids(const std::vector<RigidBody>& bodies);
-  bool objectInside(const Solid& obstacle, const Pose& X_WB) const;
-  bool objectAround(const Solid& obstacle, const Pose& X_BW) const;
+  static SolidsPtr makeSolids(const std::vector<RigidBody>& bodies);
+  /// The lowest obstacle, if it is below `limit`; else that.
+  std::size_t aroundObject(const Pose& X_WB, std::size_t limit) const;
+  std::size_t insideObject(const Pose& X_WB, std::size_t limit) const;
 
-  std::shared_ptr<const std::vector<Solid>> obstacles_;
+  SolidsPtr obstacles_;
   Solid object_;
+  double squaredReach_ = 0.0;  ///< of the object's box from its reference point
+  std::vector<Guest> guests_;  ///< components of the object
+  std::vector<Core> cores_;    ///< the lowest obstacle first
 };
 
 }  // namespace glissade

@@ -19,7 +19,7 @@ class SurfaceQuery {
   /// The nearest pair if it is nearer than `enough`, else that distance without a pair (body -1).
   /// Precondition: the surfaces do not touch.
   virtual NearestObstacle nearest(const Pose& X_WB, double enough) = 0;
-  /// Some pair is at `bound` or nearer. Precondition: the surfaces do not touch.
+  /// The surfaces touch, or some pair is at `bound` or nearer.
   virtual bool isWithin(const Pose& X_WB, double bound) = 0;
   /// As CollisionQuery::checkMotion, of the surfaces; nothing from a library that cannot.
   virtual std::optional<MotionCheck> checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,

@@ -21,9 +21,14 @@ int movedTurn(const Vector3& a, const Vector3& b, const Vector3& p) {
   return a.y() == b.y() ? 0 : b.y() > a.y() ? 1 : -1;
 }
 
+/// The ray from p along +x may meet what is in the box.
+bool mayCross(const Box3& box, const Vector3& p) {
+  return box.max().x() >= p.x() && box.min().y() <= p.y() && box.max().y() >= p.y() && box.min().z() <= p.z() &&
+         box.max().z() >= p.z();
+}
+
 /// 1 or -1 where the ray from p along +x goes through the triangle, by the side that it comes from.
 int crossing(const Triangle& t, const Vector3& p) {
-  if (std::max({t[0].x(), t[1].x(), t[2].x()}) < p.x()) return 0;
   const int turn = movedTurn(t[0], t[1], p);
   if (turn == 0 || turn != movedTurn(t[1], t[2], p) || turn != movedTurn(t[2], t[0], p)) return 0;
   // Seen along +x the corners turn by `turn`; p is below the plane where it lies on that side of it.
@@ -37,6 +42,7 @@ SolidInterior::SolidInterior(const TriangleMesh& mesh, bool consistentlyOriented
   triangles_.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     triangles_.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+    boxes_.push_back(Box3(mesh.vertices[a]).extend(mesh.vertices[b]).extend(mesh.vertices[c]));
   }
   const auto fitting = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles_.size())));
   resolution_ = std::clamp(fitting, std::size_t{1}, kFinest);
@@ -92,6 +98,7 @@ bool SolidInterior::contains(const Vector3& p) const {
   int winding = 0;
   int crossings = 0;
   for (std::uint32_t i = begins_[column]; i < begins_[column + 1]; ++i) {
+    if (!mayCross(boxes_[entries_[i]], p)) continue;
     const int sign = crossing(triangles_[entries_[i]], p);
     winding += sign;
     crossings += sign != 0 ? 1 : 0;

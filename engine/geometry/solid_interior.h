@@ -26,6 +26,7 @@ class SolidInterior {
   void fillColumns();
 
   std::vector<Triangle> triangles_;
+  std::vector<Box3> boxes_;  ///< around each
   bool oriented_;
   Box3 box_;
   std::size_t resolution_ = 1;  ///< columns along y and along z

@@ -83,10 +83,10 @@ bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) 
   return found;
 }
 
-/// The opened pairs that may meet, the deepest on top.
-void KernelQuery::pushMeeting(const PairTraversal::Opened& opened) {
+/// The opened pairs that may be at `reach` or nearer, the deepest on top.
+void KernelQuery::pushWithin(const PairTraversal::Opened& opened, float reach) {
   alignas(32) std::array<float, lanes::kWidth> separation;
-  unsigned mask = traversal_.mayMeet(opened, separation.data());
+  unsigned mask = traversal_.within(opened, reach, separation.data());
   if (mask == 0) return;
   auto deepest = static_cast<unsigned>(__builtin_ctz(mask));
   for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
@@ -109,7 +109,7 @@ bool KernelQuery::touches(const Pose& X_WB) {
       if (leavesMeet(pair, std::numeric_limits<int>::max(), body)) return true;
       continue;
     }
-    pushMeeting(traversal_.open(pair));
+    pushWithin(traversal_.open(pair), 0.0F);
   }
   return false;
 }
@@ -126,7 +126,7 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
       leavesMeet(pair, lowest, lowest);
       continue;
     }
-    pushMeeting(traversal_.open(pair));
+    pushWithin(traversal_.open(pair), 0.0F);
   }
   return lowest < std::numeric_limits<int>::max() ? std::optional<int>(lowest) : std::nullopt;
 }
@@ -196,8 +196,9 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   result.distance = enough;
   if (!moveTo(X_WB, enough)) return result;
   Best best{enough * enough, {kNone, kNone}};
-  if (last_) {
-    triangles_.assign(1, {*last_, 0.0F});
+  if (recentCount_ > 0) {
+    triangles_.clear();
+    for (std::size_t i = 0; i < recentCount_; ++i) triangles_.push_back({recent_[i], 0.0F});
     decide(best);
   }
   const float left = collect(roundedUp(best.squared), true);
@@ -208,7 +209,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
     decide(best);
   }
   if (best.pair.obstacle == kNone) return result;
-  last_ = best.pair;
+  remember(best.pair);
   const TriangleDistance distance =
       triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
   // Surfaces that do not touch are apart, by however little.
@@ -219,28 +220,62 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   return result;
 }
 
+/// Two leaves meet, or are at `bound` or nearer. Of triangles that pierce each other all edges may be far
+/// apart: distances do not see that they meet.
+bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
+  unsigned mask = traversal_.within(leaves, roundedUp(bound));
+  if (mask == 0) return false;
+  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
+  triangles_.clear();
+  for (; mask != 0; mask &= mask - 1) {
+    const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
+    triangles_.push_back(
+        {{firstObstacle + bit % lanes::kLeafTriangles, firstObject + bit / lanes::kLeafTriangles}, 0.0F});
+  }
+  Best best{kInfinity, {}};
+  decide(best);
+  int body = 0;
+  if (best.squared > bound * bound) return leavesMeet(leaves, std::numeric_limits<int>::max(), body);
+  remember(best.pair);
+  return true;
+}
+
+/// One of the pairs that were near of late is at `bound` or nearer.
+bool KernelQuery::recentlyWithin(double bound) {
+  if (recentCount_ == 0) return false;
+  const auto squared = traversal_.exactDistances(recent_.data(), recentCount_);
+  const auto nearest = std::min_element(squared.begin(), squared.end());
+  if (*nearest > bound * bound) return false;
+  // Lanes beyond the count repeat the last.
+  remember(recent_[std::min<std::size_t>(static_cast<std::size_t>(nearest - squared.begin()), recentCount_ - 1)]);
+  return true;
+}
+
+/// Puts a pair in front of those that were near of late; the oldest is forgotten.
+void KernelQuery::remember(const TrianglePair& pair) {
+  const auto end = recent_.begin() + static_cast<std::ptrdiff_t>(recentCount_);
+  auto at = std::find_if(recent_.begin(), end, [&](const TrianglePair& other) {
+    return other.obstacle == pair.obstacle && other.object == pair.object;
+  });
+  if (at == end)
+    at = recentCount_ < recent_.size() ? recent_.begin() + static_cast<std::ptrdiff_t>(recentCount_++) : at - 1;
+  *at = pair;
+  std::rotate(recent_.begin(), at, at + 1);
+}
+
 bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
   if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
-  const double squared = bound * bound;
-  const float reach = roundedUp(squared);
-  if (last_ && traversal_.exactDistances(&*last_, 1)[0] <= squared) return true;
-  candidates_.assign(1, {kRoots, 0.0F});
-  while (!candidates_.empty()) {
-    const Candidate candidate = pop();
-    if (!traversal_.bothLeaves(candidate.pair)) {
-      push(traversal_.open(candidate.pair), reach);
-      continue;
+  if (recentlyWithin(bound)) return true;
+  stack_.assign(1, kRoots);
+  while (!stack_.empty()) {
+    const BoxPair pair = stack_.back();
+    stack_.pop_back();
+    if (!traversal_.bothLeaves(pair)) {
+      pushWithin(traversal_.open(pair), roundedUp(bound));
+    } else if (leavesWithin(pair, bound)) {
+      return true;
     }
-    const auto leaves = traversal_.triangleDistances(candidate.pair);
-    triangles_.clear();
-    for (std::size_t i = 0; i < leaves.squared.size(); ++i) {
-      if (leaves.squared[i] <= reach) triangles_.push_back({leaves[i], leaves.squared[i]});
-    }
-    Best best{kInfinity, {}};
-    decide(best);
-    if (best.squared > squared) continue;
-    last_ = best.pair;
-    return true;
   }
   return false;
 }

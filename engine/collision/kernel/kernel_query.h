@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "engine/collision/kernel/pair_traversal.h"
@@ -51,11 +52,14 @@ class KernelQuery final : public SurfaceQuery {
   /// False where there is nothing, or spheres around all are farther apart than `bound`.
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
-  void pushMeeting(const PairTraversal::Opened& opened);
+  bool leavesWithin(const BoxPair& leaves, double bound);
+  void pushWithin(const PairTraversal::Opened& opened, float reach);
   void push(const PairTraversal::Opened& opened, float bound);
   Candidate pop();
   float collect(float bound, bool byEstimates);
   void decide(Best& best);
+  bool recentlyWithin(double bound);
+  void remember(const TrianglePair& pair);
 
   std::shared_ptr<const KernelGeometry> geometry_;
   const lanes::LaneFunctions& functions_;
@@ -63,7 +67,9 @@ class KernelQuery final : public SurfaceQuery {
   std::vector<BoxPair> stack_;
   std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be
   std::vector<TriangleCandidate> triangles_;
-  std::optional<TrianglePair> last_;  ///< nearest triangles of the last search
+  std::array<TrianglePair, 4>
+      recent_;  ///< pairs that were near of late, the last first; as many as are looked at at once
+  std::size_t recentCount_ = 0;
 };
 
 }  // namespace glissade

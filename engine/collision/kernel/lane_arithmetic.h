@@ -296,23 +296,43 @@ struct Arithmetic {
     }
   };
 
-  static unsigned mayMeet(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack) {
-    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
-    unsigned separated = pairs.separatedBy(cross(pairs.ea[0], pairs.ea[1]), slack);
+  /// Bits of the pairs that none of their axes separates; `apart`: of those that an axis does.
+  template <class Apart>
+  static unsigned unseparated(const TrianglePairs& pairs, const Apart& apart) {
+    unsigned separated = apart(cross(pairs.ea[0], pairs.ea[1]));
     if (separated == 0xFFU) return 0;
-    separated |= pairs.separatedBy(cross(pairs.eb[0], pairs.eb[1]), slack);
+    separated |= apart(cross(pairs.eb[0], pairs.eb[1]));
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) {
         if (separated == 0xFFU) return 0;
-        separated |= pairs.separatedBy(cross(pairs.ea[i], pairs.eb[k]), slack);
+        separated |= apart(cross(pairs.ea[i], pairs.eb[k]));
       }
     }
     return ~separated & 0xFFU;
   }
 
+  static unsigned mayMeet(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack) {
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
+    return unseparated(pairs, [&](const V& axis) { return pairs.separatedBy(axis, slack); });
+  }
+
   static unsigned trianglesMayMeet(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack) {
     const F s = F::all(slack);
     return mayMeet(a, b, 0, s) | (count > 2 ? mayMeet(a, b, 2, s) << kWidth : 0U);
+  }
+
+  static unsigned within(const TriangleLanes& la, const TriangleLanes& lb, std::size_t first, F slack, F reach) {
+    const TrianglePairs pairs = TrianglePairs::ofLeaves(la, lb, first);
+    return unseparated(pairs, [&](const V& axis) {
+      return bits(less(slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis)), pairs.gapAlong(axis)));
+    });
+  }
+
+  static unsigned trianglesWithin(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack,
+                                  float reach) {
+    const F s = F::all(slack);
+    const F r = F::all(kRoundedUp * reach);
+    return within(a, b, 0, s, r) | (count > 2 ? within(a, b, 2, s, r) << kWidth : 0U);
   }
 
   /// Triangles `b` of the pairs go `ways` to both sides, corner by corner.
@@ -325,18 +345,9 @@ struct Arithmetic {
       ways[corner] = {F::halves(lways.coordinate[0] + at), F::halves(lways.coordinate[1] + at),
                       F::halves(lways.coordinate[2] + at)};
     }
-    unsigned separated = 0;
-    const auto tryAxis = [&](const V& axis) {
-      if (separated == 0xFFU) return;
-      const F limit = slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis));
-      separated |= bits(less(limit, pairs.gapAlong(axis, ways)));
-    };
-    tryAxis(cross(pairs.ea[0], pairs.ea[1]));
-    tryAxis(cross(pairs.eb[0], pairs.eb[1]));
-    for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < 3; ++k) tryAxis(cross(pairs.ea[i], pairs.eb[k]));
-    }
-    return ~separated & 0xFFU;
+    return unseparated(pairs, [&](const V& axis) {
+      return bits(less(slack * sumOfAbsolutes(axis) + reach * sqrt(dot(axis, axis)), pairs.gapAlong(axis, ways)));
+    });
   }
 
   static unsigned trianglesMayMeetInSweep(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
@@ -480,6 +491,7 @@ constexpr LaneFunctions table(std::string_view name) {
           A::sweepTriangles,
           A::boxDistances,
           A::trianglesMayMeet,
+          A::trianglesWithin,
           A::trianglesMayMeetInSweep,
           A::triangleDistances,
           exactDistances<D>};

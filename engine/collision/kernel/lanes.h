@@ -82,6 +82,8 @@ struct LaneFunctions {
   /// Here and below only the first `count` triangles of `b` are looked at; bits and places of others
   /// say nothing.
   unsigned (*trianglesMayMeet)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack);
+  /// Bit 4 k + i is clear only if they certainly do not meet and are farther apart than `reach`.
+  unsigned (*trianglesWithin)(const TriangleLanes& a, const TriangleLanes& b, unsigned count, float slack, float reach);
   /// The same of triangles `b` that go `ways` to both sides, which have to keep `reach`.
   unsigned (*trianglesMayMeetInSweep)(const TriangleLanes& a, const TriangleLanes& b, const TriangleLanes& ways,
                                       unsigned count, float slack, float reach);

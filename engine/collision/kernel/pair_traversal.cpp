@@ -5,14 +5,14 @@
 
 namespace glissade {
 
-unsigned PairTraversal::mayMeet(const Opened& opened, float* separation) {
+unsigned PairTraversal::within(const Opened& opened, float reach, float* separation) {
   const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
   const unsigned near = opened.obstacle
                             ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object),
-                                                     placed.slack(), 0.0F, separation)
+                                                     placed.slack(), reach, separation)
                             : functions_.boxesWithin(moved, obstacle, BoxTree::laneOf(opened.first.obstacle),
-                                                     placed.slack(), 0.0F, separation);
+                                                     placed.slack(), reach, separation);
   return near & opened.mask;
 }
 
@@ -51,6 +51,14 @@ unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
   placed.leaf(leaves.object, moved);
   return functions_.trianglesMayMeet(obstacles.leafOf(leaves.obstacle).lanes, moved, object.leafOf(leaves.object).count,
                                      placed.slack()) &
+         columnsOf(leaves);
+}
+
+unsigned PairTraversal::within(const BoxPair& leaves, float reach) {
+  lanes::TriangleLanes moved;
+  placed.leaf(leaves.object, moved);
+  return functions_.trianglesWithin(obstacles.leafOf(leaves.obstacle).lanes, moved, object.leafOf(leaves.object).count,
+                                    placed.slack(), reach) &
          columnsOf(leaves);
 }
 

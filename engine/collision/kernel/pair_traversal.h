@@ -50,8 +50,8 @@ class PairTraversal {
     return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
   }
 
-  /// Bits of the opened pairs that may meet, and separations to order them by.
-  unsigned mayMeet(const Opened& opened, float* separation);
+  /// Bits of the opened pairs that may be at `reach` or nearer, and separations to order them by.
+  unsigned within(const Opened& opened, float reach, float* separation);
   /// Bits of those that may be nearer than `reach` at any time of the sweep.
   unsigned withinSweep(const Opened& opened, float reach);
   /// Lower bounds on the squared distances of the opened pairs.
@@ -59,6 +59,8 @@ class PairTraversal {
 
   /// Bits 4 k + i of the pairs of triangles of two leaves that may meet.
   unsigned mayMeet(const BoxPair& leaves);
+  /// The same of those that may be at `reach` or nearer.
+  unsigned within(const BoxPair& leaves, float reach);
   /// The same of those that may be nearer than `reach` at some time of the sweep.
   unsigned mayMeetInSweep(const BoxPair& leaves, float reach);
   /// How far a box of the object goes in the sweep, at most; and what its points may leave a straight

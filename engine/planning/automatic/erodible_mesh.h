@@ -12,7 +12,7 @@ namespace glissade {
 /// less than they should, and the result may intersect itself. Immutable, shared by threads.
 class ErodibleMesh {
  public:
-  /// Measures how thick the body is below each face. Cost: triangles squared.
+  /// Measures how thick the body is below each face.
   explicit ErodibleMesh(const TriangleMesh& mesh);
 
   /// The mesh with its surface moved inwards by `depth` (metres; negative: outwards).
