@@ -30,11 +30,14 @@ InteractionTuner::InteractionTuner(double objectRadius)
 }
 
 void InteractionTuner::observe(const StepOutcome& outcome) {
-  const double grew = outcome.grew ? 1.0 : 0.0;
-  if (outcome.author == Author::Computer) blend(computerYield_, grew);
-  if (outcome.author == Author::Contact) {
-    blend(contactYield_, grew);
-    if (outcome.grew) blend(contactClearance_, outcome.clearance);
+  const double newGround = outcome.reach >= kNewGround * radius_ ? 1.0 : 0.0;
+  switch (outcome.author) {
+    case Author::Computer: blend(computerGround_, newGround); break;
+    case Author::Operator: blend(operatorGround_, newGround); break;
+    case Author::Contact:
+      blend(contactYield_, outcome.reach > 0.0 ? 1.0 : 0.0);
+      if (outcome.reach > 0.0) blend(contactClearance_, outcome.clearance);
+      break;
   }
   alphaMedian_.add(stepOf(settings_.alpha, 0.0, 1.0, kAlphaSteps));
   samplesMedian_.add(static_cast<std::size_t>(settings_.contactSamples));
@@ -43,7 +46,7 @@ void InteractionTuner::observe(const StepOutcome& outcome) {
 }
 
 void InteractionTuner::tune() {
-  const double alpha = computerYield_ * std::sqrt(computerYield_);
+  const double alpha = computerGround_ / (computerGround_ + operatorGround_ + kTrust);
   settings_.alpha = static_cast<double>(stepOf(alpha, kLeastAlpha, kMostAlpha, kAlphaSteps)) / kAlphaSteps;
   const double samples = kNodesPerContact / std::max(contactYield_, kNodesPerContact / kMostSamples);
   settings_.contactSamples = static_cast<int>(stepOf(samples, kLeastSamples, kMostSamples, 1.0));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/base/tolerances.h"
 #include "engine/planning/contact/interaction_settings.h"
 #include "engine/planning/contact/step_median.h"
 #include "engine/planning/roadmap.h"
@@ -11,20 +12,28 @@ namespace glissade {
 /// What one planner step brought while somebody held the object.
 struct StepOutcome {
   Author author = Author::Computer;  ///< whose configuration was tried
-  bool grew = false;                 ///< a node or an edge was added
+  double reach = 0.0;                ///< the longest edge that was added, metres in the metric; 0 where nothing was
   double clearance = 0.0;            ///< of a contact sample: of the hand when contact mode was entered, metres
 };
 
 /// Sets alpha, N and d of Algorithm 1 by what computer, operator and contact have earned lately: the
-/// first paper's future work. A sampler's yield is the share of its last hundred or so configurations
-/// that grew the roadmap.
+/// first paper's future work. Each is judged by its last hundred or so configurations.
 ///
-///   alpha = yield of the computer ^ 3/2   where it hardly gets on, a person has to lead
+///   alpha = C / (C + O + kTrust)   C, O: shares of the computer's and of the operator's own
+///                                  configurations that broke new ground, kNewGround of the radius or more
 ///   N = kNodesPerContact / yield of contact   contact mode is to bring that many nodes
 ///   d = kReach * clearance of the hand where contact samples grew the roadmap
 ///
 /// all between bounds, because both extremes fail (paper 1, table V), and set anew every kWindow
-/// steps. A pure value: no clock, no randomness; the same outcomes give the same settings, bit by bit.
+/// steps. Draws are shared in proportion to what they bring (matching). Ground, not growth: a hand that
+/// moves a centimetre a step grows the roadmap each time and tells it nothing. The measure balances
+/// itself: the fewer draws he has, the farther the hand has gone between two of them. A hand that waits in
+/// a blocked passage brings nothing either, however little the computer earns there; draws are then
+/// better spent on the computer and, when the hand comes near a surface, on contact, which O leaves out:
+/// its share is N's. kTrust is what he is credited with unseen, because the ground behind a passage
+/// that he shows is broken by others' configurations: without it alpha is at its bound there.
+///
+/// A pure value: no clock, no randomness; the same outcomes give the same settings, bit by bit.
 class InteractionTuner {
  public:
   explicit InteractionTuner(double objectRadius);
@@ -35,6 +44,8 @@ class InteractionTuner {
 
   static constexpr std::uint64_t kWindow = 40;  ///< steps: a second at the paper's pace
   static constexpr double kMemory = 100.0;      ///< configurations of one sampler
+  static constexpr double kNewGround = tolerance::kRandomExtensionStep;
+  static constexpr double kTrust = 0.1;  ///< one configuration in ten
   static constexpr double kNodesPerContact = 8.0;
   static constexpr double kReach = 2.5;  ///< above 2, so that d can grow
   static constexpr double kLeastAlpha = 0.1;
@@ -49,9 +60,10 @@ class InteractionTuner {
 
   double radius_;
   // Between what was measured on environments 1 and 2, so that a run begins with settings that do on both.
-  double computerYield_ = 0.75;
-  double contactYield_ = 0.4;
-  double contactClearance_;  ///< of the hand where contact samples grew the roadmap, metres
+  double computerGround_ = 0.6;
+  double operatorGround_ = 0.2;
+  double contactYield_ = 0.4;  ///< share that grew the roadmap at all
+  double contactClearance_;    ///< of the hand where contact samples grew the roadmap, metres
   std::uint64_t steps_ = 0;
   InteractionSettings settings_;
   StepMedian alphaMedian_;  ///< in steps of 1 / kAlphaSteps

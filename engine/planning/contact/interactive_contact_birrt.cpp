@@ -34,14 +34,14 @@ InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::ui
 
 bool InteractiveContactBirrt::solve(PlannerHost& host) {
   while (!path_) {
-    const std::size_t size = roadmapSize();
+    const std::size_t edgesBefore = roadmap_.edges().size();
     if (contactSamplesLeft_ > 0) {
       contactSampling(host);
     } else {
       iterate(host);
     }
     deliverPath(host);
-    observeStep(size, host);
+    observeStep(edgesBefore, host);
     updateCounts();
     if (!host.afterStep()) break;
   }
@@ -106,13 +106,22 @@ InteractionSettings InteractiveContactBirrt::settings(const ParameterValues& par
 }
 
 /// Lets the tuner know what the step brought, where it has anything to set and somebody holds the object.
-void InteractiveContactBirrt::observeStep(std::size_t sizeBefore, PlannerHost& host) {
+void InteractiveContactBirrt::observeStep(std::size_t edgesBefore, PlannerHost& host) {
   tuned_ = operatorUse_ == OperatorUse::None ? 0 : host.parameters().integer(ParameterId::Tuning);
   if (tuned_ == 0 || !held_) return;
-  tuner_.observe({authority_, roadmapSize() > sizeBefore, contactClearance_});
+  tuner_.observe({authority_, longestEdge(edgesBefore), contactClearance_});
 }
 
-std::size_t InteractiveContactBirrt::roadmapSize() const { return roadmap_.nodes().size() + roadmap_.edges().size(); }
+/// Of the edges from this one on; 0 where there is none.
+double InteractiveContactBirrt::longestEdge(std::size_t first) const {
+  const Se3Metric metric = problem_.metric();
+  double longest = 0.0;
+  for (std::size_t i = first; i < roadmap_.edges().size(); ++i) {
+    const RoadmapEdge& edge = roadmap_.edges()[i];
+    longest = std::max(longest, metric.distance(roadmap_.nodes()[edge.from].q, roadmap_.nodes()[edge.to].q));
+  }
+  return longest;
+}
 
 std::optional<TuningReport> InteractiveContactBirrt::tuning() const {
   if (tuned_ == 0) return std::nullopt;

@@ -58,8 +58,8 @@ class InteractiveContactBirrt final : public Planner {
   void deliverPath(PlannerHost& host);
   void updateCounts();
   InteractionSettings settings(const ParameterValues& parameters) const;
-  void observeStep(std::size_t sizeBefore, PlannerHost& host);
-  std::size_t roadmapSize() const;
+  void observeStep(std::size_t edgesBefore, PlannerHost& host);
+  double longestEdge(std::size_t first) const;
 
   Problem problem_;
   OperatorUse operatorUse_;

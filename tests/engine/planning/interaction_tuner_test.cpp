@@ -10,6 +10,7 @@ namespace glissade {
 namespace {
 
 constexpr double kRadius = 1.536;
+constexpr double kNewGround = InteractionTuner::kNewGround * kRadius;
 
 void observe(InteractionTuner& tuner, const StepOutcome& outcome, int times) {
   for (int i = 0; i < times; ++i) tuner.observe(outcome);
@@ -24,24 +25,54 @@ TEST(StepMedian, IsTheMedianOfWhatWasAdded) {
   EXPECT_EQ(median.value(), 2U);  // the lower of 2 and 7
 }
 
-TEST(InteractionTuner, TheComputerKeepsTheAuthorityItMakesUseOf) {
-  InteractionTuner getsOn(kRadius);
-  observe(getsOn, {Author::Computer, true, 0.0}, 2000);
-  EXPECT_DOUBLE_EQ(getsOn.settings().alpha, InteractionTuner::kMostAlpha);
-  InteractionTuner isStuck(kRadius);
-  observe(isStuck, {Author::Computer, false, 0.0}, 2000);
-  EXPECT_DOUBLE_EQ(isStuck.settings().alpha, InteractionTuner::kLeastAlpha);
+/// Both break new ground once in so many configurations; the draws are even.
+double tunedAlpha(int computerOnceIn, int operatorOnceIn) {
+  InteractionTuner tuner(kRadius);
+  for (int i = 0; i < 4000; ++i) {
+    tuner.observe({Author::Computer, i % computerOnceIn == 0 ? kNewGround : 0.0, 0.0});
+    tuner.observe({Author::Operator, i % operatorOnceIn == 0 ? kNewGround : 0.0, 0.0});
+  }
+  return tuner.settings().alpha;
+}
+
+TEST(InteractionTuner, DrawsAreSharedInProportionToTheNewGround) {
+  EXPECT_NEAR(tunedAlpha(1, 1), 1.0 / (1.0 + 1.0 + InteractionTuner::kTrust), 0.01);
+  EXPECT_NEAR(tunedAlpha(1, 4), 1.0 / (1.0 + 0.25 + InteractionTuner::kTrust), 0.01);
+  EXPECT_NEAR(tunedAlpha(4, 1), 0.25 / (0.25 + 1.0 + InteractionTuner::kTrust), 0.01);
+}
+
+TEST(InteractionTuner, TheComputerLeadsWhereTheHandWaitsAndAPersonWhereTheComputerIsStuck) {
+  InteractionTuner handWaits(kRadius);
+  InteractionTuner computerIsStuck(kRadius);
+  for (int i = 0; i < 4000; ++i) {
+    handWaits.observe({Author::Computer, i % 2 == 0 ? kNewGround : 0.0, 0.0});
+    handWaits.observe({Author::Operator, 0.0, 0.0});
+    computerIsStuck.observe({Author::Computer, 0.0, 0.0});
+    computerIsStuck.observe({Author::Operator, i % 2 == 0 ? kNewGround : 0.0, 0.0});
+  }
+  EXPECT_NEAR(handWaits.settings().alpha, 0.5 / (0.5 + InteractionTuner::kTrust), 0.01);
+  EXPECT_DOUBLE_EQ(computerIsStuck.settings().alpha, InteractionTuner::kLeastAlpha);
+}
+
+TEST(InteractionTuner, GrowthThatBreaksNoNewGroundEarnsNoDraws) {
+  InteractionTuner creeps(kRadius);
+  InteractionTuner rests(kRadius);
+  for (int i = 0; i < 2000; ++i) {
+    creeps.observe({Author::Operator, 0.99 * kNewGround, 0.0});
+    rests.observe({Author::Operator, 0.0, 0.0});
+  }
+  EXPECT_DOUBLE_EQ(creeps.settings().alpha, rests.settings().alpha);
 }
 
 TEST(InteractionTuner, ContactModeIsToBringAsManyNodesWhereverSamplesFail) {
   for (const int onceIn : {1, 2, 4}) {
     InteractionTuner tuner(kRadius);
-    for (int i = 0; i < 4000; ++i) tuner.observe({Author::Contact, i % onceIn == 0, 0.05});
+    for (int i = 0; i < 4000; ++i) tuner.observe({Author::Contact, i % onceIn == 0 ? 0.01 : 0.0, 0.05});
     const double nodes = static_cast<double>(tuner.settings().contactSamples) / onceIn;
     EXPECT_NEAR(nodes, InteractionTuner::kNodesPerContact, 1.0) << onceIn;
   }
   InteractionTuner tuner(kRadius);
-  observe(tuner, {Author::Contact, false, 0.05}, 4000);
+  observe(tuner, {Author::Contact, 0.0, 0.05}, 4000);
   EXPECT_EQ(tuner.settings().contactSamples, InteractionTuner::kMostSamples);
 }
 
@@ -49,8 +80,8 @@ TEST(InteractionTuner, TheContactDistanceFollowsTheClearanceAtWhichContactWorks)
   const auto tuned = [](double clearance) {
     InteractionTuner tuner(kRadius);
     for (int i = 0; i < 4000; ++i) {
-      tuner.observe({Author::Contact, true, clearance});
-      tuner.observe({Author::Contact, false, 0.5});  // what fails far away does not count
+      tuner.observe({Author::Contact, 0.01, clearance});
+      tuner.observe({Author::Contact, 0.0, 0.5});  // what fails far away does not count
     }
     return tuner.settings().contactDistance;
   };
@@ -59,23 +90,23 @@ TEST(InteractionTuner, TheContactDistanceFollowsTheClearanceAtWhichContactWorks)
   EXPECT_DOUBLE_EQ(tuned(1.0), InteractionTuner::kMostDistance * kRadius);
 }
 
-TEST(InteractionTuner, ChangesOncePerWindowAndNotByTheOperatorsOwnConfigurations) {
+TEST(InteractionTuner, ChangesOncePerWindowAndNotByWhatContactBrings) {
   InteractionTuner tuner(kRadius);
   const double before = tuner.settings().alpha;
-  observe(tuner, {Author::Computer, false, 0.0}, InteractionTuner::kWindow - 1);
+  observe(tuner, {Author::Computer, 0.0, 0.0}, InteractionTuner::kWindow - 1);
   EXPECT_EQ(tuner.settings().alpha, before);
-  observe(tuner, {Author::Computer, false, 0.0}, 1);
+  observe(tuner, {Author::Computer, 0.0, 0.0}, 1);
   EXPECT_LT(tuner.settings().alpha, before);
   const double after = tuner.settings().alpha;
-  observe(tuner, {Author::Operator, true, 0.0}, 5000);
+  observe(tuner, {Author::Contact, kNewGround, 0.05}, 5000);
   EXPECT_EQ(tuner.settings().alpha, after);
 }
 
 TEST(InteractionTuner, ReportsWhatIsInForceAndItsMedian) {
   InteractionTuner tuner(kRadius);
   const double first = tuner.settings().alpha;
-  observe(tuner, {Author::Operator, true, 0.0}, 5000);
-  observe(tuner, {Author::Computer, false, 0.0}, 1000);
+  observe(tuner, {Author::Contact, 0.0, 0.05}, 5000);
+  observe(tuner, {Author::Computer, 0.0, 0.0}, 1000);
   EXPECT_DOUBLE_EQ(tuner.report().now.alpha, InteractionTuner::kLeastAlpha);
   EXPECT_DOUBLE_EQ(tuner.report().median.alpha, first);
 }
