@@ -11,8 +11,6 @@ bool operator==(const Pose& a, const Pose& b) {
   return a.position == b.position && a.orientation.coeffs() == b.orientation.coeffs();
 }
 
-Vector3 operator*(const Pose& X_AB, const Vector3& p_B) { return X_AB.orientation * p_B + X_AB.position; }
-
 Pose operator*(const Pose& X_AB, const Pose& X_BC) {
   return {X_AB * X_BC.position, (X_AB.orientation * X_BC.orientation).normalized()};
 }

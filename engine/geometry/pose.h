@@ -23,8 +23,13 @@ struct Pose {
 bool operator==(const Pose& a, const Pose& b);
 inline bool operator!=(const Pose& a, const Pose& b) { return !(a == b); }
 
-/// p_A = X_AB * p_B.
-Vector3 operator*(const Pose& X_AB, const Vector3& p_B);
+/// p_A = X_AB * p_B. Inline, with the products of Eigen's quaternions in their order: collision queries
+/// place every triangle that they decide about so.
+inline Vector3 operator*(const Pose& X_AB, const Vector3& p_B) {
+  const Vector3 axis = X_AB.orientation.vec();
+  const Vector3 twice = 2.0 * axis.cross(p_B);
+  return p_B + X_AB.orientation.w() * twice + axis.cross(twice) + X_AB.position;
+}
 /// X_AC = X_AB * X_BC.
 Pose operator*(const Pose& X_AB, const Pose& X_BC);
 Pose inverse(const Pose& X_AB);
