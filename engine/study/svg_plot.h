@@ -11,7 +11,7 @@ struct PlotFrame {
   double width = 760.0;
   double height = 400.0;
   double left = 76.0;
-  double right = 16.0;
+  double right = 40.0;  ///< half of a long last label
   double top = 20.0;
   double bottom = 84.0;  ///< with the legend
 

@@ -14,6 +14,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/study/svg_plot.h"
 
@@ -27,8 +28,9 @@ constexpr int kPlotObject = QTextFormat::UserObject + 1;
 constexpr int kSvg = QTextFormat::UserProperty + 1;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
-constexpr double kPictureShare = 0.46;  ///< of the width of a page
-constexpr int kLongestLabel = 28;       ///< characters of a row's label that stay on one line
+constexpr double kPictureShare = 0.46;    ///< of the width of a page
+constexpr double kBelowHeadingMm = 35.0;  ///< what a page has to hold of a heading and what follows
+constexpr int kLongestLabel = 28;         ///< characters of a row's label that stay on one line
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 double dots(double millimetres) { return millimetres / 25.4 * kDotsPerInch; }
@@ -65,15 +67,21 @@ class Composer {
 
   /// Figures are large: their heading begins a page, or it might stay behind alone.
   void beforeFigures(const ReportHeading& heading) {
-    (*this)(heading);
+    insertHeading(heading);
     QTextBlockFormat format = cursor_.blockFormat();
     format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
     cursor_.setBlockFormat(format);
   }
 
   void operator()(const ReportHeading& heading) {
-    newBlock(pixels(6.0), pixels(2.0));
-    cursor_.insertText(text(heading.text), font(12.0, QFont::Bold));
+    insertHeading(heading);
+    // Where little room is left it goes to the next page by its margin: behind a table, a page break of
+    // QTextDocument's leaves an empty page.
+    const double left = millimetresLeft();
+    if (left > kBelowHeadingMm) return;
+    QTextBlockFormat format = cursor_.blockFormat();
+    format.setTopMargin(format.topMargin() + pixels(left));
+    cursor_.setBlockFormat(format);
   }
 
   void operator()(const ReportText& words) {
@@ -154,6 +162,18 @@ class Composer {
     format.setFontPointSize(points);
     format.setFontWeight(weight);
     return format;
+  }
+
+  void insertHeading(const ReportHeading& heading) {
+    newBlock(pixels(6.0), pixels(2.0));
+    cursor_.insertText(text(heading.text), font(12.0, QFont::Bold));
+  }
+
+  /// On the page, from the top of the present block.
+  double millimetresLeft() const {
+    const double height = cursor_.document()->pageSize().height();
+    const double top = cursor_.document()->documentLayout()->blockBoundingRect(cursor_.block()).top();
+    return (height - std::fmod(top, height)) / kDotsPerInch * 25.4;
   }
 
   static bool hasTitles(const ReportTable& table) {
