@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "engine/environment/inside_columns.h"
 #include "engine/environment/unchanged_cells.h"
@@ -12,6 +13,7 @@ namespace {
 
 /// Goes down the octree along a surface, in Z order.
 class SurfaceWalk {
+  using Change = UnchangedCells::Change;
   /// Deeper than this a stop is not looked at: the cells are done in a moment.
   static constexpr int kStopLevel = 6;
 
@@ -60,7 +62,8 @@ class SurfaceWalk {
     Cell part{cell.level + 1,
               {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
                2 * cell.index[2] + (child & 1U)}};
-    if (unchanged_ && !unchanged_->changed(part)) {
+    const Change change = unchanged_ ? unchanged_->changeOf(part) : Change::Wholly;
+    if (change == Change::None) {
       unchanged_->copy(finest(part), occupied_);
       return;
     }
@@ -72,7 +75,9 @@ class SurfaceWalk {
     for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level)]) {
       if (triangles_[i].enters(centre, half)) entering.push_back(i);
     }
+    UnchangedCells* const known = std::exchange(unchanged_, change == Change::Partly ? unchanged_ : nullptr);
     visit(part);
+    unchanged_ = known;
   }
 
   CellRun finest(const Cell& cell) const {
@@ -89,7 +94,7 @@ class SurfaceWalk {
   std::vector<CubeIntersector> triangles_;
   std::optional<InsideColumns> columns_;
   std::vector<std::vector<std::uint32_t>> candidates_;  ///< per level, of the cell being visited
-  UnchangedCells* unchanged_ = nullptr;
+  UnchangedCells* unchanged_ = nullptr;                 ///< null where every cell is to be looked at
   CellRuns occupied_;
 };
 

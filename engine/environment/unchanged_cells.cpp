@@ -42,7 +42,7 @@ bool UnchangedCells::meet(const Block& a, const Block& b) {
   return true;
 }
 
-bool UnchangedCells::contains(const Block& outer, const Block& inner) {
+bool UnchangedCells::holds(const Block& outer, const Block& inner) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (inner.first[axis] < outer.first[axis] || inner.last[axis] > outer.last[axis]) return false;
   }
@@ -56,19 +56,16 @@ UnchangedCells::Block UnchangedCells::blockOf(const Cell& cell) const {
   return {{x << shift, y << shift, z << shift}, {(x << shift) + last, (y << shift) + last, (z << shift) + last}};
 }
 
-bool UnchangedCells::changed(const Cell& cell) {
+UnchangedCells::Change UnchangedCells::changeOf(const Cell& cell) {
   const Block block = blockOf(cell);
   auto& meeting = meeting_[static_cast<std::size_t>(cell.level)];
   meeting.clear();
   for (const std::uint32_t i : meeting_[static_cast<std::size_t>(cell.level) - 1]) {
     if (!meet(changed_[i], block)) continue;
+    if (holds(changed_[i], block)) return Change::Wholly;
     meeting.push_back(i);
-    if (contains(changed_[i], block)) {  // and all cells below, whatever the other boxes do
-      meeting.assign(1, i);
-      break;
-    }
   }
-  return !meeting.empty();
+  return meeting.empty() ? Change::None : Change::Partly;
 }
 
 void UnchangedCells::copy(const CellRun& cells, CellRuns& target) {

@@ -13,8 +13,13 @@ class UnchangedCells {
   /// `changed`: boxes outside which the body covers the same as before (changedBoxes()).
   UnchangedCells(const CellRuns& before, const std::vector<Box3>& changed, const CellFrame& frame, int depth);
 
-  /// Whether a box of change meets the cell. Precondition: it met the cell's parent when that was asked for.
-  bool changed(const Cell& cell);
+  enum class Change {
+    None,    ///< no box of change meets the cell
+    Partly,  ///< of its children some may be unchanged
+    Wholly   ///< one box holds the cell
+  };
+  /// Precondition: the cell's parent was asked for, and is changed partly.
+  Change changeOf(const Cell& cell);
   /// Appends what was occupied of these finest cells. Precondition: no cells behind them were asked for.
   void copy(const CellRun& cells, CellRuns& target);
 
@@ -26,7 +31,7 @@ class UnchangedCells {
   };
 
   static bool meet(const Block& a, const Block& b);
-  static bool contains(const Block& outer, const Block& inner);
+  static bool holds(const Block& outer, const Block& inner);
   Block blockOf(const Cell& cell) const;
   void addBlock(const Box3& box, const CellFrame& frame);
 
