@@ -29,31 +29,26 @@ class Motion {
     return box;
   }
 
-  /// How many coordinates all the vertices share, before and after.
-  template <std::size_t N>
-  int sharedCoordinates(const std::array<std::uint32_t, N>& vertices) const {
-    return static_cast<int>((box(vertices).sizes().array() == 0.0).count());
-  }
-
   /// Twice the area of a triangle before the motion, seen along an axis: its sign is the turn.
   double turn(const std::array<std::uint32_t, 3>& triangle, int axis) const {
     const Vector3& a = before_.vertices[triangle[0]];
     return (before_.vertices[triangle[1]] - a).cross(before_.vertices[triangle[2]] - a)[axis];
   }
 
-  /// The axis across which the vertices lie in one plane, before and after.
-  std::optional<int> slidesAcross(const std::array<std::uint32_t, 3>& triangle) const {
-    const Vector3 sizes = box(triangle).sizes();
-    for (int axis = 0; axis < 3; ++axis) {
-      if (sizes[axis] == 0.0) return axis;
-    }
-    return std::nullopt;
-  }
-
  private:
   const TriangleMesh& before_;
   const TriangleMesh& after_;
 };
+
+/// The axis across which what the box holds lies in one plane.
+std::optional<int> axisAcross(const Box3& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.sizes()[axis] == 0.0) return axis;
+  }
+  return std::nullopt;
+}
+
+bool isAlongAnAxis(const Box3& box) { return (box.sizes().array() == 0.0).count() >= 2; }
 
 void addEdges(const Motion& motion, const TriangleMesh& mesh_W, const TriangleIndices& triangle, int axis,
               std::vector<FaceEdge>& edges) {
@@ -74,8 +69,8 @@ void addRims(const Motion& motion, std::vector<FaceEdge> edges, std::vector<Box3
     int sides = 0;
     auto next = edge;
     for (; next != edges.end() && next->key() == edge->key(); ++next) sides += next->side;
-    const std::array<std::uint32_t, 2> ends{edge->from, edge->to};
-    if (sides != 0 && motion.sharedCoordinates(ends) < 2) boxes.push_back(motion.box(ends));
+    const Box3 box = motion.box(std::array<std::uint32_t, 2>{edge->from, edge->to});
+    if (sides != 0 && !isAlongAnAxis(box)) boxes.push_back(box);
     edge = next;
   }
 }
@@ -87,10 +82,11 @@ std::vector<Box3> changedBoxes(const TriangleMesh& before_W, const TriangleMesh&
   std::vector<Box3> boxes;
   std::vector<FaceEdge> edges;
   for (const TriangleIndices& triangle : before_W.triangles) {
-    if (const auto axis = motion.slidesAcross(triangle)) {
+    const Box3 box = motion.box(triangle);
+    if (const auto axis = axisAcross(box)) {
       addEdges(motion, before_W, triangle, *axis, edges);
     } else {
-      boxes.push_back(motion.box(triangle));
+      boxes.push_back(box);
     }
   }
   addRims(motion, std::move(edges), boxes);

@@ -22,38 +22,20 @@ UnchangedCells::UnchangedCells(const CellRuns& before, const std::vector<Box3>& 
 }
 
 void UnchangedCells::addBlock(const Box3& box, const CellFrame& frame) {
-  const double size = frame.cellSize(depth_);
-  const double count = std::ldexp(1.0, depth_);
-  Block block{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low = std::floor((box.min()[axis] - frame.origin[axis]) / size - kMargin);
-    const double high = std::floor((box.max()[axis] - frame.origin[axis]) / size + kMargin);
-    if (high < 0.0 || low >= count) return;
-    block.first[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(std::max(low, 0.0));
-    block.last[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(std::min(high, count - 1.0));
-  }
-  changed_.push_back(block);
-}
-
-bool UnchangedCells::meet(const Block& a, const Block& b) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (a.first[axis] > b.last[axis] || b.first[axis] > a.last[axis]) return false;
-  }
-  return true;
-}
-
-bool UnchangedCells::holds(const Block& outer, const Block& inner) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (inner.first[axis] < outer.first[axis] || inner.last[axis] > outer.last[axis]) return false;
-  }
-  return true;
+  const auto cellOf = [&](const Vector3& corner, double margin) -> Eigen::Vector3i {
+    const Vector3 at = ((corner - frame.origin) / frame.cellSize(depth_)).array() + margin;
+    // Far outside is as good as just outside.
+    return at.array().floor().cwiseMax(-1.0).cwiseMin(std::ldexp(1.0, depth_)).matrix().cast<int>();
+  };
+  const Block block = Block(cellOf(box.min(), -kMargin), cellOf(box.max(), kMargin)).intersection(blockOf(Cell{}));
+  if (!block.isEmpty()) changed_.push_back(block);
 }
 
 UnchangedCells::Block UnchangedCells::blockOf(const Cell& cell) const {
-  const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
-  const std::uint32_t last = (1U << shift) - 1U;
+  const int size = 1 << (depth_ - cell.level);
   const auto& [x, y, z] = cell.index;
-  return {{x << shift, y << shift, z << shift}, {(x << shift) + last, (y << shift) + last, (z << shift) + last}};
+  const Eigen::Vector3i first = size * Eigen::Vector3i(static_cast<int>(x), static_cast<int>(y), static_cast<int>(z));
+  return {first, first + Eigen::Vector3i::Constant(size - 1)};
 }
 
 UnchangedCells::Change UnchangedCells::changeOf(const Cell& cell) {
@@ -61,8 +43,8 @@ UnchangedCells::Change UnchangedCells::changeOf(const Cell& cell) {
   auto& meeting = meeting_[static_cast<std::size_t>(cell.level)];
   meeting.clear();
   for (const std::uint32_t i : meeting_[static_cast<std::size_t>(cell.level) - 1]) {
-    if (!meet(changed_[i], block)) continue;
-    if (holds(changed_[i], block)) return Change::Wholly;
+    if (!changed_[i].intersects(block)) continue;
+    if (changed_[i].contains(block)) return Change::Wholly;
     meeting.push_back(i);
   }
   return meeting.empty() ? Change::None : Change::Partly;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "engine/environment/coverage.h"
 
 namespace glissade {
@@ -24,14 +22,8 @@ class UnchangedCells {
   void copy(const CellRun& cells, CellRuns& target);
 
  private:
-  /// Finest cells, from `first` to `last` along each axis.
-  struct Block {
-    std::array<std::uint32_t, 3> first;
-    std::array<std::uint32_t, 3> last;
-  };
+  using Block = Eigen::AlignedBox3i;  ///< of finest cells, the last ones included
 
-  static bool meet(const Block& a, const Block& b);
-  static bool holds(const Block& outer, const Block& inner);
   Block blockOf(const Cell& cell) const;
   void addBlock(const Box3& box, const CellFrame& frame);
 

@@ -7,7 +7,7 @@
 #include "engine/geometry/cube_intersector.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
-#include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/environment_worlds.h"
 
 namespace glissade {
 namespace {
@@ -18,12 +18,10 @@ constexpr double kSize = 1.0 / 16;
 
 using Index = std::array<std::uint32_t, 3>;
 
-TriangleMesh boxBetween(const Vector3& least, const Vector3& most) {
-  return transformed(makeBox(most - least), Pose::translation((least + most) / 2.0));
-}
-
 /// In whole cells.
-TriangleMesh boxOfCells(const Vector3& first, const Vector3& last) { return boxBetween(kSize * first, kSize * last); }
+TriangleMesh boxOfCells(const Vector3& first, const Vector3& last) {
+  return test::boxBetween(kSize * first, kSize * last);
+}
 
 TriangleMesh insideOut(TriangleMesh mesh) {
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -109,10 +107,10 @@ TEST(Coverage, ACavityIsFree) {
 }
 
 TEST(Coverage, PartsOutsideTheRootAreLeftOutAndTheRestKeepsItsInside) {
-  const TriangleMesh round = boxBetween(Vector3(-3, -2, -1), Vector3(0.5, 4, 5));
+  const TriangleMesh round = test::boxBetween(Vector3(-3, -2, -1), Vector3(0.5, 4, 5));
   EXPECT_EQ(coverageOf(round, true, kFrame, kDepth), cellsBetween({0, 0, 0}, {8, 16, 16}));
-  EXPECT_TRUE(coverageOf(boxBetween(Vector3(1, 0, 0), Vector3(2, 1, 1)), true, kFrame, kDepth).empty());
-  EXPECT_EQ(coverageOf(boxBetween(Vector3::Constant(-1), Vector3::Constant(2)), true, kFrame, kDepth),
+  EXPECT_TRUE(coverageOf(test::boxBetween(Vector3(1, 0, 0), Vector3(2, 1, 1)), true, kFrame, kDepth).empty());
+  EXPECT_EQ(coverageOf(test::boxBetween(Vector3::Constant(-1), Vector3::Constant(2)), true, kFrame, kDepth),
             (CellRuns{{0, 4096}}));
 }
 

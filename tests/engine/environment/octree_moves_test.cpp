@@ -35,15 +35,11 @@ TEST_P(OctreeMoves, EqualAFreshOctreeAfterEveryMove) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, OctreeMoves, testing::Range(1, 7));
 
-TriangleMesh boxBetween(const Vector3& least, const Vector3& most) {
-  return transformed(makeBox(most - least), Pose::translation((least + most) / 2.0));
-}
-
 /// Shapes with faces across the axes: a box, two that overlap, an open box, a sheet that is folded over,
 /// a cylinder and a wedge.
 std::vector<TriangleMesh> shapesOnTheAxes() {
-  TriangleMesh overlapping = boxBetween({0, 0, 0}, {0.25, 0.125, 0.1});
-  append(overlapping, boxBetween({0.1, 0, 0}, {0.2, 0.3, 0.1}));
+  TriangleMesh overlapping = test::boxBetween({0, 0, 0}, {0.25, 0.125, 0.1});
+  append(overlapping, test::boxBetween({0.1, 0, 0}, {0.2, 0.3, 0.1}));
   TriangleMesh open = makeBox({0.2, 0.25, 0.3});
   open.triangles.resize(open.triangles.size() - 3);
   TriangleMesh folded;

@@ -31,6 +31,10 @@ inline std::vector<RigidBody> randomBodies(RandomStream& stream, int count) {
   return bodies;
 }
 
+inline TriangleMesh boxBetween(const Vector3& least, const Vector3& most) {
+  return transformed(makeBox(most - least), Pose::translation((least + most) / 2.0));
+}
+
 inline Box3 twoRooms() { return Box3(Vector3::Zero(), Vector3(2.0, 1.0, 1.0)); }
 
 /// A wall across `twoRooms()` at x = 1 with a square hole of 0.25 m.
