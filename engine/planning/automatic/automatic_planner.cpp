@@ -76,6 +76,7 @@ void AutomaticPlanner::round(PlannerHost& host) {
 void AutomaticPlanner::deal(std::size_t lanes) {
   const auto stages = [](const Life& life) { return life.planner ? life.planner->planner().stagesDone() : 0; };
   for (std::vector<Life>& lives : lives_) {
+    if (lives.size() < 2) continue;
     std::stable_sort(lives.begin(), lives.end(), [&](const Life& a, const Life& b) { return stages(a) > stages(b); });
   }
   std::vector<std::size_t> dealt(members_.size(), 0);
