@@ -16,15 +16,19 @@ class SurfaceWalk {
   using Change = UnchangedCells::Change;
   /// Deeper than this a stop is not looked at: the cells are done in a moment.
   static constexpr int kStopLevel = 6;
+  static constexpr std::array<Change, 8> kUnknown{Change::Wholly, Change::Wholly, Change::Wholly, Change::Wholly,
+                                                  Change::Wholly, Change::Wholly, Change::Wholly, Change::Wholly};
 
  public:
-  SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth, const StopToken& stop)
+  /// Only cells in the boxes are asked for.
+  SurfaceWalk(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
+              const std::vector<Box3>& boxes, const StopToken& stop = {})
       : frame_(frame), depth_(depth), stop_(stop) {
     triangles_.reserve(mesh_W.triangles.size());
     for (const auto& [a, b, c] : mesh_W.triangles) {
       triangles_.push_back(CubeIntersector({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]}));
     }
-    if (closed) columns_.emplace(mesh_W, frame, depth);
+    if (closed) columns_.emplace(mesh_W, frame, depth, boxes);
     candidates_.resize(static_cast<std::size_t>(depth) + 1);
   }
 
@@ -32,61 +36,73 @@ class SurfaceWalk {
   CellRuns run(UnchangedCells* unchanged = nullptr) {
     unchanged_ = unchanged;
     auto& all = candidates_.front();
-    all.resize(triangles_.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-    const Box3 root = frame_.box(Cell{});
-    all.erase(std::remove_if(all.begin(), all.end(),
-                             [&](std::uint32_t i) { return !triangles_[i].enters(root.center(), frame_.side / 2.0); }),
-              all.end());
-    visit(Cell{});
+    const Vector3 centre = frame_.box(Cell{}).center();
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+      if (triangles_[i].enters(centre, frame_.side / 2.0)) all.push_back(i);
+    }
+    visit(Cell{}, 0);
     return std::move(occupied_);
   }
 
  private:
-  /// Precondition: candidates_[level] are the triangles that enter the cell.
-  void visit(const Cell& cell) {
+  /// `begin` is the cell's first finest cell. Precondition: candidates_[level] are the triangles that enter it.
+  void visit(const Cell& cell, std::uint64_t begin) {
     if (cell.level <= kStopLevel && stop_.stopRequested()) return;
-    const auto& entering = candidates_[static_cast<std::size_t>(cell.level)];
-    if (entering.empty()) {
-      const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
-      const std::array<std::uint32_t, 3> finest{cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift};
-      if (columns_ && columns_->inside(finest)) occupy(cell);
-    } else if (cell.level == depth_) {
-      occupy(cell);
-    } else {
-      for (std::uint32_t child = 0; child < 8; ++child) visitChild(cell, child);
-    }
-  }
-
-  void visitChild(const Cell& cell, std::uint32_t child) {
-    Cell part{cell.level + 1,
-              {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
-               2 * cell.index[2] + (child & 1U)}};
-    const Change change = unchanged_ ? unchanged_->changeOf(part) : Change::Wholly;
-    if (change == Change::None) {
-      unchanged_->copy(finest(part), occupied_);
+    const std::uint64_t step = finestCellsIn(cell.level + 1, depth_);
+    if (candidates_[static_cast<std::size_t>(cell.level)].empty()) {
+      if (inside(cell)) addRun(occupied_, {begin, begin + 8 * step});
       return;
     }
-    const double half = frame_.cellSize(part.level) / 2.0;
-    const Vector3 centre =
-        frame_.origin + half * (2.0 * Vector3(part.index[0], part.index[1], part.index[2]) + Vector3::Ones());
-    auto& entering = candidates_[static_cast<std::size_t>(part.level)];
+    const auto changes = unchanged_ ? unchanged_->changesIn(cell) : kUnknown;
+    for (std::uint32_t child = 0; child < 8; ++child) {
+      const Cell part{cell.level + 1,
+                      {2 * cell.index[0] + (child >> 2U & 1U), 2 * cell.index[1] + (child >> 1U & 1U),
+                       2 * cell.index[2] + (child & 1U)}};
+      const CellRun cells{begin + child * step, begin + (child + 1) * step};
+      if (changes[child] == Change::None) {
+        unchanged_->copy(cells, occupied_);
+      } else if (part.level == depth_) {
+        if (crossed(part) || inside(part)) addRun(occupied_, cells);
+      } else {
+        UnchangedCells* const known =
+            std::exchange(unchanged_, changes[child] == Change::Partly ? unchanged_ : nullptr);
+        findCandidates(part);
+        visit(part, cells.begin);
+        unchanged_ = known;
+      }
+    }
+  }
+
+  void findCandidates(const Cell& cell) {
+    const double half = frame_.cellSize(cell.level) / 2.0;
+    const Vector3 centre = centreOf(cell, half);
+    auto& entering = candidates_[static_cast<std::size_t>(cell.level)];
     entering.clear();
-    for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level)]) {
+    for (const std::uint32_t i : candidates_[static_cast<std::size_t>(cell.level) - 1]) {
       if (triangles_[i].enters(centre, half)) entering.push_back(i);
     }
-    UnchangedCells* const known = std::exchange(unchanged_, change == Change::Partly ? unchanged_ : nullptr);
-    visit(part);
-    unchanged_ = known;
   }
 
-  CellRun finest(const Cell& cell) const {
+  /// Whether the surface crosses a finest cell.
+  bool crossed(const Cell& cell) const {
+    const double half = frame_.cellSize(cell.level) / 2.0;
+    const Vector3 centre = centreOf(cell, half);
+    const auto& candidates = candidates_[static_cast<std::size_t>(cell.level) - 1];
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](std::uint32_t i) { return triangles_[i].enters(centre, half); });
+  }
+
+  /// Whether a cell that the surface does not cross is in the solid.
+  bool inside(const Cell& cell) const {
+    if (!columns_) return false;
+    if (unchanged_) return columns_->inside(unchanged_->changedCellIn(cell));
     const unsigned shift = static_cast<unsigned>(depth_ - cell.level);
-    const std::uint64_t begin = mortonCode({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
-    return {begin, begin + finestCellsIn(cell.level, depth_)};
+    return columns_->inside({cell.index[0] << shift, cell.index[1] << shift, cell.index[2] << shift});
   }
 
-  void occupy(const Cell& cell) { addRun(occupied_, finest(cell)); }
+  Vector3 centreOf(const Cell& cell, double half) const {
+    return frame_.origin + half * (2.0 * Vector3(cell.index[0], cell.index[1], cell.index[2]) + Vector3::Ones());
+  }
 
   CellFrame frame_;
   int depth_;
@@ -109,13 +125,14 @@ void addRun(CellRuns& runs, const CellRun& run) {
 }
 
 CellRuns coverageOf(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth, const StopToken& stop) {
-  return SurfaceWalk(mesh_W, closed, frame, depth, stop).run();
+  return SurfaceWalk(mesh_W, closed, frame, depth, {boundingBox(mesh_W)}, stop).run();
 }
 
 CellRuns coverageAfterMotion(const TriangleMesh& mesh_W, bool closed, const CellFrame& frame, int depth,
                              const CellRuns& before, const std::vector<Box3>& changed) {
   UnchangedCells unchanged(before, changed, frame, depth);
-  return SurfaceWalk(mesh_W, closed, frame, depth, {}).run(&unchanged);
+  if (!unchanged.anyChanged()) return before;
+  return SurfaceWalk(mesh_W, closed, frame, depth, changed).run(&unchanged);
 }
 
 CellRuns difference(const CellRuns& a, const CellRuns& b) {

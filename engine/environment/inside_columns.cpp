@@ -22,22 +22,42 @@ bool leftOf(const Vector3& a, const Vector3& b, double x, double y) {
 
 }  // namespace
 
-InsideColumns::InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame, int depth)
+InsideColumns::InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame, int depth,
+                             const std::vector<Box3>& boxes)
     : frame_(frame), size_(frame.cellSize(depth)) {
-  const Box3 box = boundingBox(mesh_W);
-  const double most = static_cast<double>((1U << static_cast<unsigned>(depth)) - 1U);
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto at = [&](double value) {
-      return static_cast<std::uint32_t>(std::clamp(std::floor((value - frame.origin[axis]) / size_), 0.0, most));
-    };
-    const auto a = static_cast<std::size_t>(axis);
-    first_[a] = at(box.min()[axis]);
-    counts_[a] = at(box.max()[axis]) - first_[a] + 1;
-  }
-  last_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1], kNone);
+  const Box3 body = boundingBox(mesh_W);
+  const std::uint32_t all = 1U << static_cast<unsigned>(depth);
+  counts_ = {all, all};
+  const auto [xs, ys] = rangeOf(body);
+  first_ = {xs[0], ys[0]};
+  counts_ = {xs[1] - xs[0] + 1, ys[1] - ys[0] + 1};
+  last_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1], kNotAskedFor);
+  for (const Box3& box : boxes) askFor(box.intersection(body));
   for (const auto& [a, b, c] : mesh_W.triangles) {
     addTriangle({mesh_W.vertices[a], mesh_W.vertices[b], mesh_W.vertices[c]});
   }
+}
+
+void InsideColumns::askFor(const Box3& box) {
+  if (box.isEmpty()) return;
+  const Vector3 margin = Vector3::Constant(size_);
+  const auto [xs, ys] = rangeOf({box.min() - margin, box.max() + margin});
+  for (std::uint32_t x = xs[0]; x <= xs[1]; ++x) {
+    std::fill_n(last_.begin() + static_cast<std::ptrdiff_t>(column(x, ys[0])), ys[1] - ys[0] + 1, kNone);
+  }
+}
+
+InsideColumns::ColumnRange InsideColumns::rangeOf(const Box3& box) const {
+  ColumnRange range{};
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    const auto at = [&](double value) {
+      const double offset = std::floor((value - frame_.origin[axis]) / size_) - first_[i];
+      return static_cast<std::uint32_t>(std::clamp(offset, 0.0, counts_[i] - 1.0)) + first_[i];
+    };
+    range[i] = {at(box.min()[axis]), at(box.max()[axis])};
+  }
+  return range;
 }
 
 double InsideColumns::coordinate(std::uint32_t index, int axis) const {
@@ -48,25 +68,16 @@ void InsideColumns::addTriangle(const std::array<Vector3, 3>& triangle) {
   const auto& [a, b, c] = triangle;
   const Vector3 normal = (b - a).cross(c - a);
   if (normal.z() == 0.0) return;
-  std::array<std::array<std::uint32_t, 2>, 2> range{};  // per axis: first and last column
-  for (int axis = 0; axis < 2; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    const double low = std::min({a[axis], b[axis], c[axis]});
-    const double high = std::max({a[axis], b[axis], c[axis]});
-    const auto at = [&](double value) {
-      const double offset = std::floor((value - frame_.origin[axis]) / size_) - first_[i];
-      return static_cast<std::uint32_t>(std::clamp(offset, 0.0, counts_[i] - 1.0)) + first_[i];
-    };
-    range[i] = {at(low), at(high)};
-  }
-  for (std::uint32_t ix = range[0][0]; ix <= range[0][1]; ++ix) {
+  const auto [xs, ys] = rangeOf(Box3(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)));
+  for (std::uint32_t ix = xs[0]; ix <= xs[1]; ++ix) {
     const double x = coordinate(ix, 0);
-    for (std::uint32_t iy = range[1][0]; iy <= range[1][1]; ++iy) {
+    for (std::uint32_t iy = ys[0]; iy <= ys[1]; ++iy) {
+      std::int32_t& last = last_[column(ix, iy)];
+      if (last == kNotAskedFor) continue;
       const double y = coordinate(iy, 1);
       const bool left = leftOf(a, b, x, y);
       if (leftOf(b, c, x, y) != left || leftOf(c, a, x, y) != left) continue;
       const double z = a.z() - (normal.x() * (x - a.x()) + normal.y() * (y - a.y())) / normal.z();
-      std::int32_t& last = last_[column(ix, iy)];
       crossings_.push_back({z, left ? 1 : -1, last});
       last = static_cast<std::int32_t>(crossings_.size() - 1);
     }
@@ -80,7 +91,7 @@ bool InsideColumns::inside(const std::array<std::uint32_t, 3>& index) const {
   }
   const double z = coordinate(index[2], 2);
   int winding = 0;
-  for (std::int32_t i = last_[column(index[0], index[1])]; i != kNone;) {
+  for (std::int32_t i = last_[column(index[0], index[1])]; i >= 0;) {
     const Crossing& crossing = crossings_[static_cast<std::size_t>(i)];
     if (crossing.z > z) winding += crossing.turns;
     i = crossing.next;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace glissade {
@@ -9,6 +10,33 @@ namespace {
 
 /// About a box of change, times a finest cell: well above rounding.
 constexpr double kMargin = 1e-3;
+
+using Block = Eigen::AlignedBox3i;
+
+/// Sets of a cell's children as bits, in Z order: per axis those of its lower and those of its upper half.
+constexpr std::array<std::array<unsigned, 2>, 3> kHalves{{{0x0f, 0xf0}, {0x33, 0xcc}, {0x55, 0xaa}}};
+
+/// Precondition: the box meets the cell.
+unsigned childrenMet(const Block& box, const Block& cell) {
+  unsigned children = 0xff;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int upper = (cell.min()[axis] + cell.max()[axis] + 1) / 2;
+    const auto& [low, high] = kHalves[static_cast<std::size_t>(axis)];
+    children &= (box.min()[axis] < upper ? low : 0) | (box.max()[axis] >= upper ? high : 0);
+  }
+  return children;
+}
+
+unsigned childrenHeld(const Block& box, const Block& cell) {
+  unsigned children = 0xff;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int upper = (cell.min()[axis] + cell.max()[axis] + 1) / 2;
+    const auto& [low, high] = kHalves[static_cast<std::size_t>(axis)];
+    children &= (box.min()[axis] <= cell.min()[axis] && box.max()[axis] >= upper - 1 ? low : 0) |
+                (box.min()[axis] <= upper && box.max()[axis] >= cell.max()[axis] ? high : 0);
+  }
+  return children;
+}
 
 }  // namespace
 
@@ -38,16 +66,38 @@ UnchangedCells::Block UnchangedCells::blockOf(const Cell& cell) const {
   return {first, first + Eigen::Vector3i::Constant(size - 1)};
 }
 
-UnchangedCells::Change UnchangedCells::changeOf(const Cell& cell) {
+std::array<UnchangedCells::Change, 8> UnchangedCells::changesIn(const Cell& cell) {
   const Block block = blockOf(cell);
-  auto& meeting = meeting_[static_cast<std::size_t>(cell.level)];
-  meeting.clear();
-  for (const std::uint32_t i : meeting_[static_cast<std::size_t>(cell.level) - 1]) {
-    if (!changed_[i].intersects(block)) continue;
-    if (changed_[i].contains(block)) return Change::Wholly;
-    meeting.push_back(i);
+  const auto level = static_cast<std::size_t>(cell.level);
+  auto& meeting = meeting_[level];
+  if (level > 0) {
+    const auto meets = [&](std::uint32_t i) { return changed_[i].intersects(block); };
+    meeting.clear();
+    std::copy_if(meeting_[level - 1].begin(), meeting_[level - 1].end(), std::back_inserter(meeting), meets);
   }
-  return meeting.empty() ? Change::None : Change::Partly;
+  unsigned met = 0;
+  unsigned held = 0;
+  for (const std::uint32_t i : meeting) {
+    met |= childrenMet(changed_[i], block);
+    held |= childrenHeld(changed_[i], block);
+  }
+  std::array<Change, 8> changes{};
+  for (unsigned child = 0; child < 8; ++child) {
+    changes[child] = (held >> child & 1U) != 0  ? Change::Wholly
+                     : (met >> child & 1U) != 0 ? Change::Partly
+                                                : Change::None;
+  }
+  return changes;
+}
+
+std::array<std::uint32_t, 3> UnchangedCells::changedCellIn(const Cell& cell) const {
+  const Block block = blockOf(cell);
+  const auto& candidates = meeting_[static_cast<std::size_t>(std::max(0, cell.level - 1))];
+  const auto meets = [&](std::uint32_t i) { return changed_[i].intersects(block); };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), meets);
+  const Eigen::Vector3i first = changed_[*found].intersection(block).min();
+  return {static_cast<std::uint32_t>(first.x()), static_cast<std::uint32_t>(first.y()),
+          static_cast<std::uint32_t>(first.z())};
 }
 
 void UnchangedCells::copy(const CellRun& cells, CellRuns& target) {
