@@ -149,6 +149,8 @@ void prepareProcess() {
 int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, SessionClock clock) {
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  // A desktop at 150 % is drawn at 150 %, not at 200.
+  QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
   QFont font = QApplication::font();

@@ -2220,6 +2220,10 @@
         <source>How the places are found</source>
         <translation>Comment les lieux sont trouvés</translation>
     </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SemanticsTree</name>

@@ -45,11 +45,12 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   splitter->setChildrenCollapsible(false);
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 1);
-  tree_->setMinimumHeight(80);
+  tree_->setMinimumSize(288, 80);
   attributes_->setMinimumHeight(80);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
+  actions[QStringLiteral("attribute.add")]->setIconText(tr("Add"));
   layout->addLayout(
       makeActionRow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
   auto* finding = new QHBoxLayout;
@@ -59,7 +60,6 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   layout->addWidget(busy_);
   layout->addWidget(splitter, 1);
   layout->addWidget(refusal_);
-  setMinimumWidth(300);
   connect(filter_, &QLineEdit::textChanged, tree_, &SemanticsTree::setFilter);
   connect(tree_, &SemanticsTree::refused, this, &SemanticsPanel::showRefusal);
   connect(attributes_, &AttributeView::refused, this, &SemanticsPanel::showRefusal);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/planning/contact/interaction_settings.h"
@@ -40,7 +41,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setAccessibleName(parameterLabel(spec));
   number_->setDecimals(spec.integer ? 0 : spec.unit != "m" || spec.defaultValue < 1e-3 ? 3 : 1);
   number_->setKeyboardTracking(false);
-  number_->setFixedWidth(96);
+  number_->setFixedWidth(std::max(96, number_->fontMetrics().horizontalAdvance(QStringLiteral("0000.0 mm")) + 24));
   number_->setAlignment(Qt::AlignRight);
   if (spec.unit == "m") number_->setSuffix(QStringLiteral(" mm"));
   const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());

@@ -33,7 +33,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   }
   steps_->header()->setStretchLastSection(true);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  steps_->setMinimumHeight(64);
+  steps_->setMinimumSize(288, 64);
   why_->setWordWrap(true);
   summary_->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
@@ -43,7 +43,6 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(steps_, 1);
   layout->addWidget(why_);
   layout->addLayout(makeActionRow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
-  setMinimumWidth(300);
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
     const auto step = currentStep();
     why_->setText(step ? QString::fromStdString(plan_->steps[*step].why) : QString());

@@ -24,6 +24,7 @@ Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
 
 void CameraController::fit(const Box3& box) {
   if (box.isEmpty()) return;
+  fitted_ = box;
   sceneCentre_ = box.center();
   sceneRadius_ = std::max(1e-6, 0.5 * box.diagonal().norm());
   focus_ = sceneCentre_;
@@ -53,6 +54,7 @@ void CameraController::setStandardView(StandardView view) {
 }
 
 void CameraController::orbit(double dx, double dy) {
+  fitted_.reset();
   // About the world's vertical and the view's own horizontal: the horizon stays level.
   const Quaternion yaw(Eigen::AngleAxisd(-dx * kTurnPerHeight, Vector3::UnitZ()));
   const Quaternion pitch(Eigen::AngleAxisd(-dy * kTurnPerHeight, Vector3::UnitX()));
@@ -60,12 +62,17 @@ void CameraController::orbit(double dx, double dy) {
 }
 
 void CameraController::roll(double angle) {
+  fitted_.reset();
   orientation_ = (orientation_ * Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()))).normalized();
 }
 
-void CameraController::pan(double dx, double dy) { focus_ += viewHeight() * (orientation_ * Vector3(-dx, dy, 0.0)); }
+void CameraController::pan(double dx, double dy) {
+  fitted_.reset();
+  focus_ += viewHeight() * (orientation_ * Vector3(-dx, dy, 0.0));
+}
 
 void CameraController::zoom(double factor, double x, double y) {
+  fitted_.reset();
   const double before = distance_;
   distance_ = std::clamp(distance_ / factor, 1e-3 * sceneRadius_, 50.0 * sceneRadius_);
   // The point of the focal plane under the pointer stays there.
@@ -74,7 +81,9 @@ void CameraController::zoom(double factor, double x, double y) {
 }
 
 void CameraController::setAspect(double widthOverHeight) {
-  if (widthOverHeight > 0.0) aspect_ = widthOverHeight;
+  if (widthOverHeight <= 0.0 || widthOverHeight == aspect_) return;
+  aspect_ = widthOverHeight;
+  if (fitted_) fit(Box3(*fitted_));
 }
 
 Quaternion CameraController::R_WV() const { return orientation_; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -11,7 +13,7 @@ enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 /// pan, wheel to zoom about the pointer. Plain geometry, no OSG, no Qt.
 class CameraController {
  public:
-  /// The whole box in view, direction kept.
+  /// The whole box in view, direction kept; until the camera is moved it stays so whatever shape the view takes.
   void fit(const Box3& box);
   void setStandardView(StandardView view);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
@@ -43,6 +45,7 @@ class CameraController {
   double sceneRadius_ = 5.0;
   Vector3 sceneCentre_ = Vector3::Zero();
   double aspect_ = 16.0 / 9.0;
+  std::optional<Box3> fitted_;  ///< what is kept in view; nothing once the camera was moved
 };
 
 }  // namespace glissade

@@ -183,8 +183,8 @@ struct SceneView::Impl {
   }
 
   Box3 extent() const {
-    Box3 box;
-    if (!scenario) return box;
+    if (!scenario) return Box3();
+    Box3 box = scenario->problem.bounds;
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {

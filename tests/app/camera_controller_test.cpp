@@ -1,0 +1,38 @@
+#include "widgets/scene3d/camera_controller.h"
+
+#include <gtest/gtest.h>
+
+namespace glissade {
+namespace {
+
+const Box3 kWide(Vector3(-3.0, -1.0, -1.0), Vector3(3.0, 1.0, 1.0));
+
+TEST(CameraController, WhatWasFittedStaysInViewWhateverShapeTheViewTakes) {
+  CameraController camera;
+  camera.setStandardView(StandardView::Front);
+  camera.fit(kWide);
+  const double wide = camera.distance();
+  camera.setAspect(0.5);
+  EXPECT_GT(camera.distance(), 2.0 * wide);
+  EXPECT_GT(camera.aspect() * camera.viewHeight(), kWide.sizes().x());
+  camera.setAspect(16.0 / 9.0);
+  EXPECT_DOUBLE_EQ(camera.distance(), wide);
+}
+
+TEST(CameraController, ACameraThatWasMovedIsLeftAlone) {
+  const auto moves = {+[](CameraController& camera) { camera.orbit(0.1, 0.0); },
+                      +[](CameraController& camera) { camera.roll(0.1); },
+                      +[](CameraController& camera) { camera.pan(0.1, 0.0); },
+                      +[](CameraController& camera) { camera.zoom(1.1); }};
+  for (const auto& move : moves) {
+    CameraController camera;
+    camera.fit(kWide);
+    move(camera);
+    const double moved = camera.distance();
+    camera.setAspect(0.5);
+    EXPECT_EQ(camera.distance(), moved);
+  }
+}
+
+}  // namespace
+}  // namespace glissade
