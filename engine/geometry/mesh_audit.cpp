@@ -1,8 +1,8 @@
 #include "engine/geometry/mesh_audit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -35,22 +35,49 @@ Components connectedVertices(const TriangleMesh& mesh) {
   return components;
 }
 
+/// An edge between two vertices as a triangle uses it.
 struct EdgeUse {
-  int forward = 0;
-  int backward = 0;
+  std::pair<std::uint32_t, std::uint32_t> edge;  ///< the lower vertex first
+  bool forward = false;                          ///< from the lower to the higher
 };
 
-std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> edgeUses(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, EdgeUse> uses;
+/// Uses of the same edge are neighbours.
+std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = triangle[i];
       const std::uint32_t to = triangle[(i + 1) % 3];
-      EdgeUse& use = uses[std::minmax(from, to)];
-      ++(from < to ? use.forward : use.backward);
+      uses.push_back({std::minmax(from, to), from < to});
     }
   }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) { return a.edge < b.edge; });
   return uses;
+}
+
+void auditEdges(const TriangleMesh& mesh, MeshAudit& result) {
+  const std::vector<EdgeUse> uses = edgeUses(mesh);
+  for (auto first = uses.begin(); first != uses.end();) {
+    const auto other = [&](const EdgeUse& use) { return use.edge != first->edge; };
+    const auto last = std::find_if(first, uses.end(), other);
+    const auto forward = std::count_if(first, last, [](const EdgeUse& use) { return use.forward; });
+    if ((last - first) % 2 != 0) ++result.openEdges;
+    if (2 * forward != last - first) result.consistentlyOriented = false;
+    first = last;
+  }
+}
+
+std::size_t componentCount(const TriangleMesh& mesh) {
+  Components components = connectedVertices(mesh);
+  std::vector<bool> counted(mesh.vertices.size(), false);
+  std::size_t count = 0;
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const std::uint32_t component = components.find(triangle[0]);
+    if (!counted[component]) ++count;
+    counted[component] = true;
+  }
+  return count;
 }
 
 double solidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
@@ -69,7 +96,7 @@ MeshAudit audit(const TriangleMesh& input) {
   MeshAudit result;
   result.triangles = input.triangles.size();
   result.degenerateTriangles = input.triangles.size() - mesh.triangles.size();
-  result.components = connectedComponents(mesh).size();
+  result.components = componentCount(mesh);
   result.box = boundingBox(input);
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vector3& pa = mesh.vertices[a];
@@ -78,10 +105,7 @@ MeshAudit audit(const TriangleMesh& input) {
     if ((pb - pa).cross(pc - pa).norm() == 0.0) ++result.degenerateTriangles;
     result.volume += pa.dot(pb.cross(pc)) / 6.0;
   }
-  for (const auto& [edge, use] : edgeUses(mesh)) {
-    if ((use.forward + use.backward) % 2 != 0) ++result.openEdges;
-    if (use.forward != use.backward) result.consistentlyOriented = false;
-  }
+  auditEdges(mesh, result);
   return result;
 }
 

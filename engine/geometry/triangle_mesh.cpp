@@ -2,10 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <functional>
+#include <unordered_map>
 
 namespace glissade {
+namespace {
+
+struct PlaceHash {
+  std::size_t operator()(const Vector3& p) const {
+    constexpr std::size_t kOdd = 0x9e3779b97f4a7c15U;
+    const std::hash<double> hash;
+    return (hash(p.x()) * kOdd + hash(p.y())) * kOdd + hash(p.z());
+  }
+};
+
+}  // namespace
 
 Box3 boundingBox(const TriangleMesh& mesh) { return boundingBox(mesh, Pose::identity()); }
 
@@ -47,12 +58,11 @@ void append(TriangleMesh& target, const TriangleMesh& addition) {
 
 TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh result;
-  std::map<std::tuple<double, double, double>, std::uint32_t> indexOf;
+  std::unordered_map<Vector3, std::uint32_t, PlaceHash, std::equal_to<>> indexOf(mesh.vertices.size());
   const auto weld = [&](std::uint32_t vertex) {
-    const Vector3& p = mesh.vertices[vertex];
-    const auto [entry, inserted] =
-        indexOf.try_emplace({p.x(), p.y(), p.z()}, static_cast<std::uint32_t>(result.vertices.size()));
-    if (inserted) result.vertices.push_back(p);
+    const Vector3& place = mesh.vertices[vertex];
+    const auto [entry, inserted] = indexOf.try_emplace(place, static_cast<std::uint32_t>(result.vertices.size()));
+    if (inserted) result.vertices.push_back(place);
     return entry->second;
   };
   for (const auto& triangle : mesh.triangles) {

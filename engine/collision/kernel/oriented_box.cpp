@@ -2,17 +2,55 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
 #include <optional>
 
 namespace glissade {
 namespace {
 
-OrientedBox boxAlong(const Eigen::Matrix3d& axes, const std::vector<const Triangle*>& triangles) {
-  Box3 box;
+/// The box along these axes, unless its surface is `most` or more: with those that stick out farthest first,
+/// few triangles are looked at to know.
+std::optional<OrientedBox> boxAlong(const Eigen::Matrix3d& axes, const std::vector<const Triangle*>& triangles,
+                                    double most = std::numeric_limits<double>::infinity()) {
+  Box3 corners;
+  OrientedBox box;
+  box.axes = axes;
   for (const Triangle* triangle : triangles) {
-    for (const Vector3& corner : *triangle) box.extend(axes.transpose() * corner);
+    for (const Vector3& corner : *triangle) corners.extend(axes.transpose() * corner);
+    box.half = 0.5 * corners.sizes();
+    if (box.surface() >= most) return std::nullopt;
   }
-  return {axes * box.center(), axes, 0.5 * box.sizes()};
+  box.centre = axes * corners.center();
+  return box;
+}
+
+/// First those that reach farthest along the coordinate axes and the diagonals of a cube.
+std::vector<const Triangle*> outermostFirst(std::vector<const Triangle*> triangles) {
+  const std::array<Vector3, 7> directions{Vector3(1, 0, 0),  Vector3(0, 1, 0),  Vector3(0, 0, 1), Vector3(1, 1, 1),
+                                          Vector3(1, 1, -1), Vector3(1, -1, 1), Vector3(-1, 1, 1)};
+  if (triangles.size() <= 2 * directions.size()) return triangles;
+  auto front = triangles.begin();
+  for (const Vector3& direction : directions) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Vector3 along = sign * direction;
+      const auto reach = [&](const Triangle* t) {
+        return std::max({along.dot((*t)[0]), along.dot((*t)[1]), along.dot((*t)[2])});
+      };
+      auto farthest = front;
+      double most = reach(*front);
+      for (auto at = std::next(front); at != triangles.end(); ++at) {
+        const double here = reach(*at);
+        if (here > most) {
+          most = here;
+          farthest = at;
+        }
+      }
+      std::iter_swap(front++, farthest);
+    }
+  }
+  return triangles;
 }
 
 Eigen::Matrix3d principalAxes(const std::vector<const Triangle*>& triangles) {
@@ -54,10 +92,10 @@ std::vector<const Triangle*> leadingTriangles(std::vector<const Triangle*> trian
 }  // namespace
 
 OrientedBox fitBox(const std::vector<const Triangle*>& triangles) {
-  OrientedBox best = boxAlong(Eigen::Matrix3d::Identity(), triangles);
+  const std::vector<const Triangle*> ordered = outermostFirst(triangles);
+  OrientedBox best = *boxAlong(Eigen::Matrix3d::Identity(), ordered);
   const auto tryAxes = [&](const Eigen::Matrix3d& axes) {
-    const OrientedBox box = boxAlong(axes, triangles);
-    if (box.surface() < 0.999 * best.surface()) best = box;
+    if (const auto box = boxAlong(axes, ordered, 0.999 * best.surface())) best = *box;
   };
   tryAxes(principalAxes(triangles));
   for (const Triangle* triangle : leadingTriangles(triangles)) {

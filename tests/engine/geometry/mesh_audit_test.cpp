@@ -58,6 +58,9 @@ TEST(MeshAudit, SplitVerticesCountAsOne) {
   EXPECT_TRUE(audit(soup).closed());
   EXPECT_EQ(audit(soup).components, 1U);
   EXPECT_EQ(welded(soup).vertices.size(), 8U);
+  for (Vector3& vertex : soup.vertices) vertex.z() += 0.5;
+  soup.vertices.front().z() = soup.vertices.front().z() == 0.0 ? -0.0 : soup.vertices.front().z();
+  EXPECT_EQ(welded(soup).vertices.size(), 8U);  // zero has two signs
 }
 
 TEST(Containment, AgreesWithABoxOnRandomPointsWhateverTheOrientation) {
