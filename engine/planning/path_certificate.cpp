@@ -30,4 +30,15 @@ MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint
   return certifyPath(query, configurations, demandsOf(points, parameters), stop, bounds);
 }
 
+std::optional<std::size_t> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
+                                            const ParameterValues& parameters, const StopToken& stop) {
+  const std::vector<EdgeDemand> demands = demandsOf(points, parameters);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const MotionCheck check =
+        query.checkMotion(points[i].q, points[i + 1].q, demands[i].clearance, SeekViolation::Any, stop);
+    if (check.status != CertificateStatus::Certified) return i;
+  }
+  return std::nullopt;
+}
+
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/base/parameters.h"
@@ -15,5 +16,10 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
                               const ParameterValues& parameters, const StopToken& stop = {},
                               ClearanceBounds bounds = ClearanceBounds::Any);
+
+/// The first edge that the certificate will refuse, without the distances that a certificate holds: for
+/// paths of which most are refused. Nothing where none was found; certifyPath() has the last word.
+std::optional<std::size_t> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
+                                            const ParameterValues& parameters, const StopToken& stop = {});
 
 }  // namespace glissade

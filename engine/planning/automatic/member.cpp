@@ -30,6 +30,19 @@ constexpr std::uint64_t kHardEntry = 600'000;
 constexpr std::uint64_t kModelEntry = 8'000'000;
 constexpr std::uint64_t kModelEntryPerTriangle = 20'000;
 
+std::uint64_t obstacleTriangles(const Problem& problem) {
+  std::uint64_t triangles = 0;
+  for (const RigidBody& body : problem.world->obstacles()) triangles += body.mesh->triangles.size();
+  return triangles;
+}
+
+/// Work that the two trees have before the other quick ones. Among detailed parts they are quickest (the
+/// pump, both ways: in less than half the time), among a few bars and walls they are not.
+std::uint64_t headStart(const Problem& problem) {
+  constexpr std::uint64_t kDetailed = 10'000;
+  return obstacleTriangles(problem) < kDetailed ? 0 : kHardEntry;
+}
+
 Member directMotions(const Problem& problem) {
   return {"direct-motions",
           {1.0, 0, 0, Restart::Never, 0},
@@ -57,7 +70,7 @@ Member rrtConnect(std::string name, const Contender& contender, const Problem& p
 /// The quickest where space is open but for a few bars and walls.
 Member bkpiece(const Problem& problem) {
   return {"ompl-bkpiece",
-          {4.0, kShortPatience, kShortFirstLife, Restart::Luby, 0},
+          {4.0, kShortPatience, kShortFirstLife, Restart::Luby, headStart(problem)},
           [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
             return std::make_unique<OmplPlanner>(problem, seed, OmplAlgorithm::Bkpiece);
           }};
@@ -76,7 +89,7 @@ RrtConnect::Options turning(const Problem& problem, double range, double turnWei
 Member turningRrt(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.03, 0.02);
   options.growth = RrtConnect::Growth::FromStart;
-  return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, 0}, problem, options);
+  return rrtConnect("turning-rrt", {2.0, kFirstLife, kFirstLife, Restart::Luby, headStart(problem)}, problem, options);
 }
 
 /// Two trees that are not trapped for long.
@@ -101,6 +114,8 @@ Member contactSlide(const Problem& problem, const Worlds& worlds) {
 
 /// Of the object's radius. Few: a world is built for each, and for each level.
 constexpr double kErosions[] = {0.06, 0.07, 0.08};
+/// For each triangle of the object: eroding it counts as no work either.
+constexpr std::uint64_t kErosionEntryPerTriangle = 100;
 
 /// Ends its lives itself: most first levels that succeed do so at once, so that they are given up
 /// early. How much is eroded is drawn anew in each life.
@@ -110,8 +125,9 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
   ShrinkRepair::Options base;
   base.growth = tolerance::kContactGap * problem.world->objectRadius();
   base.search.range = searchRange(problem, 0.03);
+  const std::uint64_t entry = kHardEntry + kErosionEntryPerTriangle * problem.world->object().triangles.size();
   return {"shrink-repair",
-          {kShare, kFirstLife, 0, Restart::Luby, kHardEntry},
+          {kShare, kFirstLife, 0, Restart::Luby, entry},
           [problem, worlds, base](std::uint64_t seed, std::uint64_t life) -> std::unique_ptr<Planner> {
             ShrinkRepair::Options options = base;
             const double draw = RandomStream(seed, "erosion").uniform() * std::size(kErosions);
@@ -123,9 +139,8 @@ Member shrinkRepair(const Problem& problem, const Worlds& worlds) {
 
 /// Guidance from the environment model, where somebody has built it already; else only late.
 Member multiLayer(const Problem& problem) {
-  std::uint64_t triangles = 0;
-  for (const RigidBody& body : problem.world->obstacles()) triangles += body.mesh->triangles.size();
-  const std::uint64_t entry = problem.scene.knowledge ? 0 : kModelEntry + kModelEntryPerTriangle * triangles;
+  const std::uint64_t model = kModelEntry + kModelEntryPerTriangle * obstacleTriangles(problem);
+  const std::uint64_t entry = problem.scene.knowledge ? 0 : model;
   return {"gts",
           {1.0, kFirstLife, 0, Restart::Never, entry},
           [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {

@@ -20,6 +20,23 @@ TEST(Members, HaveNamesOfTheirOwn) {
   EXPECT_EQ(names.size(), members.size());
 }
 
+TEST(Members, TwoTreesHaveAHeadStartAmongDetailedParts) {
+  const auto first = [](const Problem& problem) {
+    std::set<std::string> names;
+    for (const Member& member : makeMembers(problem)) {
+      if (member.contender.entry == 0) names.insert(member.name);
+    }
+    return names;
+  };
+  Problem problem = windowProblem();
+  EXPECT_EQ(first(problem), (std::set<std::string>{"direct-motions", "dynamic-domain", "turning-rrt", "ompl-bkpiece"}));
+  std::vector<RigidBody> detailed = problem.world->obstacles();
+  detailed.push_back(boxBody("part", {0.1, 0.1, 0.1}, Pose::translation({1.9, 1.9, 1.9})));
+  detailed.back().mesh = std::make_shared<const TriangleMesh>(makeSphere(0.05, 5));
+  problem.world = CollisionWorld::build(detailed, std::make_shared<const TriangleMesh>(problem.world->object()));
+  EXPECT_EQ(first(problem), (std::set<std::string>{"direct-motions", "dynamic-domain"}));
+}
+
 TEST(Members, DeliverCertifiedPathsOrSayWhyNot) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
