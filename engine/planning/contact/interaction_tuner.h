@@ -45,15 +45,15 @@ class InteractionTuner {
   static constexpr std::uint64_t kWindow = 40;  ///< steps: a second at the paper's pace
   static constexpr double kMemory = 100.0;      ///< configurations of one sampler
   static constexpr double kNewGround = tolerance::kRandomExtensionStep;
-  static constexpr double kTrust = 0.1;  ///< one configuration in ten
-  static constexpr double kNodesPerContact = 8.0;
+  static constexpr double kTrust = 0.2;  ///< one configuration in five
+  static constexpr double kNodesPerContact = 13.0;
   static constexpr double kReach = 2.5;  ///< above 2, so that d can grow
   static constexpr double kLeastAlpha = 0.1;
   static constexpr double kMostAlpha = 0.9;
   static constexpr int kLeastSamples = 3;
   static constexpr int kMostSamples = 60;
   static constexpr double kLeastDistance = 0.04;  ///< times the object's radius
-  static constexpr double kMostDistance = 0.12;
+  static constexpr double kMostDistance = 0.06;
 
  private:
   void tune();

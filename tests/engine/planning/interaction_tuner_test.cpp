@@ -85,7 +85,8 @@ TEST(InteractionTuner, TheContactDistanceFollowsTheClearanceAtWhichContactWorks)
     }
     return tuner.settings().contactDistance;
   };
-  EXPECT_NEAR(tuned(0.05), InteractionTuner::kReach * 0.05, 0.001 * kRadius);
+  const double between = 0.05 * kRadius;
+  EXPECT_NEAR(tuned(between / InteractionTuner::kReach), between, 0.001 * kRadius);
   EXPECT_DOUBLE_EQ(tuned(0.0), InteractionTuner::kLeastDistance * kRadius);
   EXPECT_DOUBLE_EQ(tuned(1.0), InteractionTuner::kMostDistance * kRadius);
 }
