@@ -15,8 +15,10 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
 }
 
 /// Work of a lane in a round: some milliseconds, so that waiting for the slowest costs little, and that
-/// commands and snapshots still come often enough.
+/// commands and snapshots still come often enough. Less in the first rounds, each twice the one before, so
+/// that what is easy need not wait for the others' milliseconds.
 constexpr std::uint64_t kQuantum = 10'000;
+constexpr std::uint64_t kFirstQuantum = 300;
 
 }  // namespace
 
@@ -26,7 +28,8 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
       members_(makeMembers(problem)),
       portfolio_(contendersOf(members_)),
       lives_(members_.size()),
-      livesBegun_(members_.size(), 0) {
+      livesBegun_(members_.size(), 0),
+      quantum_(kFirstQuantum) {
   roadmap_.nodes.push_back({problem.start, Author::Computer, TreeSide::Start});
   updateCounts();
   const auto query = problem.world->makeQuery();
@@ -70,6 +73,7 @@ void AutomaticPlanner::round(PlannerHost& host) {
   }
   deliver();
   for (const Part& part : parts_) settle(part);
+  quantum_ = std::min(2 * quantum_, kQuantum);
 }
 
 /// Of a member's lives those that have got on farthest come first.
@@ -81,7 +85,7 @@ void AutomaticPlanner::deal(std::size_t lanes) {
   }
   std::vector<std::size_t> dealt(members_.size(), 0);
   parts_.clear();
-  for (const std::size_t member : portfolio_.next(lanes, kQuantum)) {
+  for (const std::size_t member : portfolio_.next(lanes, quantum_)) {
     const Part& part = parts_.emplace_back(Part{member, dealt[member]++, {}});
     if (part.place == lives_[member].size()) lives_[member].emplace_back();
     Life& life = lifeOf(part);
@@ -97,7 +101,7 @@ void AutomaticPlanner::runParts(PlannerHost& host, std::size_t lanes) {
   }
   if (!team_) team_ = std::make_unique<ThreadTeam>(std::min(lanes, mostThreads_) - 1);
   RoundHost roundHost(host);
-  team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, kQuantum); });
+  team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, quantum_); });
 }
 
 void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum) {

@@ -75,6 +75,7 @@ class AutomaticPlanner final : public Planner {
   Portfolio portfolio_;
   std::vector<std::vector<Life>> lives_;   ///< per member: as many as had turns at the same time
   std::vector<std::uint64_t> livesBegun_;  ///< per member
+  std::uint64_t quantum_;                  ///< work of a lane in the next round
   std::vector<Part> parts_;                ///< of the last round, in the order dealt
   std::uint64_t owedTurns_ = 0;            ///< of the last round, that the host was not told of yet
   std::unique_ptr<ThreadTeam> team_;       ///< once there is more than one lane
