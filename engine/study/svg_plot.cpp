@@ -14,6 +14,13 @@ constexpr const char* kGround = "#ffffff";
 constexpr double kTick = 5.0;
 constexpr double kMarker = 4.2;
 constexpr double kLegendRow = 18.0;
+constexpr double kLetter = 7.2;  ///< width of one, or a little more
+/// Of labels and title under the axis.
+constexpr double kOneRow = 18.0;
+constexpr double kFirstOfTwoRows = 14.0;
+constexpr double kSecondOfTwoRows = 27.0;
+constexpr double kTitleBelowOne = 38.0;
+constexpr double kTitleBelowTwo = 42.0;
 
 std::string attribute(const std::string& name, double value) { return " " + name + "=\"" + pixels(value) + "\""; }
 std::string attribute(const std::string& name, const std::string& value) {
@@ -70,7 +77,7 @@ std::string marker(const PlotSeries& series, double x, double y, const std::stri
 /// Draws one plot.
 class Drawing {
  public:
-  Drawing(const Plot& plot, const PlotFrame& frame) : plot_(plot), frame_(frame) {}
+  Drawing(const Plot& plot, const PlotFrame& frame) : plot_(plot), frame_(frame), height_(frame.height) {}
 
   std::string draw() {
     // Series of bars lie under their intervals, and all of them over the grid.
@@ -79,8 +86,8 @@ class Drawing {
     drawAxes();
     drawLegend();
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\"" + attribute("aria-label", plot_.title) +
-           attribute("viewBox", "0 0 " + pixels(frame_.width) + " " + pixels(frame_.height)) +
-           attribute("width", frame_.width) + attribute("height", frame_.height) +
+           attribute("viewBox", "0 0 " + pixels(frame_.width) + " " + pixels(height_)) +
+           attribute("width", frame_.width) + attribute("height", height_) +
            attribute("font-family", "DejaVu Sans, Liberation Sans, Arial, sans-serif") + attribute("font-size", 12.0) +
            ">\n" + titled(plot_.title) + "\n" + out_ + "</svg>\n";
   }
@@ -102,12 +109,7 @@ class Drawing {
   void drawAxes() {
     out_ += line(frame_.xAt(0), frame_.yAt(0), frame_.xAt(1), frame_.yAt(0), inkStroke(1.0));
     out_ += line(frame_.xAt(0), frame_.yAt(0), frame_.xAt(0), frame_.yAt(1), inkStroke(1.0));
-    for (const PlotTick& tick : plot_.x.ticks()) {
-      const double x = frame_.xAt(tick.position);
-      const double length = tick.label.empty() ? 0.6 * kTick : kTick;
-      if (!plot_.x.isCategories()) out_ += line(x, frame_.yAt(0), x, frame_.yAt(0) + length, inkStroke(1.0));
-      if (!tick.label.empty()) out_ += text(x, frame_.yAt(0) + 18.0, "middle", tick.label);
-    }
+    drawXLabels();
     for (const PlotTick& tick : plot_.y.ticks()) {
       const double y = frame_.yAt(tick.position);
       const double length = tick.label.empty() ? 0.6 * kTick : kTick;
@@ -115,10 +117,31 @@ class Drawing {
       if (!tick.label.empty()) out_ += text(frame_.xAt(0) - 8.0, y + 4.0, "end", tick.label);
     }
     drawBreak();
-    out_ += text(frame_.xAt(0.5), frame_.yAt(0) + 38.0, "middle", plot_.x.title());
     const double middle = frame_.yAt(0.5);
     out_ +=
         text(18.0, middle, "middle", plot_.y.title(), attribute("transform", "rotate(-90 18 " + pixels(middle) + ")"));
+  }
+
+  /// In two rows, by turns, where one is too narrow.
+  void drawXLabels() {
+    const std::vector<PlotTick>& ticks = plot_.x.ticks();
+    const bool crowded = plot_.x.isCategories() && widestLabel(ticks) > (frame_.xAt(1) - frame_.xAt(0)) / ticks.size();
+    double below = crowded ? kFirstOfTwoRows : kOneRow;
+    for (const PlotTick& tick : ticks) {
+      const double x = frame_.xAt(tick.position);
+      const double length = tick.label.empty() ? 0.6 * kTick : kTick;
+      if (!plot_.x.isCategories()) out_ += line(x, frame_.yAt(0), x, frame_.yAt(0) + length, inkStroke(1.0));
+      if (!tick.label.empty()) out_ += text(x, frame_.yAt(0) + below, "middle", tick.label);
+      if (crowded) below = kFirstOfTwoRows + kSecondOfTwoRows - below;
+    }
+    out_ +=
+        text(frame_.xAt(0.5), frame_.yAt(0) + (crowded ? kTitleBelowTwo : kTitleBelowOne), "middle", plot_.x.title());
+  }
+
+  static double widestLabel(const std::vector<PlotTick>& ticks) {
+    std::size_t most = 0;
+    for (const PlotTick& tick : ticks) most = std::max(most, tick.label.size());
+    return kLetter * static_cast<double>(most);
   }
 
   /// Two strokes across the axis, between a zero and where the logarithms begin.
@@ -181,10 +204,11 @@ class Drawing {
     double y = frame_.height - frame_.bottom + 62.0;
     for (const PlotSeries& series : plot_.series) {
       if (!shown.insert(series.name).second) continue;
-      const double wide = 30.0 + 7.2 * static_cast<double>(series.name.size());
+      const double wide = 30.0 + kLetter * static_cast<double>(series.name.size());
       if (x + wide > frame_.width && x > frame_.left) {
         x = frame_.left;
         y += kLegendRow;
+        height_ += kLegendRow;
       }
       drawKey(series, x, y);
       out_ += text(x + 26.0, y + 4.0, "start", series.name);
@@ -207,6 +231,7 @@ class Drawing {
 
   const Plot& plot_;
   const PlotFrame& frame_;
+  double height_;  ///< of the picture: a legend of several rows adds to it
   std::string out_;
 };
 

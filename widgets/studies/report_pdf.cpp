@@ -10,6 +10,7 @@
 #include <QTextCursor>
 #include <QTextDocument>
 #include <QTextObjectInterface>
+#include <QTextOption>
 #include <QTextTable>
 #include <QUrl>
 
@@ -28,8 +29,10 @@ constexpr int kPlotObject = QTextFormat::UserObject + 1;
 constexpr int kSvg = QTextFormat::UserProperty + 1;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
+constexpr double kWideTablePoints = 5.6;
 constexpr double kPictureShare = 0.46;    ///< of the width of a page
 constexpr double kBelowHeadingMm = 35.0;  ///< what a page has to hold of a heading and what follows
+constexpr std::size_t kManyColumns = 10;  ///< tables with more have smaller letters
 constexpr int kLongestLabel = 28;         ///< characters of a row's label that stay on one line
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
@@ -74,6 +77,8 @@ class Composer {
   }
 
   void operator()(const ReportHeading& heading) {
+    // The block behind a table has no margin above, whatever its format says: it is filled by next to nothing.
+    if (cursor_.block().length() <= 1) cursor_.insertText(QStringLiteral(" "), font(1.0));
     insertHeading(heading);
     // Where little room is left it goes to the next page by its margin: behind a table, a page break of
     // QTextDocument's leaves an empty page.
@@ -92,6 +97,7 @@ class Composer {
   void operator()(const ReportTable& table) {
     const bool titled = hasTitles(table);
     const int rows = static_cast<int>(table.rows.size()) + (titled ? 1 : 0);
+    const double points = table.columns.size() > kManyColumns ? kWideTablePoints : kTablePoints;
     newBlock(0.0, 0.0);
     cursor_.setBlockCharFormat(font(1.0));  // a table follows a block, which is to be low
     QTextTableFormat format;
@@ -110,12 +116,12 @@ class Composer {
       QTextTableCellFormat shade;
       shade.setBackground(QColor(0xf4, 0xf6, 0xf9));
       grid->cellAt(0, column).setFormat(shade);
-      fill(grid->cellAt(0, column), what.title, what.kind == ReportColumn::Kind::Number, QFont::Bold);
+      fill(grid->cellAt(0, column), what.title, what.kind == ReportColumn::Kind::Number, font(points, QFont::Bold));
     }
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       for (std::size_t column = 0; column < table.rows[row].size(); ++column) {
         fill(grid->cellAt(static_cast<int>(row) + (titled ? 1 : 0), static_cast<int>(column)), table.rows[row][column],
-             table.columns[column].kind == ReportColumn::Kind::Number, QFont::Normal);
+             table.columns[column].kind == ReportColumn::Kind::Number, font(points));
       }
     }
     cursor_.movePosition(QTextCursor::End);
@@ -192,18 +198,19 @@ class Composer {
   }
 
   /// A number keeps to one line, its spread in brackets to another.
-  static void fill(const QTextTableCell& cell, const std::string& words, bool number, int weight) {
+  static void fill(const QTextTableCell& cell, const std::string& words, bool number, const QTextCharFormat& letters) {
     QTextCursor cursor = cell.firstCursorPosition();
     QTextBlockFormat block;
     block.setAlignment(number ? Qt::AlignRight : Qt::AlignLeft);
     QString content = text(words);
     const bool isLabel = cell.column() == 0 && content.size() <= kLongestLabel;
-    if (weight == QFont::Normal && (number || isLabel)) block.setNonBreakableLines(true);
-    if (number && weight == QFont::Normal) {
+    const bool isTitle = letters.fontWeight() != QFont::Normal;
+    if (!isTitle && (number || isLabel)) block.setNonBreakableLines(true);
+    if (!isTitle && number) {
       content.replace(QStringLiteral(" ("), QString(QChar::LineSeparator) + QLatin1Char('('));
     }
     cursor.setBlockFormat(block);
-    cursor.insertText(content, font(kTablePoints, weight));
+    cursor.insertText(content, letters);
   }
 
   void caption(const std::string& words) {
@@ -264,6 +271,9 @@ Outcome writeReportPdf(const StudyReport& report, const QString& file) {
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPointSizeF(kBodyPoints);
   document.setDefaultFont(font);
+  QTextOption wrapping;
+  wrapping.setWrapMode(QTextOption::WordWrap);  // no word is broken, in a narrow column neither
+  document.setDefaultTextOption(wrapping);
   document.setPageSize({static_cast<double>(writer.width()), writer.height() - dots(kFooterMm)});
   Composer composer(document);
   composer.title(report.title);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "engine/study/cell_value.h"
 #include "engine/study/xml_text.h"
@@ -117,6 +118,26 @@ TEST(ShortNumber, SaysEnoughAndNoMore) {
   EXPECT_EQ(shortNumber(0.1523), "0.152");
   EXPECT_EQ(shortNumber(0.08), "0.08");
   EXPECT_EQ(percent(0.974), "97 %");
+}
+
+TEST(SvgPlot, NamesThatDoNotFitSideBySideAreInTwoRows) {
+  const auto heights = [](const std::vector<std::string>& names) {
+    Plot plot;
+    plot.kind = PlotKind::Bars;
+    plot.x = PlotScale::categories("", names);
+    const std::string svg = svgPlot(plot);
+    std::set<std::string> rows;
+    for (const std::string& name : names) {
+      const std::size_t label = svg.rfind("<text", svg.find(">" + name + "<"));
+      const std::size_t y = svg.find(" y=", label);
+      rows.insert(svg.substr(y, svg.find(' ', y + 1) - y));
+    }
+    return rows.size();
+  };
+  EXPECT_EQ(heights({"mount", "unmount"}), 1U);
+  EXPECT_EQ(heights({"tight-circle", "tight-square", "tight-triangle", "tight-pentagon", "tight-star", "mount",
+                     "unmount", "environment-1", "environment-2"}),
+            2U);
 }
 
 }  // namespace
