@@ -177,6 +177,8 @@ bool OmplPlanner::solve(PlannerHost& host) {
       if (owedSteps_ == 0) grow(host);
       --owedSteps_;
       ++counts_.steps;
+      // A piece draws many at once; each is counted with its step.
+      counts_.randomConfigurations = engine_->world.draws - std::min(owedSteps_, engine_->world.draws);
       if (!host.afterStep()) break;
     }
   } catch (const std::exception& error) {
@@ -209,7 +211,6 @@ void OmplPlanner::grow(PlannerHost& host) {
   if (engine_->definition->hasExactSolution()) deliverPath(host);
   engine_->definition->clearSolutionPaths();  // approximate ones: every piece leaves one
   owedSteps_ = std::max<std::uint64_t>(1, world.draws - before);
-  counts_.randomConfigurations = world.draws;
   counts_.queries = world.queryCounts();
   if (world.draws >= nextCollection_ || path_) {
     collect();
