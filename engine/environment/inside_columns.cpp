@@ -27,7 +27,7 @@ InsideColumns::InsideColumns(const TriangleMesh& mesh_W, const CellFrame& frame,
     : frame_(frame), size_(frame.cellSize(depth)) {
   const Box3 body = boundingBox(mesh_W);
   const std::uint32_t all = 1U << static_cast<unsigned>(depth);
-  counts_ = {all, all};
+  counts_ = {all, all};  // of the whole root until the body's are known
   const auto [xs, ys] = rangeOf(body);
   first_ = {xs[0], ys[0]};
   counts_ = {xs[1] - xs[0] + 1, ys[1] - ys[0] + 1};

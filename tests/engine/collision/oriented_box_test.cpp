@@ -3,18 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "engine/geometry/primitives.h"
+#include "tests/engine/support/mesh_triangles.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
 namespace {
-
-std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
-  std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-  }
-  return triangles;
-}
 
 OrientedBox fitted(const std::vector<Triangle>& triangles) {
   std::vector<const Triangle*> all;

@@ -8,17 +8,10 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/geometry/primitives.h"
+#include "tests/engine/support/mesh_triangles.h"
 
 namespace glissade {
 namespace {
-
-std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
-  std::vector<Triangle> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
-  }
-  return triangles;
-}
 
 Vector3 randomVector(RandomStream& stream) {
   const double x = stream.normal();
