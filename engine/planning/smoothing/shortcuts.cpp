@@ -120,15 +120,7 @@ class Shortener {
     return sum;
   }
 
-  bool isCertified(const Points& points) {
-    const std::vector<EdgeDemand> demands = demandsOf(points, parameters_);
-    for (std::size_t i = 0; i < demands.size(); ++i) {
-      const MotionCheck check =
-          query_->checkMotion(points[i].q, points[i + 1].q, demands[i].clearance, SeekViolation::Any, stop_);
-      if (check.status != CertificateStatus::Certified) return false;
-    }
-    return true;
-  }
+  bool isCertified(const Points& points) { return !firstRefusedEdge(*query_, points, parameters_, stop_); }
 
   /// Puts `fresh` between a place on edge `first` and one on edge `last`.
   void replace(std::size_t first, std::size_t last, const Points& fresh) {
