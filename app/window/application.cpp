@@ -7,6 +7,7 @@
 #include <QCommandLineParser>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QTranslator>
 
@@ -105,6 +106,9 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
                      parser.isSet("study-pictures") || parser.isSet("report-pdf");
   window.setBatch(batch);
+  if (!batch && !parser.isSet("size")) {
+    window.resize(window.size().boundedTo(QGuiApplication::primaryScreen()->availableSize()));
+  }
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (!parser.positionalArguments().isEmpty()) {
     const auto why = window.openScenario(parser.positionalArguments().front(), batch);
