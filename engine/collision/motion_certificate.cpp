@@ -12,7 +12,7 @@ namespace {
 /// A clearance within this share of the requirement counts as below it: the steps would shrink
 /// towards nothing.
 constexpr double kSlimmestMargin = 1e-3;
-/// Close bounds: proved down to this share of the smallest distance met.
+/// A path's clearance is proved down to this share of the smallest distance met.
 constexpr double kCloseShare = 0.5;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
 /// ten metres at a gap of a millimetre takes.
@@ -22,8 +22,8 @@ constexpr std::uint64_t kMostQueries = 200'000;
 /// no point of the object has moved by more than c - required: an interval on both sides of it.
 class Certifier {
  public:
-  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double bound, double required, double share)
-      : query_(query), from_(from), to_(to), bound_(bound), share_(share) {
+  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double bound, double required)
+      : query_(query), from_(from), to_(to), bound_(bound) {
     result_.tolerance = required;
     result_.minClearance = std::numeric_limits<double>::infinity();
     result_.provedClearance = std::numeric_limits<double>::infinity();
@@ -40,16 +40,15 @@ class Certifier {
         result_.status = CertificateStatus::Violated;
         return result_;
       }
-      const double target = std::max(result_.tolerance, share_ * result_.minClearance);
-      const double reach = bound_ > 0.0 ? (clearance - target) / bound_ : 1.0;
+      const double reach = bound_ > 0.0 ? margin / bound_ : 1.0;
       if (probe - reach > proved) {
         probe = proved;  // the leap was too bold: fill the gap first
         continue;
       }
       const double end = std::min(1.0, probe + reach);
-      // By construction at least the target; the maximum only takes rounding away.
+      // By construction at least the requirement; the maximum only takes rounding away.
       const double lowest = clearance - bound_ * std::max(probe - proved, end - probe);
-      result_.provedClearance = std::min(result_.provedClearance, std::max(target, lowest));
+      result_.provedClearance = std::min(result_.provedClearance, std::max(result_.tolerance, lowest));
       result_.certified = proved = end;
       probe = std::min(1.0, proved + 0.9 * reach);
     }
@@ -73,8 +72,102 @@ class Certifier {
   const Pose& from_;
   const Pose& to_;
   double bound_;
-  double share_;
   MotionCertificate result_;
+};
+
+/// Brackets the clearance of a path's edges, from the distances at its configurations and, where an edge
+/// comes nearer than half of them, at the places where it does. Motion checks do the proving: they do
+/// without the distances on the way.
+class PathCertifier {
+ public:
+  PathCertifier(CollisionQuery& query, const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
+                const StopToken& stop)
+      : query_(query), path_(path), demands_(demands), stop_(stop) {}
+
+  MotionCertificate run() {
+    const auto [refused, check] = firstRefused();
+    MotionCertificate result;
+    NearestObstacle atStart;
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      if (i == 0) atStart = query_.nearestObstacle(path_[0]);
+      const NearestObstacle atEnd = query_.nearestObstacle(endOf(i));
+      MotionCertificate edge = metAtEnds(i, atStart, atEnd);
+      if (i == refused) {
+        refuse(i, check, edge);
+      } else {
+        edge.status = CertificateStatus::Certified;
+        edge.certified = 1.0;
+        if (refused == demands_.size()) raise(i, edge);
+      }
+      addEdge(result, edge, demands_[i]);
+      if (i == refused) break;
+      atStart = atEnd;
+    }
+    return result;
+  }
+
+ private:
+  const Pose& endOf(std::size_t edge) const { return path_[std::min(edge + 1, path_.size() - 1)]; }
+
+  MotionCheck check(std::size_t edge, double clearance) {
+    return query_.checkMotion(path_[edge], endOf(edge), clearance, SeekViolation::Any, stop_);
+  }
+
+  /// The first edge that does not keep its demand, and what was found; the number of edges where all do.
+  std::pair<std::size_t, MotionCheck> firstRefused() {
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      const MotionCheck found = check(i, demands_[i].clearance);
+      if (found.status != CertificateStatus::Certified) return {i, found};
+    }
+    return {demands_.size(), {}};
+  }
+
+  MotionCertificate metAtEnds(std::size_t edge, const NearestObstacle& atStart, const NearestObstacle& atEnd) const {
+    MotionCertificate result;
+    const bool nearerAtEnd = atEnd.distance < atStart.distance;
+    result.tolerance = result.provedClearance = demands_[edge].clearance;
+    result.nearest = nearerAtEnd ? atEnd : atStart;
+    result.minClearance = result.nearest.distance;
+    result.at = nearerAtEnd ? 1.0 : 0.0;
+    result.distanceQueries = edge == 0 ? 2 : 1;
+    return result;
+  }
+
+  void meet(std::size_t edge, double at, MotionCertificate& result) {
+    ++result.distanceQueries;
+    const NearestObstacle nearest = query_.nearestObstacle(interpolate(path_[edge], endOf(edge), at));
+    if (nearest.distance >= result.minClearance) return;
+    result.minClearance = nearest.distance;
+    result.at = at;
+    result.nearest = nearest;
+  }
+
+  void refuse(std::size_t edge, const MotionCheck& check, MotionCertificate& result) {
+    result.status = check.status;
+    result.certified = check.certified;
+    result.provedClearance = 0.0;
+    if (check.status == CertificateStatus::Violated) meet(edge, check.at, result);
+  }
+
+  /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the
+  /// motion check finds below that is met next, so that every turn halves the bracket from above.
+  void raise(std::size_t edge, MotionCertificate& result) {
+    for (double bound = kCloseShare * result.minClearance; bound > result.provedClearance;
+         bound = std::min(0.5 * bound, kCloseShare * result.minClearance)) {
+      const MotionCheck found = check(edge, bound);
+      if (found.status == CertificateStatus::Certified) {
+        result.provedClearance = bound;
+        return;
+      }
+      if (stop_.stopRequested()) return;
+      if (found.status == CertificateStatus::Violated) meet(edge, found.at, result);
+    }
+  }
+
+  CollisionQuery& query_;
+  const std::vector<Pose>& path_;
+  const std::vector<EdgeDemand>& demands_;
+  const StopToken& stop_;
 };
 
 /// The samples of a motion, 0 (known to be free) to `count`.
@@ -122,9 +215,8 @@ std::size_t MotionCertificate::slidingEdges() const {
 }
 
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
-                                const StopToken& stop, ClearanceBounds bounds) {
-  const double share = bounds == ClearanceBounds::Close ? kCloseShare : 0.0;
-  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance, share).run(stop);
+                                const StopToken& stop) {
+  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance).run(stop);
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
@@ -134,14 +226,8 @@ MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& pa
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,
-                              const std::vector<EdgeDemand>& demands, const StopToken& stop, ClearanceBounds bounds) {
-  MotionCertificate result;
-  for (std::size_t i = 0; i < demands.size(); ++i) {
-    const Pose& to = path.size() > 1 ? path[i + 1] : path[i];
-    addEdge(result, certifyMotion(query, path[i], to, demands[i].clearance, stop, bounds), demands[i]);
-    if (result.status != CertificateStatus::Certified) break;
-  }
-  return result;
+                              const std::vector<EdgeDemand>& demands, const StopToken& stop) {
+  return PathCertifier(query, path, demands, stop).run();
 }
 
 void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeDemand& demand) {

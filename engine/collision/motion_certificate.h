@@ -25,8 +25,7 @@ struct EdgeCertificate {
   NearestObstacle nearest;       ///< the pair there: the object and this body
 };
 
-/// A continuous proof about a motion (DESIGN section 4): conservative advancement by
-/// (distance - requirement) / (largest speed of any point of the object), never sampled checks.
+/// A continuous proof about a motion or a path (DESIGN section 4), never sampled checks.
 struct MotionCertificate {
   CertificateStatus status = CertificateStatus::Undecided;
   double tolerance = 0.0;        ///< the clearance that was required, metres
@@ -42,17 +41,13 @@ struct MotionCertificate {
   std::size_t slidingEdges() const;
 };
 
-/// How much is to be known about the clearance besides that it is enough.
-enum class ClearanceBounds {
-  Any,   ///< proved down to the requirement: the cheapest
-  Close  ///< proved down to half of the smallest distance met: about twice the queries
-};
-
-/// Certifies the straight motion `interpolate(from, to, .)`. Preconditions: requiredClearance > 0.
+/// Certifies the straight motion `interpolate(from, to, .)` by conservative advancement, steps of
+/// (distance - requirement) / (largest speed of any point of the object). Precondition: requiredClearance > 0.
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
-                                const StopToken& stop = {}, ClearanceBounds bounds = ClearanceBounds::Any);
+                                const StopToken& stop = {});
 
-/// Certifies every edge of a path; stops at the first that is not certified and reports it.
+/// Certifies every edge of a path, and proves its clearance down to half of the smallest distance met;
+/// stops at the first that is not certified and reports it.
 /// A path of one configuration is certified if that configuration is clear.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop = {});
@@ -60,8 +55,7 @@ MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& pa
 /// The same with a demand of its own for each edge (one for a path of one configuration). The
 /// certificate's tolerance is the largest of them.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,
-                              const std::vector<EdgeDemand>& demands, const StopToken& stop = {},
-                              ClearanceBounds bounds = ClearanceBounds::Any);
+                              const std::vector<EdgeDemand>& demands, const StopToken& stop = {});
 
 /// Takes the certificate of the next edge into that of its path.
 void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeDemand& demand);

@@ -24,10 +24,10 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
-                              const ParameterValues& parameters, const StopToken& stop, ClearanceBounds bounds) {
+                              const ParameterValues& parameters, const StopToken& stop) {
   std::vector<Pose> configurations;
   for (const PathPoint& point : points) configurations.push_back(point.q);
-  return certifyPath(query, configurations, demandsOf(points, parameters), stop, bounds);
+  return certifyPath(query, configurations, demandsOf(points, parameters), stop);
 }
 
 std::optional<std::size_t> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,

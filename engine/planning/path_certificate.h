@@ -14,8 +14,7 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
 
 /// Certifies a path edge by edge against its demands; stops at the first that is not certified.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
-                              const ParameterValues& parameters, const StopToken& stop = {},
-                              ClearanceBounds bounds = ClearanceBounds::Any);
+                              const ParameterValues& parameters, const StopToken& stop = {});
 
 /// The first edge that the certificate will refuse, without the distances that a certificate holds: for
 /// paths of which most are refused. Nothing where none was found; certifyPath() has the last word.

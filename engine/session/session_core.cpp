@@ -166,14 +166,10 @@ void SessionCore::plan(const Hooks& hooks) {
   cpuSpent_ += cpuSeconds(*planner_) - cpuBefore;
 }
 
-/// The delivered path has its clearance bounded closely, where there is time for it.
 void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
   Path path = attempts > 0 ? withShortcuts(*planned_, problem_, parameters_, seed_, attempts, watch) : *planned_;
   const bool another = path_ != nullptr;  // the one delivered stays where the work is stopped
   if (another && watch.stop.stopRequested()) return;
-  const auto query = problem_.world->makeQuery();
-  MotionCertificate close = certifyPath(*query, path.points, parameters_, watch.stop, ClearanceBounds::Close);
-  if (close.status == CertificateStatus::Certified) path.certificate = std::move(close);
   path_ = std::make_shared<const Path>(std::move(path));
   smoothed_ = attempts > 0;
 }

@@ -15,12 +15,16 @@ constexpr int kAttempts = 12;  // to free a configuration
 constexpr double kSpread = 1.5;
 /// Queries of a gap's first search; each of the next has twice as many.
 constexpr std::uint64_t kFirstGapWork = 1'000;
+/// Queries that a motion check counts as.
+constexpr std::uint64_t kMotionQueries = 5;
 /// Configurations by which a gap is widened on either side.
 constexpr std::size_t kWidening = 3;
 
 }  // namespace
 
-std::uint64_t queriesOf(const PlannerCounts& counts) { return counts.queries.collision + counts.queries.distance; }
+std::uint64_t queriesOf(const PlannerCounts& counts) {
+  return counts.queries.collision + counts.queries.distance + kMotionQueries * counts.queries.motion;
+}
 
 PathRepair::PathRepair(const Problem& problem, std::uint64_t seed, std::vector<Pose> way, Options options)
     : problem_(problem),
@@ -82,9 +86,10 @@ std::optional<Pose> PathRepair::freed(const Pose& q) {
 }
 
 void PathRepair::linkNext(PlannerHost& host) {
-  const MotionCertificate certificate = certifyMotion(
-      *query_, way_[linked_], way_[linked_ + 1], host.parameters()[ParameterId::RequiredClearance], host.stopToken());
-  if (certificate.status == CertificateStatus::Certified) {
+  const MotionCheck check =
+      query_->checkMotion(way_[linked_], way_[linked_ + 1], host.parameters()[ParameterId::RequiredClearance],
+                          SeekViolation::Any, host.stopToken());
+  if (check.status == CertificateStatus::Certified) {
     ++linked_;
   } else if (!host.stopToken().stopRequested()) {
     first_ = linked_;
@@ -144,6 +149,7 @@ void PathRepair::updateCounts() {
   const QueryCounts& smaller = smallerQuery_->counts();
   counts_.queries.collision = own.collision + smaller.collision + gap_.counts.queries.collision;
   counts_.queries.distance = own.distance + smaller.distance + gap_.counts.queries.distance;
+  counts_.queries.motion = own.motion + smaller.motion + gap_.counts.queries.motion;
   counts_.randomConfigurations = gap_.counts.randomConfigurations;
   counts_.nodes = nodes_.size();
   counts_.edges = 2 * edges_.size();

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// What shrinking and repairing count their work in: yes/no and distance queries.
+/// What shrinking and repairing count their work in: yes/no and distance queries, and motion checks as several.
 std::uint64_t queriesOf(const PlannerCounts& counts);
 
 /// Makes a way of a smaller object one of this problem's object: configurations are retracted from

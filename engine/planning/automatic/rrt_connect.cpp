@@ -171,18 +171,15 @@ void RrtConnect::deliverPath(PlannerHost& host) {
     if (!way) continue;
     Path path;
     for (const Node node : way->nodes) path.points.push_back({roadmap_.nodes()[node].q, Author::Computer});
-    std::optional<std::size_t> refused = firstRefusedEdge(*query_, path.points, host.parameters(), host.stopToken());
-    if (!refused) {
-      path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
-      if (path.certificate.status == CertificateStatus::Certified) {
-        path_ = std::move(path);
-        return;
-      }
-      refused = path.certificate.edge;
+    path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
+    if (path.certificate.status == CertificateStatus::Certified) {
+      path_ = std::move(path);
+      return;
     }
+    const std::size_t refused = path.certificate.edge;
     joined_ = true;
     if (host.stopToken().stopRequested()) return;
-    roadmap_.dropEdge(way->edges[*refused]);
+    roadmap_.dropEdge(way->edges[refused]);
     refinement_ = std::max(kFinest, refinement_ * kRefinement);
   }
 }

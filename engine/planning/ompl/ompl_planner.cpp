@@ -35,12 +35,10 @@ namespace og = ompl::geometric;
 /// the tests and on environment 1).
 constexpr double kRange = 0.03;
 constexpr double kBkpieceRange = 0.06;
-/// How many more draws to wait for until nodes are collected: it costs as much as there are nodes.
-constexpr std::uint64_t kCollectEvery = 64;
-constexpr std::uint64_t kCollectFraction = 2;
-/// As it is OMPL must not pay for us: pieces of many draws, and nodes collected when they have doubled.
+/// Nodes are collected when the draws have doubled, the first time after these: it costs as much as there are nodes.
+constexpr std::uint64_t kCollectFirst = 64;
+/// As it is OMPL must not pay for us: pieces of many draws.
 constexpr int kAsItIsPiece = 64;
-constexpr std::uint64_t kAsItIsCollectFraction = 1;
 
 bool growsTwoTrees(OmplAlgorithm algorithm) {
   return algorithm == OmplAlgorithm::RrtConnect || algorithm == OmplAlgorithm::Bkpiece ||
@@ -214,8 +212,7 @@ void OmplPlanner::grow(PlannerHost& host) {
   counts_.queries = world.queryCounts();
   if (world.draws >= nextCollection_ || path_) {
     collect();
-    const std::uint64_t fraction = engine_->asItIs ? kAsItIsCollectFraction : kCollectFraction;
-    nextCollection_ = world.draws + std::max(std::min(world.draws, kCollectEvery), world.draws / fraction) + 1;
+    nextCollection_ = std::max(kCollectFirst, 2 * world.draws);
   }
 }
 

@@ -32,7 +32,7 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
   for (int i = 0; i < 200; ++i) {
     const std::vector<Pose> path{randomPose(stream, 3.0), randomPose(stream, 3.0), randomPose(stream, 3.0)};
     const std::vector<EdgeDemand> demands(2, {kRequired, false});
-    const MotionCertificate planners = certifyPath(*query, path, demands, {}, ClearanceBounds::Close);
+    const MotionCertificate planners = certifyPath(*query, path, demands);
     const MotionCertificate judges = check.check(path, demands);
     ASSERT_EQ(judges.status, planners.status) << i;
     ASSERT_EQ(judges.edges.size(), planners.edges.size());

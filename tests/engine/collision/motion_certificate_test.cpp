@@ -114,6 +114,47 @@ TEST_F(Certificate, APathReportsItsWorstEdge) {
   EXPECT_EQ(broken.edge, 1U);
 }
 
+TEST_F(Certificate, APathsClearanceIsBracketedFromFewDistances) {
+  build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
+  const double gap = 1e-3 * world->objectRadius();
+  const std::vector<Pose> slide{Pose::translation({-3, 0, 0.2 + gap}), Pose::translation({3, 0.3, 0.2 + gap})};
+  const MotionCertificate sliding = certifyPath(*query, slide, kRequired);
+  EXPECT_EQ(sliding.status, CertificateStatus::Certified);
+  EXPECT_NEAR(sliding.minClearance, gap, 1e-9);
+  EXPECT_NEAR(sliding.provedClearance, 0.5 * gap, 1e-9);
+  EXPECT_EQ(sliding.distanceQueries, 2U) << "those of its two configurations";
+}
+
+TEST_F(Certificate, ThePlaceBetweenTwoConfigurationsWhereAPathComesNearerIsMet) {
+  build({boxBody("post", {0.2, 0.2, 4}, Pose::identity())},
+        std::make_shared<const TriangleMesh>(makeBox({.2, .2, .2})));
+  const MotionCertificate passing =
+      certifyPath(*query, {Pose::translation({-3, 0.3, 0}), Pose::translation({3, 0.3, 0})}, kRequired);
+  EXPECT_EQ(passing.status, CertificateStatus::Certified);
+  EXPECT_LE(passing.provedClearance, 0.1);
+  EXPECT_GE(passing.minClearance, 0.1 * (1.0 - 1e-9));
+  EXPECT_LE(passing.minClearance, 2.0 * passing.provedClearance * (1.0 + 1e-9));
+  EXPECT_NEAR(passing.at, 0.5, 0.1);
+  EXPECT_NEAR(
+      query->nearestObstacle(interpolate(Pose::translation({-3, 0.3, 0}), Pose::translation({3, 0.3, 0}), passing.at))
+          .distance,
+      passing.minClearance, 1e-12);
+}
+
+TEST_F(Certificate, OfARefusedPathTheEdgesBeforeKeepTheirDemandsAndTheRefusedOneProvesNothing) {
+  build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
+  const std::vector<Pose> path{Pose::translation({0, 0, 2}), Pose::translation({1, 0, 0.5}),
+                               Pose::translation({2, 0, -1}), Pose::translation({2, 0, 1})};
+  const MotionCertificate refused = certifyPath(*query, path, kRequired);
+  ASSERT_EQ(refused.edges.size(), 2U);
+  EXPECT_EQ(refused.edges[0].status, CertificateStatus::Certified);
+  EXPECT_EQ(refused.edges[0].provedClearance, kRequired);
+  EXPECT_NEAR(refused.edges[0].minClearance, 0.3, 1e-9);
+  EXPECT_EQ(refused.edges[1].status, CertificateStatus::Violated);
+  EXPECT_EQ(refused.edges[1].provedClearance, 0.0);
+  EXPECT_LT(refused.edges[1].minClearance, kRequired);
+}
+
 TEST(MotionBound, BoundsEveryPointOfTheObject) {
   const MeshPtr object = makeL();
   RandomStream stream(5, "bound");
