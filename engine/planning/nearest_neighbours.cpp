@@ -156,10 +156,16 @@ void NearestNeighbours::look(const Packet& packet, Search& search) const {
   for (std::size_t axis = kOrientationAxes; axis < kAxes; ++axis) addAxis(axis, way);
   std::array<float, kLanes> bound;
   for (std::size_t lane = 0; lane < kLanes; ++lane) bound[lane] = search.bound(chord[lane], way[lane]);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (bound[lane] == kInfinity || bound[lane] > search.limit) continue;
+  const auto consider = [&](std::size_t lane) {
     const std::uint32_t place = packet.place[lane];
     search.consider(place, metric_.distance(poses_[place], search.q));
+  };
+  // The one that looks nearest first: then hardly another has to be decided.
+  const auto first = static_cast<std::size_t>(std::min_element(bound.begin(), bound.end()) - bound.begin());
+  if (bound[first] > search.limit) return;
+  consider(first);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (lane != first && bound[lane] != kInfinity && bound[lane] <= search.limit) consider(lane);
   }
 }
 
