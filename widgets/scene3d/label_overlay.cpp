@@ -4,10 +4,12 @@
 #include <QFontMetrics>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/label_placement.h"
 
 namespace glissade {
 namespace {
@@ -35,24 +37,39 @@ bool LabelOverlay::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
+  const std::vector<SceneLabel> labels = visibleLabels();
+  std::vector<WantedLabel> wanted;
+  for (const SceneLabel& label : labels) wanted.push_back({boxOf(label), label.strong});
+  const auto places = placeLabels(wanted);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QFontMetrics metrics(font());
-  for (const SceneLabel& label : view_.labels()) {
-    const auto at = project(view_.camera(), label.p_W, size());
-    if (!at) continue;
-    const QString text = QString::fromStdString(label.text);
-    QRectF box = metrics.boundingRect(text);
-    box.adjust(-5, -2, 5, 2);
-    box.moveCenter(*at + QPointF(0, label.below ? box.height() : 0));
-    QColor ground = palette().color(label.strong ? QPalette::Highlight : QPalette::Base);
-    ground.setAlphaF(label.strong ? 0.95 : 0.75);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground);
-    painter.drawRoundedRect(box, 4, 4);
-    painter.setPen(palette().color(label.strong ? QPalette::HighlightedText : QPalette::Text));
-    painter.drawText(box, Qt::AlignCenter, text);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (places[i]) paint(painter, labels[i], *places[i]);
   }
+}
+
+std::vector<SceneLabel> LabelOverlay::visibleLabels() const {
+  std::vector<SceneLabel> labels = view_.labels();
+  const auto hidden = [&](const SceneLabel& label) { return !project(view_.camera(), label.p_W, size()); };
+  labels.erase(std::remove_if(labels.begin(), labels.end(), hidden), labels.end());
+  return labels;
+}
+
+QRectF LabelOverlay::boxOf(const SceneLabel& label) const {
+  QRectF box = QFontMetrics(font()).boundingRect(QString::fromStdString(label.text));
+  box.adjust(-5, -2, 5, 2);
+  box.moveCenter(*project(view_.camera(), label.p_W, size()) + QPointF(0, label.below ? box.height() : 0));
+  return box;
+}
+
+void LabelOverlay::paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const {
+  QColor ground = palette().color(label.strong ? QPalette::Highlight : QPalette::Base);
+  ground.setAlphaF(label.strong ? 0.95 : 0.75);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(box, 4, 4);
+  painter.setPen(palette().color(label.strong ? QPalette::HighlightedText : QPalette::Text));
+  painter.drawText(box, Qt::AlignCenter, QString::fromStdString(label.text));
 }
 
 }  // namespace glissade

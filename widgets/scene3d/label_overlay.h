@@ -1,12 +1,13 @@
 #pragma once
 
+#include <QPainter>
 #include <QWidget>
 
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 
-/// The scene's labels, painted over the widget that shows it; takes no part in mouse and keys.
+/// The scene's labels, painted over the widget that shows it, none on another; takes no part in mouse and keys.
 class LabelOverlay final : public QWidget {
   Q_OBJECT
 
@@ -19,6 +20,11 @@ class LabelOverlay final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Those before the eye.
+  std::vector<SceneLabel> visibleLabels() const;
+  QRectF boxOf(const SceneLabel& label) const;
+  void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;
+
   const SceneView& view_;
 };
 

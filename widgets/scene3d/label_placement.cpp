@@ -1,0 +1,49 @@
+#include "widgets/scene3d/label_placement.h"
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+constexpr double kGap = 2.0;  ///< between two labels, in pixels
+
+/// Steps of a label's own size from where it wants to be, nearest first.
+constexpr double kSteps[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+
+class Placement {
+ public:
+  std::optional<QRectF> place(const WantedLabel& label) {
+    for (const auto& [across, down] : kSteps) {
+      const QRectF box = label.box.translated(across * (label.box.width() + kGap), down * (label.box.height() + kGap));
+      if (isFree(box)) return taken(box);
+    }
+    if (label.strong) return taken(label.box);
+    return std::nullopt;
+  }
+
+ private:
+  bool isFree(const QRectF& box) const {
+    return std::none_of(taken_.begin(), taken_.end(), [&](const QRectF& other) { return other.intersects(box); });
+  }
+  QRectF taken(const QRectF& box) {
+    taken_.push_back(box);
+    return box;
+  }
+
+  std::vector<QRectF> taken_;
+};
+
+}  // namespace
+
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels) {
+  Placement placement;
+  std::vector<std::optional<QRectF>> places(labels.size());
+  for (const bool strong : {true, false}) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      if (labels[i].strong == strong) places[i] = placement.place(labels[i]);
+    }
+  }
+  return places;
+}
+
+}  // namespace glissade
