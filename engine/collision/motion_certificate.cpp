@@ -12,8 +12,10 @@ namespace {
 /// A clearance within this share of the requirement counts as below it: the steps would shrink
 /// towards nothing.
 constexpr double kSlimmestMargin = 1e-3;
-/// A path's clearance is proved down to this share of the smallest distance met.
-constexpr double kCloseShare = 0.5;
+/// The clearance of an edge of a path, and of the whole path, is proved down to this share of the smallest
+/// distance met there.
+constexpr double kEdgeShare = 0.5;
+constexpr double kPathShare = 0.9;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
 /// ten metres at a gap of a millimetre takes.
 constexpr std::uint64_t kMostQueries = 200'000;
@@ -86,23 +88,16 @@ class PathCertifier {
 
   MotionCertificate run() {
     const auto [refused, check] = firstRefused();
-    MotionCertificate result;
-    NearestObstacle atStart;
-    for (std::size_t i = 0; i < demands_.size(); ++i) {
-      if (i == 0) atStart = query_.nearestObstacle(path_[0]);
-      const NearestObstacle atEnd = query_.nearestObstacle(endOf(i));
-      MotionCertificate edge = metAtEnds(i, atStart, atEnd);
-      if (i == refused) {
-        refuse(i, check, edge);
-      } else {
-        edge.status = CertificateStatus::Certified;
-        edge.certified = 1.0;
-        if (refused == demands_.size()) raise(i, edge);
-      }
-      addEdge(result, edge, demands_[i]);
-      if (i == refused) break;
-      atStart = atEnd;
+    const bool certified = refused == demands_.size();
+    std::vector<MotionCertificate> edges = metAtEnds(certified ? refused : refused + 1);
+    if (certified) {
+      for (std::size_t i = 0; i < edges.size(); ++i) raise(i, edges[i]);
+      narrow(edges);
+    } else {
+      refuse(refused, check, edges[refused]);
     }
+    MotionCertificate result;
+    for (std::size_t i = 0; i < edges.size(); ++i) addEdge(result, edges[i], demands_[i]);
     return result;
   }
 
@@ -122,15 +117,26 @@ class PathCertifier {
     return {demands_.size(), {}};
   }
 
-  MotionCertificate metAtEnds(std::size_t edge, const NearestObstacle& atStart, const NearestObstacle& atEnd) const {
-    MotionCertificate result;
-    const bool nearerAtEnd = atEnd.distance < atStart.distance;
-    result.tolerance = result.provedClearance = demands_[edge].clearance;
-    result.nearest = nearerAtEnd ? atEnd : atStart;
-    result.minClearance = result.nearest.distance;
-    result.at = nearerAtEnd ? 1.0 : 0.0;
-    result.distanceQueries = edge == 0 ? 2 : 1;
-    return result;
+  /// The first edges, each with its demand proved and the distances at its ends met.
+  std::vector<MotionCertificate> metAtEnds(std::size_t count) {
+    std::vector<MotionCertificate> edges;
+    NearestObstacle atStart;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i == 0) atStart = query_.nearestObstacle(path_[0]);
+      const NearestObstacle atEnd = query_.nearestObstacle(endOf(i));
+      const bool nearerAtEnd = atEnd.distance < atStart.distance;
+      MotionCertificate edge;
+      edge.status = CertificateStatus::Certified;
+      edge.certified = 1.0;
+      edge.tolerance = edge.provedClearance = demands_[i].clearance;
+      edge.nearest = nearerAtEnd ? atEnd : atStart;
+      edge.minClearance = edge.nearest.distance;
+      edge.at = nearerAtEnd ? 1.0 : 0.0;
+      edge.distanceQueries = i == 0 ? 2 : 1;
+      edges.push_back(edge);
+      atStart = atEnd;
+    }
+    return edges;
   }
 
   void meet(std::size_t edge, double at, MotionCertificate& result) {
@@ -149,18 +155,31 @@ class PathCertifier {
     if (check.status == CertificateStatus::Violated) meet(edge, check.at, result);
   }
 
-  /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the
-  /// motion check finds below that is met next, so that every turn halves the bracket from above.
+  /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the motion
+  /// check finds below that is met next, so that every turn halves what is left.
   void raise(std::size_t edge, MotionCertificate& result) {
-    for (double bound = kCloseShare * result.minClearance; bound > result.provedClearance;
-         bound = std::min(0.5 * bound, kCloseShare * result.minClearance)) {
+    for (double bound = kEdgeShare * result.minClearance; bound > result.provedClearance && !stop_.stopRequested();
+         bound = kEdgeShare * std::min(bound, result.minClearance)) {
       const MotionCheck found = check(edge, bound);
-      if (found.status == CertificateStatus::Certified) {
-        result.provedClearance = bound;
-        return;
-      }
-      if (stop_.stopRequested()) return;
+      if (found.status == CertificateStatus::Certified) result.provedClearance = bound;
       if (found.status == CertificateStatus::Violated) meet(edge, found.at, result);
+    }
+  }
+
+  /// The clearance of the whole path is what people read: it is bracketed more closely than each edge's, which
+  /// concerns the few edges that come nearest.
+  void narrow(std::vector<MotionCertificate>& edges) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const MotionCertificate& edge : edges) least = std::min(least, edge.minClearance);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      while (kPathShare * least > edges[i].provedClearance && !stop_.stopRequested()) {
+        const double bound = kPathShare * least;
+        const MotionCheck found = check(i, bound);
+        if (found.status == CertificateStatus::Certified) edges[i].provedClearance = bound;
+        if (found.status == CertificateStatus::Violated) meet(i, found.at, edges[i]);
+        if (edges[i].minClearance >= least) break;  // proved, or undecided
+        least = edges[i].minClearance;
+      }
     }
   }
 

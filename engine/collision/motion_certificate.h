@@ -46,8 +46,9 @@ struct MotionCertificate {
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
                                 const StopToken& stop = {});
 
-/// Certifies every edge of a path, and proves its clearance down to half of the smallest distance met;
-/// stops at the first that is not certified and reports it.
+/// Certifies every edge of a path; stops at the first that is not certified and reports it. Of a certified path
+/// the clearance of every edge is proved down to half of the smallest distance met on it, that of the whole path
+/// down to nine tenths; less after a stop.
 /// A path of one configuration is certified if that configuration is clear.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop = {});

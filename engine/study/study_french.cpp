@@ -223,13 +223,15 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
        "shared/problems/omplapp beside its folder. OMPL's planners run as OMPL's users run them: its metric and "
        "defaults, collisions by FCL, edges looked at every 1 % or 0.1 % of the extent, the range its default (20 % of "
        "the extent), 3 % or 1 %. Our certificate judges their paths; one that it refuses (not-certified) is not "
-       "solved. Seconds are of the processor, over all runs: one that was not solved counts with the time it had.",
+       "solved. Seconds are of the processor, but auto, which plans in lanes, is held to what one waits; over all "
+       "runs: one that was not solved counts with the time it had.",
        "Cinq problèmes de corps rigides d'OMPL.app, qui ne font pas partie de Glissade : on les cherche dans "
        "shared/problems/omplapp à côté de son dossier. Les planificateurs d'OMPL tournent comme chez leurs "
        "utilisateurs : métrique et valeurs par défaut d'OMPL, collisions par FCL, arêtes regardées tous les 1 % ou 0,1 "
        "% de l'étendue, portée par défaut (20 % de l'étendue), 3 % ou 1 %. Notre certificat juge leurs chemins ; celui "
-       "qu'il refuse (non certifié) n'est pas résolu. Les secondes sont celles du processeur, sur tous les essais : un "
-       "essai non résolu compte avec le temps qu'il a eu."},
+       "qu'il refuse (non certifié) n'est pas résolu. Les secondes sont celles du processeur, mais auto, qui planifie "
+       "sur plusieurs voies, est jugé au temps d'attente ; sur tous les essais : un essai non résolu compte avec le "
+       "temps qu'il a eu."},
       {"Problems nobody here wrote: auto beside OMPL's planners",
        "Des problèmes que personne ici n'a écrits : auto à côté des planificateurs d'OMPL"},
       {"auto solves 18 of 20 runs of bugtrap at least.", "auto résout au moins 18 essais sur 20 de bugtrap."},

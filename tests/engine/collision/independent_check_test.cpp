@@ -38,6 +38,8 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
     ASSERT_EQ(judges.edges.size(), planners.edges.size());
     if (judges.status != CertificateStatus::Certified) continue;
     ++certified;
+    EXPECT_GE(planners.provedClearance, 0.89 * planners.minClearance);
+    EXPECT_LE(planners.provedClearance, judges.minClearance * (1.0 + 1e-9));
     for (std::size_t edge = 0; edge < judges.edges.size(); ++edge) {
       const EdgeCertificate& a = judges.edges[edge];
       const EdgeCertificate& b = planners.edges[edge];
