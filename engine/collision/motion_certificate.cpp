@@ -201,9 +201,9 @@ class FreeSamples {
   double at(double sample) const { return std::min(1.0, sample * dt_); }
 
   /// The last sample in [first, last] before one that collides; `first` is free. Halves the run until
-  /// it is proved free as one, or is short.
+  /// it is proved free as one, or is short: of four samples hardly a run is, and down to two a tenth more is asked.
   double lastFree(double first, double last) {
-    constexpr double kShort = 2.0;
+    constexpr double kShort = 4.0;
     if (stop_.stopRequested()) return first;
     if (last - first <= kShort) {
       for (double sample = first + 1.0; sample <= last; ++sample) {
