@@ -77,6 +77,11 @@ class Certifier {
   MotionCertificate result_;
 };
 
+/// A path of one configuration is an edge that ends where it begins.
+const Pose& endOfEdge(const std::vector<Pose>& path, std::size_t edge) {
+  return path[std::min(edge + 1, path.size() - 1)];
+}
+
 /// Brackets the clearance of a path's edges, from the distances at its configurations and, where an edge
 /// comes nearer than half of them, at the places where it does. Motion checks do the proving: they do
 /// without the distances on the way.
@@ -87,14 +92,13 @@ class PathCertifier {
       : query_(query), path_(path), demands_(demands), stop_(stop) {}
 
   MotionCertificate run() {
-    const auto [refused, check] = firstRefused();
-    const bool certified = refused == demands_.size();
-    std::vector<MotionCertificate> edges = metAtEnds(certified ? refused : refused + 1);
-    if (certified) {
+    const auto refused = firstRefusedEdge(query_, path_, demands_, stop_);
+    std::vector<MotionCertificate> edges = metAtEnds(refused ? refused->edge + 1 : demands_.size());
+    if (refused) {
+      refuse(*refused, edges.back());
+    } else {
       for (std::size_t i = 0; i < edges.size(); ++i) raise(i, edges[i]);
       narrow(edges);
-    } else {
-      refuse(refused, check, edges[refused]);
     }
     MotionCertificate result;
     for (std::size_t i = 0; i < edges.size(); ++i) addEdge(result, edges[i], demands_[i]);
@@ -102,19 +106,10 @@ class PathCertifier {
   }
 
  private:
-  const Pose& endOf(std::size_t edge) const { return path_[std::min(edge + 1, path_.size() - 1)]; }
+  const Pose& endOf(std::size_t edge) const { return endOfEdge(path_, edge); }
 
   MotionCheck check(std::size_t edge, double clearance) {
     return query_.checkMotion(path_[edge], endOf(edge), clearance, SeekViolation::Any, stop_);
-  }
-
-  /// The first edge that does not keep its demand, and what was found; the number of edges where all do.
-  std::pair<std::size_t, MotionCheck> firstRefused() {
-    for (std::size_t i = 0; i < demands_.size(); ++i) {
-      const MotionCheck found = check(i, demands_[i].clearance);
-      if (found.status != CertificateStatus::Certified) return {i, found};
-    }
-    return {demands_.size(), {}};
   }
 
   /// The first edges, each with its demand proved and the distances at its ends met.
@@ -148,11 +143,11 @@ class PathCertifier {
     result.nearest = nearest;
   }
 
-  void refuse(std::size_t edge, const MotionCheck& check, MotionCertificate& result) {
-    result.status = check.status;
-    result.certified = check.certified;
+  void refuse(const RefusedEdge& refused, MotionCertificate& result) {
+    result.status = refused.check.status;
+    result.certified = refused.check.certified;
     result.provedClearance = 0.0;
-    if (check.status == CertificateStatus::Violated) meet(edge, check.at, result);
+    if (result.status == CertificateStatus::Violated) meet(refused.edge, refused.check.at, result);
   }
 
   /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the motion
@@ -242,6 +237,16 @@ MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& pa
                               const StopToken& stop) {
   const std::size_t edges = path.size() > 1 ? path.size() - 1 : path.size();
   return certifyPath(query, path, std::vector<EdgeDemand>(edges, {requiredClearance, false}), stop);
+}
+
+std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<Pose>& path,
+                                            const std::vector<EdgeDemand>& demands, const StopToken& stop) {
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const MotionCheck found =
+        query.checkMotion(path[i], endOfEdge(path, i), demands[i].clearance, SeekViolation::Any, stop);
+    if (found.status != CertificateStatus::Certified) return RefusedEdge{i, found};
+  }
+  return std::nullopt;
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path,

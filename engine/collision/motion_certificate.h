@@ -46,6 +46,17 @@ struct MotionCertificate {
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
                                 const StopToken& stop = {});
 
+/// An edge of a path that does not keep its demand, and what was found on it.
+struct RefusedEdge {
+  std::size_t edge;
+  MotionCheck check;
+};
+
+/// The first of them; nothing where every edge keeps its demand. Yes or no, without the distances that a
+/// certificate holds.
+std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<Pose>& path,
+                                            const std::vector<EdgeDemand>& demands, const StopToken& stop = {});
+
 /// Certifies every edge of a path; stops at the first that is not certified and reports it. Of a certified path
 /// the clearance of every edge is proved down to half of the smallest distance met on it, that of the whole path
 /// down to nine tenths; less after a stop.

@@ -2,12 +2,14 @@
 
 namespace glissade {
 
-std::vector<Pose> Path::configurations() const {
-  std::vector<Pose> result;
-  result.reserve(points.size());
-  for (const PathPoint& point : points) result.push_back(point.q);
-  return result;
+std::vector<Pose> configurationsOf(const std::vector<PathPoint>& points) {
+  std::vector<Pose> configurations;
+  configurations.reserve(points.size());
+  for (const PathPoint& point : points) configurations.push_back(point.q);
+  return configurations;
 }
+
+std::vector<Pose> Path::configurations() const { return configurationsOf(points); }
 
 double Path::length() const {
   double sum = 0.0;

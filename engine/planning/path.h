@@ -16,6 +16,8 @@ struct PathPoint {
   Author segmentAuthor = Author::Computer;
 };
 
+std::vector<Pose> configurationsOf(const std::vector<PathPoint>& points);
+
 /// A solution from start to goal: straight motions between consecutive points. Only ever delivered
 /// together with its certificate.
 struct Path {

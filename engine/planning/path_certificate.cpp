@@ -25,20 +25,12 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
                               const ParameterValues& parameters, const StopToken& stop) {
-  std::vector<Pose> configurations;
-  for (const PathPoint& point : points) configurations.push_back(point.q);
-  return certifyPath(query, configurations, demandsOf(points, parameters), stop);
+  return certifyPath(query, configurationsOf(points), demandsOf(points, parameters), stop);
 }
 
-std::optional<std::size_t> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
+std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
                                             const ParameterValues& parameters, const StopToken& stop) {
-  const std::vector<EdgeDemand> demands = demandsOf(points, parameters);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const MotionCheck check =
-        query.checkMotion(points[i].q, points[i + 1].q, demands[i].clearance, SeekViolation::Any, stop);
-    if (check.status != CertificateStatus::Certified) return i;
-  }
-  return std::nullopt;
+  return firstRefusedEdge(query, configurationsOf(points), demandsOf(points, parameters), stop);
 }
 
 }  // namespace glissade

@@ -16,9 +16,8 @@ std::vector<EdgeDemand> demandsOf(const std::vector<PathPoint>& points, const Pa
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<PathPoint>& points,
                               const ParameterValues& parameters, const StopToken& stop = {});
 
-/// The first edge that the certificate will refuse, without the distances that a certificate holds: for
-/// paths of which most are refused. Nothing where none was found; certifyPath() has the last word.
-std::optional<std::size_t> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
+/// The first edge that the certificate refuses, without its distances: for paths of which most are refused.
+std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::vector<PathPoint>& points,
                                             const ParameterValues& parameters, const StopToken& stop = {});
 
 }  // namespace glissade

@@ -5,7 +5,6 @@
 
 #include "engine/base/cpu_time.h"
 #include "engine/planning/coarse/scene_knowledge.h"
-#include "engine/planning/path_certificate.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/session/start_check.h"
 

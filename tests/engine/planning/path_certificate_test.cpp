@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-TEST(PathCertificate, TheFirstRefusedEdgeIsTheOneThatTheCertificateStopsAt) {
+TEST(PathCertificate, TheFirstRefusedEdgeIsTheFirstThatCannotBeProvedByAdvancingOnDistances) {
   const Problem problem = windowProblem();
   const TestHost host(problem);
   const auto query = problem.world->makeQuery();
@@ -24,10 +24,19 @@ TEST(PathCertificate, TheFirstRefusedEdgeIsTheOneThatTheCertificateStopsAt) {
     }
     const MotionCertificate certificate = certifyPath(*query, points, host.values);
     const auto refused = firstRefusedEdge(*query, points, host.values);
+    const double required = host.values[ParameterId::RequiredClearance];
+    std::size_t expected = 0;
+    while (expected + 1 < points.size() &&
+           certifyMotion(*query, points[expected].q, points[expected + 1].q, required).status ==
+               CertificateStatus::Certified) {
+      ++expected;
+    }
+    ASSERT_EQ(refused.has_value(), expected + 1 < points.size()) << i;
     ASSERT_EQ(refused.has_value(), certificate.status != CertificateStatus::Certified) << i;
     if (!refused) continue;
     ++refusals;
-    EXPECT_EQ(*refused, certificate.edge) << i;
+    EXPECT_EQ(refused->edge, expected) << i;
+    EXPECT_EQ(certificate.edge, expected) << i;
   }
   EXPECT_GT(refusals, 20);
   EXPECT_LT(refusals, 180);
