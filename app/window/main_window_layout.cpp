@@ -116,7 +116,7 @@ void MainWindow::makeMenus() {
   fill(view, "view.");
   view->addSeparator();
   fill(view, "body.");
-  fill(view->addMenu(tr("&Layers")), "layer.");
+  fill(view->addMenu(tr("Lay&ers")), "layer.");
   QMenu* panels = view->addMenu(tr("&Panels"));
   fill(panels, "panel.");
   panels->addSeparator();

@@ -668,7 +668,7 @@
         <translation>Dessiner les obstacles sélectionnés et aucun autre</translation>
     </message>
     <message>
-        <source>Show all &amp;bodies</source>
+        <source>&amp;Show all bodies</source>
         <translation>Montrer &amp;tous les corps</translation>
     </message>
     <message>
@@ -1722,7 +1722,7 @@
         <translation>&amp;Vue</translation>
     </message>
     <message>
-        <source>&amp;Layers</source>
+        <source>Lay&amp;ers</source>
         <translation>&amp;Couches</translation>
     </message>
     <message>

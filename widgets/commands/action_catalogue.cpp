@@ -140,7 +140,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Draw the selected obstacles no more; planning still knows them"), false},
       {"body.isolate", QT_TRANSLATE_NOOP("Actions", "Sho&w them alone"), "Ctrl+Alt+H",
        QT_TRANSLATE_NOOP("Actions", "Draw the selected obstacles and no others"), false},
-      {"body.show-all", QT_TRANSLATE_NOOP("Actions", "Show all &bodies"), "Ctrl+Shift+H",
+      {"body.show-all", QT_TRANSLATE_NOOP("Actions", "&Show all bodies"), "Ctrl+Shift+H",
        QT_TRANSLATE_NOOP("Actions", "Draw all obstacles again"), false},
       {"view.dark", QT_TRANSLATE_NOOP("Actions", "&Dark theme"), "Ctrl+D",
        QT_TRANSLATE_NOOP("Actions", "Light figures on a dark ground"), true},
