@@ -31,6 +31,8 @@ QPalette paletteFrom(const Tones& tones) {
     palette.setColor(role, tones.text);
     palette.setColor(QPalette::Disabled, role, tones.faint);
   }
+  // Fusion writes what is disabled twice, first in this colour: a shadow that is brighter than the text in the dark.
+  palette.setColor(QPalette::Disabled, QPalette::Light, Qt::transparent);
   palette.setColor(QPalette::PlaceholderText, tones.faint);
   palette.setColor(QPalette::Highlight, tones.highlight);
   palette.setColor(QPalette::HighlightedText, Qt::white);
