@@ -4,7 +4,6 @@
 #include <QFontMetrics>
 #include <QPainter>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -37,9 +36,14 @@ bool LabelOverlay::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
-  const std::vector<SceneLabel> labels = visibleLabels();
+  std::vector<SceneLabel> labels;
   std::vector<WantedLabel> wanted;
-  for (const SceneLabel& label : labels) wanted.push_back({boxOf(label), label.strong});
+  for (const SceneLabel& label : view_.labels()) {
+    const auto at = project(view_.camera(), label.p_W, size());
+    if (!at) continue;
+    labels.push_back(label);
+    wanted.push_back({boxOf(label, *at), label.strong});
+  }
   const auto places = placeLabels(wanted);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -48,17 +52,10 @@ void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-std::vector<SceneLabel> LabelOverlay::visibleLabels() const {
-  std::vector<SceneLabel> labels = view_.labels();
-  const auto hidden = [&](const SceneLabel& label) { return !project(view_.camera(), label.p_W, size()); };
-  labels.erase(std::remove_if(labels.begin(), labels.end(), hidden), labels.end());
-  return labels;
-}
-
-QRectF LabelOverlay::boxOf(const SceneLabel& label) const {
+QRectF LabelOverlay::boxOf(const SceneLabel& label, const QPointF& at) const {
   QRectF box = QFontMetrics(font()).boundingRect(QString::fromStdString(label.text));
   box.adjust(-5, -2, 5, 2);
-  box.moveCenter(*project(view_.camera(), label.p_W, size()) + QPointF(0, label.below ? box.height() : 0));
+  box.moveCenter(at + QPointF(0, label.below ? box.height() : 0));
   return box;
 }
 

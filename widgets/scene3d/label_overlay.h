@@ -20,9 +20,8 @@ class LabelOverlay final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  /// Those before the eye.
-  std::vector<SceneLabel> visibleLabels() const;
-  QRectF boxOf(const SceneLabel& label) const;
+  /// Where a label wants to be whose point is drawn there.
+  QRectF boxOf(const SceneLabel& label, const QPointF& at) const;
   void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;
 
   const SceneView& view_;
