@@ -21,9 +21,17 @@ BodyVisibility::BodyVisibility(const ActionCatalogue& actions, SceneWidget& scen
 }
 
 void BodyVisibility::open(const LoadedScenario& scenario) {
+  hidden_.clear();
+  rearrange(scenario);
+}
+
+void BodyVisibility::rearrange(const LoadedScenario& scenario) {
   bodies_.clear();
   for (const RigidBody& body : scenario.obstacles) bodies_.insert(body.id);
-  setHidden({});
+  std::set<std::string> hidden;
+  std::set_intersection(hidden_.begin(), hidden_.end(), bodies_.begin(), bodies_.end(),
+                        std::inserter(hidden, hidden.end()));
+  setHidden(hidden);
 }
 
 bool BodyVisibility::setVisible(const std::string& bodyId, bool visible) {

@@ -22,6 +22,8 @@ class BodyVisibility final : public QObject {
 
   /// Everything is shown.
   void open(const LoadedScenario& scenario);
+  /// Bodies may have come or gone: what is hidden stays hidden.
+  void rearrange(const LoadedScenario& scenario);
   /// False: there is no such body.
   bool setVisible(const std::string& bodyId, bool visible);
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "app/window/scene_ray.h"
 #include "engine/planning/coarse/milestones.h"
 #include "engine/planning/coarse/topological_planner.h"
 #include "widgets/model/complexity_colour.h"
-#include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
 
@@ -59,7 +59,7 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
   });
   connect(semantics_, &SemanticsPanel::identifierChosen, this, [this](const std::string& id) {
     options_.identifier = id;
-    build();
+    build(nullptr);
   });
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
   connect(&milestones_, &MilestoneTool::moving, this, &EnvironmentController::drawPlan);
@@ -77,7 +77,7 @@ void EnvironmentController::connectActions() {
   const auto on = [this](const char* id, auto handler) {
     connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
   };
-  on("environment.build", [this] { build(); });
+  on("environment.build", [this] { build(nullptr); });
   on("attribute.add", [this] { semantics_->addAttribute(); });
   on("attribute.rename", [this] { semantics_->renameAttribute(); });
   on("attribute.remove", [this] { semantics_->removeAttribute(); });
@@ -106,18 +106,28 @@ void EnvironmentController::open(const ScenarioPtr& scenario) {
   const bool saysSomething = !scenario->scenario.places.empty();
   if (isMultiLayer(scenario->scenario.planner) || saysSomething) {
     emit wanted();
-    build();
+    build(nullptr);
   }
   enableActions();
 }
 
-void EnvironmentController::build() {
+void EnvironmentController::rearrange(const ScenarioPtr& scenario) {
+  const bool known = document_.knowledge() != nullptr;
+  scenario_ = scenario;
+  milestones_.setScenario(scenario);
+  snapshot_.reset();
+  if (known || builder_.isBusy()) build(document_.knowledge());
+  showEnvironment();
+  showPlan();
+}
+
+void EnvironmentController::build(const SceneKnowledgePtr& before) {
   if (!scenario_) return;
   builtMobility_ = mobilityOf(document_.edits());
   Problem problem = scenario_->problem;
   problem.scene.environment = options_;
   problem.scene.edits = std::make_shared<const SemanticEdits>(document_.edits());
-  builder_.build(problem, scenario_->parameters[ParameterId::RequiredClearance],
+  builder_.build(problem, scenario_->parameters[ParameterId::RequiredClearance], before,
                  bridge_.clock() == SessionClock::Lockstep);
 }
 
@@ -130,7 +140,7 @@ void EnvironmentController::knowledgeReady(const SceneKnowledgePtr& knowledge) {
 void EnvironmentController::documentChanged() {
   if (!scenario_) return;
   bridge_.post(command::SetSemantics{std::make_shared<const SemanticEdits>(document_.edits())});
-  if (document_.knowledge() && mobilityOf(document_.edits()) != builtMobility_) build();
+  if (document_.knowledge() && mobilityOf(document_.edits()) != builtMobility_) build(nullptr);
   showEnvironment();
   showPlan();
   enableActions();
@@ -216,10 +226,7 @@ void EnvironmentController::showStep() {
 
 void EnvironmentController::pick(const QPointF& position, bool add) {
   if (!scenario_) return;
-  const QWidget& widget = *scene_.widget();
-  const QPointF centre(widget.width() / 2.0, widget.height() / 2.0);
-  const QPointF at = (position - centre) / std::max(1, widget.height());
-  const Ray ray = rayThrough(scene_.view().camera(), at.x(), at.y());
+  const Ray ray = rayThrough(scene_, position);
   const auto body = pickBody(scenario_->obstacles, ray, scene_.view().hiddenBodies());
   SemanticSelection selection = add ? document_.selection() : SemanticSelection{};
   if (document_.knowledge() && scene_.view().layerVisible(SceneLayer::Places)) {

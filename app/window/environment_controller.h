@@ -28,9 +28,11 @@ class EnvironmentController final : public QObject {
   PlanPanel* planPanel() const { return plan_; }
 
   void open(const ScenarioPtr& scenario);
+  /// The same scenario with its bodies elsewhere, or others; the document has it already.
+  void rearrange(const ScenarioPtr& scenario);
   void showSnapshot(const SnapshotPtr& snapshot);
-  /// Builds the environment model anew.
-  void build();
+  /// Builds the environment model; what stays of `before` (may be null) is not built again.
+  void build(const SceneKnowledgePtr& before);
   /// How the environment is modelled: the scenario's, until somebody chooses otherwise.
   const EnvironmentOptions& options() const { return options_; }
   /// The plan that is shown; null where there is none.

@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
 #include "app/window/device_controller.h"
 #include "app/window/difficulty_controller.h"
@@ -31,7 +32,6 @@
 #include "widgets/panels/counts_panel.h"
 #include "widgets/panels/interaction_panel.h"
 #include "widgets/panels/path_panel.h"
-#include "widgets/panels/scene_panel.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 
@@ -53,6 +53,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   scene_->onCameraMoved([this] { publishOperatorFrame(); });
   new LabelOverlay(scene_->view(), scene_->widget());
   environment_ = new EnvironmentController(*bridge_, *actions_, *scene_, this);
+  assembly_ = new AssemblyController(environment_->document(), *actions_, *scene_, this);
   studies_ = new StudyController(*this);
   devices_ = new DeviceController(*bridge_, *actions_, *scene_, this);
   connect(devices_, &DeviceController::cameraMoved, this, [this] { publishOperatorFrame(); });
@@ -98,6 +99,10 @@ void MainWindow::connectPanels() {
   connect(&environment_->document().undoStack(), &QUndoStack::cleanChanged, this, [this] { showTitle(); });
   connect(environment_, &EnvironmentController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("The places cannot be found"), why);
+  });
+  connect(&assembly_->document(), &AssemblyDocument::rearranged, this, &MainWindow::rearrange);
+  connect(assembly_, &AssemblyController::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("This cannot be done"), why);
   });
   connect(replay_, &ReplayController::shown, this, &MainWindow::showSnapshot);
   connect(replay_, &ReplayController::activeChanged, this, [this](bool active) {
@@ -234,14 +239,14 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   if (memory_) memory_->noteFile(file);
   welcome_->hide();
   scene_->view().setScenario(scenario_);
-  sceneTree_->setScenario(*scenario_);
   interaction_->setScenario(*scenario_);
   interaction_->setDevice(bridge_->deviceId());
   replay_->openScenario(scenario_);
   bridge_->open(scenario_);
   difficulty_->open(scenario_);
-  bodies_->open(*scenario_);
   environment_->open(scenario_);
+  assembly_->show(scenario_);
+  bodies_->open(*scenario_);
   showTitle();
   publishOperatorFrame();
   scene_->widget()->setFocus();
@@ -249,6 +254,20 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
     showError(tr("The scenario was opened, with a warning"), scenario_->warnings.front());
   }
   return std::nullopt;
+}
+
+void MainWindow::rearrange(const ScenarioPtr& scenario) {
+  work_->cancel();
+  scenario_ = scenario;
+  scene_->view().rearrange(scenario_);
+  interaction_->setScenario(*scenario_);
+  replay_->openScenario(scenario_);
+  environment_->rearrange(scenario_);
+  assembly_->show(scenario_);
+  bodies_->rearrange(*scenario_);
+  difficulty_->open(scenario_);
+  bridge_->rearrange(scenario_);
+  publishOperatorFrame();
 }
 
 void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
@@ -291,6 +310,7 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);
   (*actions_)["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
+  assembly_->setState(live && !running, open ? snapshot->device.q_device : Pose::identity());
 }
 
 void MainWindow::publishOperatorFrame() {
@@ -328,6 +348,7 @@ std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
   now->file = name;
   now->parameters = live->parameters;
   scenario_ = std::move(now);
+  assembly_->show(scenario_);
   if (memory_) memory_->noteFile(file);
   environment_->document().undoStack().setClean();
   showTitle();

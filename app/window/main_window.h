@@ -14,6 +14,7 @@
 
 namespace glissade {
 
+class AssemblyController;
 class BodyVisibility;
 class CountsPanel;
 class DeviceController;
@@ -22,7 +23,6 @@ class EnvironmentController;
 class InteractionPanel;
 class PathPanel;
 class ReplayController;
-class ScenePanel;
 class StudyController;
 class WindowMemory;
 class WorkController;
@@ -49,6 +49,7 @@ class MainWindow final : public QMainWindow {
   DeviceController& devices() { return *devices_; }
   ReplayController& replay() { return *replay_; }
   BodyVisibility& bodies() { return *bodies_; }
+  AssemblyController& assembly() { return *assembly_; }
   DifficultyController& difficulty() { return *difficulty_; }
   WorkController& work() { return *work_; }
   /// Replays what was read from a file, and opens its scenario where another is open; says what is wrong
@@ -87,6 +88,8 @@ class MainWindow final : public QMainWindow {
   /// `action` brings it to the front.
   void addPanel(const QString& title, const char* id, QWidget* content, const char* action = "",
                 Scrolling scrolling = Scrolling::Whole);
+  /// The open scenario with its bodies elsewhere, or others; what is looked at and what was set stay.
+  void rearrange(const ScenarioPtr& scenario);
   void showSnapshot(const SnapshotPtr& snapshot);
   void enableActions(const SessionSnapshot* snapshot);
   void publishOperatorFrame();
@@ -113,8 +116,8 @@ class MainWindow final : public QMainWindow {
   std::unique_ptr<SceneWidget> scene_;
   InteractionPanel* interaction_ = nullptr;
   CountsPanel* counts_ = nullptr;
-  ScenePanel* sceneTree_ = nullptr;
   PathPanel* path_ = nullptr;
+  AssemblyController* assembly_ = nullptr;
   BodyVisibility* bodies_ = nullptr;
   EnvironmentController* environment_ = nullptr;
   StudyController* studies_ = nullptr;

@@ -6,6 +6,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
 #include "app/window/difficulty_controller.h"
 #include "app/window/environment_controller.h"
@@ -13,7 +14,6 @@
 #include "widgets/panels/counts_panel.h"
 #include "widgets/panels/interaction_panel.h"
 #include "widgets/panels/path_panel.h"
-#include "widgets/panels/scene_panel.h"
 
 namespace glissade {
 void MainWindow::addPanel(const QString& title, const char* id, QWidget* content, const char* action,
@@ -43,11 +43,10 @@ void MainWindow::addPanel(const QString& title, const char* id, QWidget* content
 void MainWindow::makePanels() {
   interaction_ = new InteractionPanel(*actions_, this);
   counts_ = new CountsPanel(this);
-  sceneTree_ = new ScenePanel(this);
   path_ = new PathPanel(*actions_, this);
-  bodies_ = new BodyVisibility(*actions_, *scene_, *sceneTree_, environment_->document(), this);
+  bodies_ = new BodyVisibility(*actions_, *scene_, *assembly_->scenePanel(), environment_->document(), this);
   addPanel(tr("Interaction"), "interaction", interaction_);
-  addPanel(tr("Scene"), "scene-tree", sceneTree_, "panel.scene");
+  addPanel(tr("Scene"), "scene-tree", assembly_->panel(), "panel.scene");
   addPanel(tr("Run"), "run", counts_, "panel.run");
   addPanel(tr("Path"), "path", path_, "panel.path");
   addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), "panel.semantics", Scrolling::Own);
@@ -101,6 +100,7 @@ void MainWindow::makeMenus() {
   fill(edit, "milestone.");
   edit->addSeparator();
   fill(edit, "attribute.");
+  fill(menuBar()->addMenu(tr("&Assembly")), "assembly.");
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   fill(run, "run.");
   fill(run, "work.");

@@ -2,6 +2,8 @@
 
 #include <QMouseEvent>
 
+#include "app/window/scene_ray.h"
+
 namespace glissade {
 namespace {
 
@@ -50,15 +52,9 @@ bool MilestoneTool::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-Ray MilestoneTool::rayAt(const QPointF& position) const {
-  const QWidget& widget = *scene_.widget();
-  const QPointF at = (position - QPointF(widget.width() / 2.0, widget.height() / 2.0)) / std::max(1, widget.height());
-  return rayThrough(scene_.view().camera(), at.x(), at.y());
-}
-
 bool MilestoneTool::grip(const QPointF& position) {
   if (!plan_ || !document_.knowledge() || !scene_.view().layerVisible(SceneLayer::Milestones)) return false;
-  const Ray ray = rayAt(position);
+  const Ray ray = rayThrough(scene_, position);
   const auto body = pickBody(scenario_->obstacles, ray);
   drag_ = MilestoneDrag::grip(*plan_, scenario_->object.mesh, ray, body ? body->distance : 1e9,
                               scene_.view().camera().R_WV());
@@ -75,7 +71,7 @@ void MilestoneTool::follow(const QPointF& position, bool turning) {
     const QPointF moved = (position - last_) / std::max(1, scene_.widget()->height());
     drag_->turn(moved.x(), moved.y());
   } else {
-    drag_->moveTo(rayAt(position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
+    drag_->moveTo(rayThrough(scene_, position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
   }
   last_ = position;
   emit moving();

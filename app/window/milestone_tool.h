@@ -32,7 +32,6 @@ class MilestoneTool final : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  Ray rayAt(const QPointF& position) const;
   bool grip(const QPointF& position);
   void follow(const QPointF& position, bool turning);
   void drop();

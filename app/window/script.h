@@ -36,6 +36,8 @@ struct ScriptCommand {
 ///   open FILE                   another scenario
 ///   save FILE                   the scenario with its edits
 ///   select KIND NAME            a place by its name, a body by its id, a step by its number
+///   place WHAT X,Y,Z ROLL,PITCH,YAW   a body by its id, "start", or "goal": millimetres, degrees
+///   expect-place WHAT X,Y,Z     it is there, to a hundredth of a millimetre; "nowhere": there is none
 ///   show-body ID yes|no         whether an obstacle is drawn
 ///   click X Y                   the left button over the 3D view, in pixels
 ///   drag X Y TO_X TO_Y          the left button held from one pixel of the 3D view to another

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/window/assembly_script.h"
 #include "app/window/device_controller.h"
 #include "app/window/device_script.h"
 #include "app/window/difficulty_script.h"
@@ -73,6 +74,9 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   if (command.name == "save") return save(command);
   if (command.name == "select-strategy") return selectStrategy(command);
   if (const auto outcome = EnvironmentScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
+  }
+  if (const auto outcome = AssemblyScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (const auto outcome = DeviceScript(window_).carryOut(command)) {

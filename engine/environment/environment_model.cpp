@@ -30,6 +30,22 @@ Outcome check(const EnvironmentOptions& options, const Box3& workspace) {
   return refuse("places", "names no way to find places: '" + options.identifier + "'", "Give one of " + known + ".");
 }
 
+FreeSpace freeSpaceOf(const EnvironmentModel& model) {
+  return freeSpaceOf(*model.octree, std::min(model.options.topologyLevel, model.octree->depth()));
+}
+
+/// What mobile bodies decide of a model whose places are known.
+void addMobileBodies(EnvironmentModel& model, const StopToken& stop) {
+  model.clearance = distanceTransform(model.space, true, stop);
+  model.cluttered.assign(model.map.places.size(), false);
+  for (std::size_t cell = 0; cell < model.map.placeOf.size(); ++cell) {
+    const int place = model.map.placeOf[cell];
+    if (place != kNoPlace && model.space.kinds[cell] == CellKind::Mobile) {
+      model.cluttered[static_cast<std::size_t>(place)] = true;
+    }
+  }
+}
+
 }  // namespace
 
 Diagnostic environmentInterrupted() {
@@ -44,7 +60,7 @@ Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodie
   model->options = options;
   const OctreeResolution resolution{options.cellSize, static_cast<std::size_t>(options.memory * (1U << 20))};
   model->octree = std::make_shared<const Octree>(bodies, workspace, resolution, stop);
-  model->space = freeSpaceOf(*model->octree, std::min(options.topologyLevel, model->octree->depth()));
+  model->space = freeSpaceOf(*model);
   for (const RigidBody& body : bodies) {
     if (body.mobility == Mobility::Static) append(model->statics_W, transformed(*body.mesh, body.X_WB));
   }
@@ -57,15 +73,23 @@ Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodie
   if (stop.stopRequested()) return environmentInterrupted();
   model->map = makeTopologicalMap(model->space, labels, clearance, passages, model->statics_W, stop);
   if (stop.stopRequested()) return environmentInterrupted();
-  model->clearance = distanceTransform(model->space, true, stop);
+  addMobileBodies(*model, stop);
   if (stop.stopRequested()) return environmentInterrupted();
-  model->cluttered.assign(model->map.places.size(), false);
-  for (std::size_t cell = 0; cell < model->map.placeOf.size(); ++cell) {
-    const int place = model->map.placeOf[cell];
-    if (place != kNoPlace && model->space.kinds[cell] == CellKind::Mobile) {
-      model->cluttered[static_cast<std::size_t>(place)] = true;
-    }
-  }
+  return EnvironmentModelPtr(std::move(model));
+}
+
+Result<EnvironmentModelPtr> updateEnvironment(const EnvironmentModel& before, const std::vector<RigidBody>& bodies,
+                                              const Box3& workspace, const EnvironmentOptions& options,
+                                              const StopToken& stop) {
+  const Box3& known = before.octree->workspace();
+  const bool sameSpace = known.min() == workspace.min() && known.max() == workspace.max();
+  auto octree = options == before.options && sameSpace ? before.octree->withMobileBodiesAt(bodies) : std::nullopt;
+  if (!octree) return buildEnvironment(bodies, workspace, options, stop);
+  auto model = std::make_shared<EnvironmentModel>(before);
+  model->octree = std::make_shared<const Octree>(std::move(*octree));
+  model->space = freeSpaceOf(*model);
+  addMobileBodies(*model, stop);
+  if (stop.stopRequested()) return environmentInterrupted();
   return EnvironmentModelPtr(std::move(model));
 }
 

@@ -39,6 +39,13 @@ using EnvironmentModelPtr = std::shared_ptr<const EnvironmentModel>;
 Result<EnvironmentModelPtr> buildEnvironment(const std::vector<RigidBody>& bodies, const Box3& workspace,
                                              const EnvironmentOptions& options, const StopToken& stop = {});
 
+/// The model with the bodies where they are now. Where only mobile ones have moved since `before` was built,
+/// places and borders stay, and of the octree only cells that a body leaves or enters are rebuilt (paper 2,
+/// section 5.1.2): the same model as one built afresh with cells of that size. Else as buildEnvironment.
+Result<EnvironmentModelPtr> updateEnvironment(const EnvironmentModel& before, const std::vector<RigidBody>& bodies,
+                                              const Box3& workspace, const EnvironmentOptions& options,
+                                              const StopToken& stop = {});
+
 /// What a stop of buildEnvironment, or of what is computed from its model, is reported as.
 Diagnostic environmentInterrupted();
 

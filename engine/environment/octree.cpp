@@ -61,6 +61,19 @@ Octree::Change Octree::moveBody(std::size_t body, const Pose& X_WB) {
   return {cellCount(left), cellCount(entered)};
 }
 
+std::optional<Octree> Octree::withMobileBodiesAt(const std::vector<RigidBody>& bodies) const {
+  const auto samePlaceOrMobile = [](const Occupant& known, const RigidBody& body) {
+    return known.mesh == body.mesh && known.mobility == body.mobility &&
+           (known.mobility == Mobility::Mobile || known.X_WB == body.X_WB);
+  };
+  if (!std::equal(bodies_.begin(), bodies_.end(), bodies.begin(), bodies.end(), samePlaceOrMobile)) return std::nullopt;
+  Octree moved = *this;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies_[i].X_WB != bodies[i].X_WB) moved.moveBody(i, bodies[i].X_WB);
+  }
+  return moved;
+}
+
 void Octree::edit(std::size_t body, const CellRuns& cells, Edit edit) {
   editedBody_ = body;
   editing_ = edit;

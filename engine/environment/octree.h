@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 
 #include "engine/environment/coverage.h"
 #include "engine/environment/rigid_body.h"
@@ -55,6 +56,9 @@ class Octree {
   /// Puts a body elsewhere: only the cells that it leaves or enters are rebuilt, by merging and
   /// splitting (paper 2, section 5.1.2).
   Change moveBody(std::size_t body, const Pose& X_WB);
+  /// This octree with its mobile bodies where `bodies` has them, its cells as fine as they are; nothing where
+  /// more is different: other bodies, another mobility, a static body elsewhere.
+  std::optional<Octree> withMobileBodiesAt(const std::vector<RigidBody>& bodies) const;
 
   struct Leaf {
     Cell cell;

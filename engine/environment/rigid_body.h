@@ -24,4 +24,7 @@ struct RigidBody {
   Colour colour{0.6, 0.6, 0.6};
 };
 
+/// Id of the scenario's body that a rigid body belongs to: the links "<body>/<link>" of a URDF file are one.
+inline std::string bodyIdOf(const std::string& rigidBodyId) { return rigidBodyId.substr(0, rigidBodyId.find('/')); }
+
 }  // namespace glissade

@@ -37,6 +37,15 @@ Quaternion fromRollPitchYaw(double roll, double pitch, double yaw) {
       .normalized();
 }
 
+Vector3 rollPitchYawOf(const Quaternion& orientation) {
+  constexpr double kUpright = 1e-12;  // of the cosine of pitch: below it, roll and yaw turn about one axis
+  const Eigen::Matrix3d R = orientation.toRotationMatrix();
+  const double cosine = std::hypot(R(0, 0), R(1, 0));
+  const double pitch = std::atan2(-R(2, 0), cosine);
+  if (cosine < kUpright) return {0.0, pitch, std::atan2(-R(0, 1), R(1, 1))};
+  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+}
+
 bool isValid(const Pose& pose) {
   return pose.position.allFinite() && pose.orientation.coeffs().allFinite() &&
          std::abs(pose.orientation.norm() - 1.0) <= tolerance::kQuaternionNorm;

@@ -38,6 +38,8 @@ Pose fromIsometry(const Eigen::Isometry3d& X_AB);
 
 /// Intrinsic URDF convention: fixed-axis roll, pitch, yaw in radians.
 Quaternion fromRollPitchYaw(double roll, double pitch, double yaw);
+/// Roll, pitch in [-pi/2, pi/2], and yaw that give this orientation; where pitch is at its end, roll is 0.
+Vector3 rollPitchYawOf(const Quaternion& orientation);
 
 /// All coordinates finite and the quaternion's norm within tolerance::kQuaternionNorm of one.
 bool isValid(const Pose& pose);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -91,12 +92,28 @@ struct Scenario {
 SemanticEdits semanticEditsOf(const Scenario& scenario);
 void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario);
 
+/// One rigid part of what a geometry names, as read.
+struct GeometryPart {
+  std::string name;  ///< of the URDF link; empty where there is only one part
+  MeshPtr mesh;      ///< in the part's frame P
+  Pose X_BP;
+  std::optional<Colour> colour;
+};
+struct LoadedGeometry {
+  std::vector<GeometryPart> parts;
+  Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
+};
+using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
+/// By what was asked for: a file and how it is interpreted, or a primitive's sizes.
+using GeometryCache = std::map<std::string, LoadedGeometryPtr>;
+
 /// A scenario with its geometry loaded and checked: ready to be planned and drawn.
 struct LoadedScenario {
   Scenario scenario;
   std::string file;                  ///< where it came from
   std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links expanded
   RigidBody object;                  ///< X_WB is the start
+  GeometryCache geometry;            ///< what the bodies and the object are made of
   Problem problem;
   ParameterValues parameters{1.0};
   Warnings warnings;

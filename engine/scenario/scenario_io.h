@@ -18,8 +18,10 @@ std::string writeScenario(const Scenario& scenario);
 /// builds the problem. Start and goal in collision are not errors here: a session says so at its start.
 Result<LoadedScenario> loadScenario(const std::string& file);
 
-/// Loads geometry for a scenario value whose assets are relative to `folder`.
-Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file);
+/// Loads geometry for a scenario value whose assets are relative to `folder`; what is in `known` (of a scenario
+/// loaded before) is not read again.
+Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
+                                       const GeometryCache& known = {});
 
 /// SHA-256 of an asset's file as it is now. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);

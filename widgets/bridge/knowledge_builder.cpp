@@ -2,11 +2,12 @@
 
 namespace glissade {
 
-void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, bool atOnce) {
+void KnowledgeBuilder::build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before,
+                             bool atOnce) {
   cancel();
   emit started();
-  const auto work = [this, problem, requiredClearance](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    return [this, result = buildSceneKnowledge(problem, requiredClearance, watch.stop)] {
+  const auto work = [this, problem, requiredClearance, before](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    return [this, result = buildSceneKnowledge(problem, requiredClearance, watch.stop, before)] {
       if (result) {
         emit finished(*result);
       } else {

@@ -14,8 +14,9 @@ class KnowledgeBuilder final : public QObject {
  public:
   explicit KnowledgeBuilder(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// `atOnce`: finished before this returns.
-  void build(const Problem& problem, double requiredClearance, bool atOnce);
+  /// `before`: what was known before bodies were moved, or null. `atOnce`: finished before this returns.
+  void build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before, bool atOnce);
+  bool isBusy() const { return task_.isBusy(); }
   void cancel() { task_.cancel(); }
 
  signals:

@@ -32,6 +32,28 @@ void SessionBridge::open(const ScenarioPtr& scenario) {
   restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
 }
 
+namespace {
+
+/// Values that somebody chose, for an object of another size; the rest fits itself to it.
+ParameterValues carriedOver(const ParameterValues& values, double objectRadius) {
+  const ParameterValues usual(values.objectRadius());
+  ParameterValues carried(objectRadius);
+  for (const ParameterSpec& spec : parameterTable()) {
+    // What is out of range for this object goes back to what is usual for it.
+    if (values[spec.id] != usual[spec.id]) (void)carried.set(spec.id, values[spec.id]);
+  }
+  return carried;
+}
+
+}  // namespace
+
+void SessionBridge::rearrange(const ScenarioPtr& scenario) {
+  scenario_ = scenario;
+  scene_ = scenario->problem.scene;
+  const SnapshotPtr last = session_->snapshot();
+  restart(carriedOver(last->parameters, scenario->problem.world->objectRadius()), last->seed, last->plannerId);
+}
+
 void SessionBridge::setDevice(const std::string& deviceId) {
   if (deviceId == deviceId_ && !fixed_) return;
   deviceId_ = deviceId;
@@ -72,8 +94,12 @@ std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id,
   const DeviceRegistry registry = makeDeviceRegistry();
   const DeviceEntry* entry = registry.find(id);
   if (entry == nullptr) return nullptr;
-  DeviceContext context{scenario_->scenario.wayPoints, scenario_->problem.metric(), seed, hand_,
-                        scenario_->problem.world,      !fixed_ && clock_ == SessionClock::RealTime};
+  DeviceContext context{scenario_->scenario.wayPoints,
+                        scenario_->problem.metric(),
+                        seed,
+                        hand_,
+                        scenario_->problem.world,
+                        !fixed_ && clock_ == SessionClock::RealTime};
   if (const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal)) context.route.push_back(*goal);
   return entry->make(context);
 }

@@ -38,6 +38,9 @@ class SessionBridge final : public QObject {
 
   /// A new session on this scenario; parameters and seed are the scenario's. The old session ends.
   void open(const ScenarioPtr& scenario);
+  /// The same scenario with its bodies, its object or its ends elsewhere: ends a run; what has been set since it
+  /// was opened stays. The environment model is to be posted again.
+  void rearrange(const ScenarioPtr& scenario);
   /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
   /// planner, semantic edits and environment model stay as they were set.
   void setDevice(const std::string& deviceId);

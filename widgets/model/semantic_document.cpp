@@ -37,16 +37,32 @@ SemanticDocument::SemanticDocument(QObject* parent) : QObject(parent) {}
 SemanticDocument::~SemanticDocument() = default;
 
 void SemanticDocument::open(const std::shared_ptr<const LoadedScenario>& scenario) {
-  scenario_ = scenario;
-  bodies_ = scenario->obstacles;
-  bodies_.push_back(scenario->object);
-  objectId_ = scenario->object.id;
+  takeBodies(scenario);
   knowledge_.reset();
   semantics_.reset();
   selection_ = {};
   undo_.clear();
   apply(semanticEditsOf(scenario->scenario));
   emit selectionChanged();
+}
+
+void SemanticDocument::takeBodies(const std::shared_ptr<const LoadedScenario>& scenario) {
+  scenario_ = scenario;
+  bodies_ = scenario->obstacles;
+  bodies_.push_back(scenario->object);
+  objectId_ = scenario->object.id;
+}
+
+void SemanticDocument::rearrange(const std::shared_ptr<const LoadedScenario>& scenario) {
+  takeBodies(scenario);
+  SemanticSelection selection;
+  selection.places = selection_.places;
+  for (const RigidBody& body : bodies_) {
+    const QString id = QString::fromStdString(body.id);
+    if (selection_.bodies.contains(id)) selection.bodies.insert(id);
+  }
+  apply(semanticEditsOf(scenario->scenario));
+  select(selection);
 }
 
 void SemanticDocument::setKnowledge(const SceneKnowledgePtr& knowledge) {

@@ -31,6 +31,9 @@ class SemanticDocument final : public QObject {
   ~SemanticDocument() override;
 
   void open(const std::shared_ptr<const LoadedScenario>& scenario);
+  /// The same scenario with its bodies elsewhere, or others; its edits count from now on, and what can be undone
+  /// stays. What is known of the places stays until there is something newer.
+  void rearrange(const std::shared_ptr<const LoadedScenario>& scenario);
   void setKnowledge(const SceneKnowledgePtr& knowledge);
 
   const SceneKnowledgePtr& knowledge() const { return knowledge_; }
@@ -65,6 +68,7 @@ class SemanticDocument final : public QObject {
   friend class ChangeSemantics;
   void push(const QString& text, const SemanticEdits& after, const QString& mergeKey = {});
   void apply(const SemanticEdits& edits);
+  void takeBodies(const std::shared_ptr<const LoadedScenario>& scenario);
   PlaceEdit& editOf(SemanticEdits& edits, int place) const;
 
   std::vector<RigidBody> bodies_;

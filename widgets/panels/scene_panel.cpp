@@ -8,7 +8,8 @@
 namespace glissade {
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
+constexpr int kIdRole = Qt::UserRole;       // of bodies
+constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
 
 QIcon swatch(const Colour& colour) {
   QPixmap pixmap(14, 14);
@@ -31,6 +32,7 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   setRootIsDecorated(true);
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -39,13 +41,22 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
     if (item->parent() != obstacles_ || obstacles_ == nullptr) return;
     emit bodyChecked(item->data(0, kIdRole).toString(), item->checkState(0) == Qt::Checked);
   });
+  connect(this, &QTreeWidget::itemSelectionChanged, this, &ScenePanel::takeSelection);
 }
 
 QTreeWidgetItem* ScenePanel::addGroup(const QString& title) {
   auto* group = new QTreeWidgetItem(this, {title});
   group->setFirstColumnSpanned(true);
   group->setExpanded(true);
+  group->setFlags(Qt::ItemIsEnabled);
   return group;
+}
+
+QTreeWidgetItem* ScenePanel::addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end) {
+  auto* item = new QTreeWidgetItem(&group, {text});
+  item->setFirstColumnSpanned(true);
+  item->setData(0, kEndRole, static_cast<int>(end));
+  return item;
 }
 
 QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind) {
@@ -64,10 +75,8 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   QTreeWidgetItem* object = addGroup(tr("Object"));
   addBody(*object, scenario.object, tr("moved"));
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
-  for (const QString& text : {tr("start  %1").arg(place(scenario.problem.start)),
-                              tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out"))}) {
-    (new QTreeWidgetItem(object, {text}))->setFirstColumnSpanned(true);
-  }
+  addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
+  addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
   for (const RigidBody& body : scenario.obstacles) {
     QTreeWidgetItem* item = addBody(*obstacles_, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
@@ -84,6 +93,31 @@ void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
     item->setCheckState(0, hidden ? Qt::Unchecked : Qt::Checked);
   }
   viewport()->update();
+}
+
+void ScenePanel::setSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen) {
+  const QSignalBlocker block(this);
+  for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
+    const QVariant id = (*item)->data(0, kIdRole);
+    const QVariant end = (*item)->data(0, kEndRole);
+    const bool isChosenEnd = end.isValid() && chosen && static_cast<int>(chosen->kind) == end.toInt();
+    (*item)->setSelected(isChosenEnd || (id.isValid() && bodyIds.contains(id.toString())));
+  }
+  viewport()->update();
+}
+
+/// Start and goal are placed one at a time: of several rows they count before the bodies.
+void ScenePanel::takeSelection() {
+  QSet<QString> bodies;
+  for (const QTreeWidgetItem* item : selectedItems()) {
+    const QVariant end = item->data(0, kEndRole);
+    if (end.isValid()) {
+      emit endChosen(static_cast<AssemblyItem::Kind>(end.toInt()));
+      return;
+    }
+    bodies.insert(item->data(0, kIdRole).toString());
+  }
+  emit bodiesChosen(bodies);
 }
 
 }  // namespace glissade

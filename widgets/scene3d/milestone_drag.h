@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "engine/planning/coarse/coarse_plan.h"
+#include "widgets/scene3d/pose_drag.h"
 #include "widgets/scene3d/scene_pick.h"
 
 namespace glissade {
 
-/// A milestone of the coarse plan in the pointer's grip: it moves in the plane of the view through the
-/// point that was gripped, or turns about the view's axes. Plain geometry.
+/// A milestone of the coarse plan in the pointer's grip, kept inside a region. Plain geometry.
 class MilestoneDrag {
  public:
   /// Grips the nearest milestone along the ray, up to `farthest`; nothing where there is none.
@@ -22,15 +22,15 @@ class MilestoneDrag {
 
   /// Follows the pointer inside the region; beyond it, the milestone stays where it was last.
   void moveTo(const Ray& ray, const SamplingRegion& region);
-  /// The pointer went by (dx, dy), in fractions of the view's height, y down: half a turn a height.
+  /// As PoseDrag::turn().
   void turn(double dx, double dy);
 
  private:
-  std::size_t step_ = 0;
+  MilestoneDrag(std::size_t step, const PoseDrag& drag) : step_(step), drag_(drag), pose_(drag.pose()) {}
+
+  std::size_t step_;
+  PoseDrag drag_;  ///< as if there were no region
   Pose pose_;
-  Vector3 p_WO_ = Vector3::Zero();  ///< where the object's reference point would be, were there no bounds
-  Vector3 grip_ = Vector3::Zero();  ///< the point that was gripped, world
-  Quaternion R_WV_ = Quaternion::Identity();
 };
 
 }  // namespace glissade

@@ -42,6 +42,7 @@ struct SceneView::Impl {
   std::optional<std::size_t> shownStep;
   std::shared_ptr<const Difficulty> difficulty;
   std::set<std::string> hidden;  ///< obstacles, by id
+  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -71,11 +72,19 @@ struct SceneView::Impl {
   void showSelection() {
     fill(SceneLayer::Selection, environment.knowledge ? makeSelection(environment, palette) : nullptr);
     if (!scenario) return;
-    for (const RigidBody& body : scenario->obstacles) {
-      if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0) continue;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      const RigidBody& body = scenario->obstacles[i];
+      if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0 || inHand.count(i) != 0)
+        continue;
       layer(SceneLayer::Selection)
           .addChild(makeBody(*body.mesh, body.X_WB, palette.path, BodyStyle::SeeThrough, palette));
     }
+  }
+
+  /// The children of these layers are the bodies in their order.
+  void place(SceneLayer id, std::size_t child, const Pose& X_WB) {
+    auto* body = static_cast<osg::MatrixTransform*>(layer(id).getChild(static_cast<unsigned>(child)));
+    body->setMatrix(toOsg(X_WB));
   }
 
   void showPlan() {
@@ -221,18 +230,33 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
 SceneView::~SceneView() = default;
 
 void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
+  impl_->environment = {};
+  impl_->hidden.clear();
+  rearrange(std::move(scenario));
+  fit();
+}
+
+void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->scenario = std::move(scenario);
   impl_->snapshot.reset();
   impl_->playback.reset();
-  impl_->environment = {};
   impl_->drawnPlan.reset();
   impl_->shownStep.reset();
   impl_->difficulty.reset();
-  impl_->hidden.clear();
+  impl_->inHand.clear();
   impl_->roadmap.clear();
   impl_->rebuild();
-  fit();
 }
+
+void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
+  impl_->inHand.insert(obstacle);
+  impl_->place(SceneLayer::Bodies, obstacle, X_WB);
+  impl_->showSelection();
+}
+
+void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 0, X_WB); }
+
+void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 1, X_WB); }
 
 void SceneView::fit() { impl_->camera.fit(impl_->extent()); }
 

@@ -66,6 +66,14 @@ class SceneView {
 
   /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
   void setScenario(std::shared_ptr<const LoadedScenario> scenario);
+  /// The same scenario with its bodies, its object or its ends elsewhere: what is looked at, and from where,
+  /// stays.
+  void rearrange(std::shared_ptr<const LoadedScenario> scenario);
+  /// Draws an obstacle elsewhere while it is in somebody's hand: until rearrange(). Index into the scenario's.
+  void placeObstacle(std::size_t obstacle, const Pose& X_WB);
+  /// The same for the ghosts of the object at its start and at its goal, where there are any.
+  void placeStart(const Pose& X_WB);
+  void placeGoal(const Pose& X_WB);
   /// Everything in view, direction kept.
   void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.

@@ -21,7 +21,7 @@ std::vector<RigidBody> bodiesOf(const Problem& problem) {
   std::vector<RigidBody> bodies = problem.world->obstacles();
   if (!problem.scene.edits) return bodies;
   for (RigidBody& body : bodies) {
-    const auto edited = problem.scene.edits->bodies.find(body.id.substr(0, body.id.find('/')));
+    const auto edited = problem.scene.edits->bodies.find(bodyIdOf(body.id));
     if (edited == problem.scene.edits->bodies.end()) continue;
     const auto mobility = edited->second.find("mobility");
     if (mobility == edited->second.end()) continue;
@@ -36,12 +36,19 @@ StrategyRules rulesOf(const Problem& problem, std::string_view strategy) {
   return strategy == "own" && problem.scene.rules ? *problem.scene.rules : presetRules(strategy);
 }
 
-Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop) {
+Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop,
+                                              const SceneKnowledgePtr& before) {
   auto knowledge = std::make_shared<SceneKnowledge>();
-  auto environment = buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment, stop);
+  const std::vector<RigidBody> bodies = bodiesOf(problem);
+  const EnvironmentOptions& options = problem.scene.environment;
+  auto environment = before ? updateEnvironment(*before->environment, bodies, problem.bounds, options, stop)
+                            : buildEnvironment(bodies, problem.bounds, options, stop);
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
-  knowledge->source = {problem.scene.environment, problem.scene.edits, requiredClearance};
+  knowledge->source = {options, problem.scene.edits, requiredClearance};
+  // Where a mobile body stood when the depth was chosen by memory is not known any more.
+  const Octree& octree = *knowledge->environment->octree;
+  if (before) knowledge->source.options.cellSize = octree.frame().cellSize(octree.depth());
   const auto& places = knowledge->environment->map.places;
   const double slimmest = slimmestExtent(problem.world->object());
   for (std::size_t place = 0; place < places.size(); ++place) {

@@ -19,9 +19,10 @@ struct SceneKnowledge {
 using SceneKnowledgePtr = std::shared_ptr<const SceneKnowledge>;
 
 /// Builds the environment model and fits the object through every passage. Edits of the
-/// bodies' mobility are respected. Errors are those of buildEnvironment, or Interrupted.
+/// bodies' mobility are respected. `before` (may be null) is what was known before bodies were moved: what
+/// stays of its model is not built again (updateEnvironment()). Errors are those of buildEnvironment, or Interrupted.
 Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance,
-                                              const StopToken& stop = {});
+                                              const StopToken& stop = {}, const SceneKnowledgePtr& before = nullptr);
 
 /// The rules that a strategy plans by: its preset, or for "own" the problem's.
 StrategyRules rulesOf(const Problem& problem, std::string_view strategy);

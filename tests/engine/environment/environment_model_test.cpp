@@ -84,5 +84,58 @@ TEST(EnvironmentModel, MobileBodiesClutterPlacesButDoNotShapeThem) {
   EXPECT_GT(empty->clearance[inTheCrate], 0.0);
 }
 
+/// Everything that may differ between two models of the same bodies.
+void expectSame(const EnvironmentModel& a, const EnvironmentModel& b) {
+  EXPECT_TRUE(*a.octree == *b.octree);
+  EXPECT_EQ(a.space.kinds, b.space.kinds);
+  EXPECT_EQ(a.map.placeOf, b.map.placeOf);
+  EXPECT_EQ(a.cluttered, b.cluttered);
+  EXPECT_EQ(a.clearance, b.clearance);
+  EXPECT_EQ(a.statics_W.vertices, b.statics_W.vertices);
+}
+
+TEST(EnvironmentModel, UpdatedForMovedBodiesEqualsOneBuiltAfresh) {
+  RandomStream stream(3, "moved bodies");
+  const EnvironmentOptions options{1.0 / 32, 16, 5, "watershed"};
+  const Box3 workspace(Vector3::Zero(), Vector3::Ones());
+  std::vector<RigidBody> bodies = test::randomBodies(stream, 6);
+  EnvironmentModelPtr model = test::environmentOf(bodies, workspace, options);
+  for (int move = 0; move < 12; ++move) {
+    bodies[static_cast<std::size_t>(stream.uniform(0, 6))].X_WB.position += 0.2 * randomPose(stream, 1.0).position;
+    const auto updated = updateEnvironment(*model, bodies, workspace, options);
+    ASSERT_TRUE(updated.ok());
+    model = *updated;
+    expectSame(*model, *test::environmentOf(bodies, workspace, options));
+  }
+}
+
+TEST(EnvironmentModel, UpdatedKeepsItsPlacesWhereOnlyMobileBodiesMoved) {
+  std::vector<RigidBody> bodies = test::wallWithAHole();
+  bodies.push_back(test::boxBody("crate", Vector3::Constant(0.2), Pose::translation({0.4, 0.5, 0.5})));
+  bodies.back().mobility = Mobility::Mobile;
+  const EnvironmentOptions options{0.0, 1, 6, "watershed"};
+  const EnvironmentModelPtr before = test::environmentOf(bodies, test::twoRooms(), options);
+  const auto clutteredAt = [&](const EnvironmentModel& model, const Vector3& p_W) {
+    return bool(model.cluttered[static_cast<std::size_t>(model.map.placeAt(p_W))]);
+  };
+  const Vector3 left(0.2, 0.2, 0.2);
+  const Vector3 right(1.8, 0.2, 0.2);
+  EXPECT_TRUE(clutteredAt(*before, left));
+  EXPECT_FALSE(clutteredAt(*before, right));
+
+  bodies.back().X_WB.position.x() = 1.6;
+  const auto after = updateEnvironment(*before, bodies, test::twoRooms(), options);
+  ASSERT_TRUE(after.ok());
+  EXPECT_FALSE(clutteredAt(**after, left));
+  EXPECT_TRUE(clutteredAt(**after, right));
+  EXPECT_EQ((*after)->map.placeOf, before->map.placeOf);
+  EXPECT_EQ((*after)->octree->depth(), before->octree->depth());
+
+  bodies.front().X_WB.position.y() -= 0.1;  // the hole becomes wider
+  const auto wider = updateEnvironment(**after, bodies, test::twoRooms(), options);
+  ASSERT_TRUE(wider.ok());
+  EXPECT_NE((*wider)->map.placeOf, before->map.placeOf);
+}
+
 }  // namespace
 }  // namespace glissade

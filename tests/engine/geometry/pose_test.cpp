@@ -30,6 +30,18 @@ TEST(Pose, RollPitchYawIsUrdfsFixedAxisConvention) {
   EXPECT_TRUE(q.toRotationMatrix().isApprox(expected, 1e-12));
 }
 
+TEST(Pose, RollPitchYawComeBackFromEveryOrientation) {
+  RandomStream stream(5, "roll pitch yaw");
+  const auto expectBack = [](const Quaternion& q) {
+    const Vector3 angles = rollPitchYawOf(q);
+    EXPECT_LE(std::abs(angles.y()), std::acos(0.0) + 1e-12);
+    EXPECT_LT(angleBetween(fromRollPitchYaw(angles.x(), angles.y(), angles.z()), q), 1e-6);
+  };
+  for (int i = 0; i < 200; ++i) expectBack(randomPose(stream, 1.0).orientation);
+  for (const double pitch : {-std::acos(0.0), std::acos(0.0)}) expectBack(fromRollPitchYaw(0.4, pitch, -1.3));
+  EXPECT_LT((rollPitchYawOf(fromRollPitchYaw(0.3, -0.5, 1.1)) - Vector3(0.3, -0.5, 1.1)).norm(), 1e-12);
+}
+
 TEST(Pose, InterpolationHitsItsEndsExactlyAndTurnsTheShortWay) {
   RandomStream stream(2, "interpolate");
   for (int i = 0; i < 200; ++i) {

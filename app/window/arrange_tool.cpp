@@ -1,0 +1,123 @@
+#include "app/window/arrange_tool.h"
+
+#include <QMouseEvent>
+
+#include <utility>
+
+#include "app/window/scene_ray.h"
+
+namespace glissade {
+namespace {
+
+struct Hit {
+  AssemblyItem item;
+  Vector3 p_W;
+};
+
+/// What the ray meets first of what is drawn and wanted.
+template <class Wanted>
+std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, const Ray& ray, Wanted&& wanted) {
+  std::vector<RigidBody> bodies;
+  std::vector<AssemblyItem> items;  // per body
+  const auto add = [&](const RigidBody& body, const Pose& X_WB, const AssemblyItem& item) {
+    if (!wanted(item)) return;
+    bodies.push_back(body);
+    bodies.back().X_WB = X_WB;
+    items.push_back(item);
+  };
+  for (const RigidBody& body : scenario.obstacles) {
+    if (view.hiddenBodies().count(body.id) == 0) add(body, body.X_WB, {AssemblyItem::Kind::Body, bodyIdOf(body.id)});
+  }
+  if (view.layerVisible(SceneLayer::StartAndGoal)) {
+    add(scenario.object, scenario.problem.start, {AssemblyItem::Kind::Start, {}});
+    const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
+    if (goal != nullptr) add(scenario.object, *goal, {AssemblyItem::Kind::Goal, {}});
+  }
+  const auto hit = pickBody(bodies, ray);
+  if (!hit) return std::nullopt;
+  return Hit{items[hit->body], ray.origin + hit->distance * ray.direction};
+}
+
+}  // namespace
+
+ArrangeTool::ArrangeTool(SceneWidget& scene, QObject* parent) : QObject(parent), scene_(scene) {
+  scene_.widget()->installEventFilter(this);
+}
+
+void ArrangeTool::setScenario(const ScenarioPtr& scenario) {
+  scenario_ = scenario;
+  inHand_.reset();
+}
+
+void ArrangeTool::setOn(bool on) {
+  on_ = on;
+  if (on) {
+    scene_.widget()->setCursor(Qt::OpenHandCursor);
+  } else {
+    scene_.widget()->unsetCursor();
+  }
+}
+
+bool ArrangeTool::eventFilter(QObject* watched, QEvent* event) {
+  const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
+                     event->type() == QEvent::MouseButtonRelease;
+  if (!mouse || !on_ || !scenario_) return QObject::eventFilter(watched, event);
+  const auto& pointer = static_cast<const QMouseEvent&>(*event);
+  if (event->type() == QEvent::MouseButtonPress) {
+    return pointer.button() == Qt::LeftButton && !pointer.modifiers().testFlag(Qt::ShiftModifier) &&
+           grip(pointer.localPos());
+  }
+  if (!inHand_) return QObject::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseMove) {
+    follow(pointer.localPos(), pointer.modifiers().testFlag(Qt::ControlModifier));
+  } else if (pointer.button() == Qt::LeftButton) {
+    drop();
+  }
+  return true;
+}
+
+bool ArrangeTool::grip(const QPointF& position) {
+  const Ray ray = rayThrough(scene_, position);
+  const auto grippable = [&](const AssemblyItem& item) { return selected_ && item == *selected_; };
+  auto hit = hitOf(*scenario_, scene_.view(), ray, grippable);
+  if (!hit) hit = hitOf(*scenario_, scene_.view(), ray, [](const AssemblyItem&) { return true; });
+  if (!hit) return false;
+  const Pose before = *poseOf(scenario_->scenario, hit->item);
+  inHand_ = InHand{hit->item, before, PoseDrag(before, hit->p_W, scene_.view().camera().R_WV())};
+  last_ = position;
+  scene_.widget()->setCursor(Qt::ClosedHandCursor);
+  emit gripped(inHand_->item);
+  return true;
+}
+
+void ArrangeTool::follow(const QPointF& position, bool turning) {
+  const QPointF moved = (position - last_) / std::max(1, scene_.widget()->height());
+  const Ray ray = rayThrough(scene_, position);
+  if (turning) {
+    inHand_->drag.turn(moved.x(), moved.y());
+  } else {
+    inHand_->drag.moveTo(ray);
+  }
+  last_ = position;
+  draw(inHand_->drag.pose());
+}
+
+void ArrangeTool::draw(const Pose& X_WB) {
+  SceneView& view = scene_.view();
+  const InHand& hand = *inHand_;
+  if (hand.item.kind == AssemblyItem::Kind::Start) view.placeStart(X_WB);
+  if (hand.item.kind == AssemblyItem::Kind::Goal) view.placeGoal(X_WB);
+  for (std::size_t i = 0; i < scenario_->obstacles.size() && hand.item.kind == AssemblyItem::Kind::Body; ++i) {
+    const RigidBody& body = scenario_->obstacles[i];
+    if (bodyIdOf(body.id) == hand.item.bodyId) view.placeObstacle(i, X_WB * inverse(hand.before) * body.X_WB);
+  }
+  scene_.refresh();
+}
+
+void ArrangeTool::drop() {
+  const InHand hand = *std::exchange(inHand_, std::nullopt);
+  scene_.widget()->setCursor(Qt::OpenHandCursor);
+  if (hand.drag.pose() != hand.before) emit dropped(hand.item, hand.drag.pose());
+}
+
+}  // namespace glissade

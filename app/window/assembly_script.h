@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "app/window/main_window.h"
+#include "app/window/script.h"
+
+namespace glissade {
+
+/// The script commands about where bodies and the ends of the motion are.
+class AssemblyScript {
+ public:
+  explicit AssemblyScript(MainWindow& window) : window_(window) {}
+
+  /// Nothing where the command is another's.
+  std::optional<Outcome> carryOut(const ScriptCommand& command);
+
+ private:
+  Outcome place(const std::string& what, const std::string& position, const std::string& turn);
+  Outcome expectPlace(const std::string& what, const std::string& position);
+
+  MainWindow& window_;
+};
+
+}  // namespace glissade

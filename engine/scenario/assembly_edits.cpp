@@ -1,0 +1,115 @@
+#include "engine/scenario/assembly_edits.h"
+
+#include <algorithm>
+
+#include "engine/base/file.h"
+#include "engine/scenario/geometry_loader.h"
+
+namespace glissade {
+namespace {
+
+Diagnostic refusal(const std::string& place, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Usage, "", place, reason, advice};
+}
+
+Diagnostic noSuchBody(const std::string& id) {
+  return refusal("body '" + id + "'", "there is no such body", "Choose one of the scene panel.");
+}
+
+std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario& scenario) {
+  return std::find_if(scenario.bodies.begin(), scenario.bodies.end(),
+                      [&](const BodyDescription& body) { return body.id == id; });
+}
+
+bool uses(const Geometry& geometry, const Asset& asset) {
+  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return mesh->asset == asset.id;
+  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return urdf->asset == asset.id;
+  return false;
+}
+
+void dropUnusedAssets(Scenario& scenario) {
+  const auto isUnused = [&](const Asset& asset) {
+    return !uses(scenario.object.geometry, asset) &&
+           std::none_of(scenario.bodies.begin(), scenario.bodies.end(),
+                        [&](const BodyDescription& body) { return uses(body.geometry, asset); });
+  };
+  scenario.assets.erase(std::remove_if(scenario.assets.begin(), scenario.assets.end(), isUnused),
+                        scenario.assets.end());
+}
+
+/// From the frame of a mesh file to that of the object centred on its vertices.
+Pose toVertexMean(const Geometry& geometry, const LoadedScenario& loaded) {
+  const std::string key = geometryKey(geometry, loaded.scenario, folderOf(loaded.file));
+  return Pose::translation(loaded.geometry.at(key)->vertexMean);
+}
+
+}  // namespace
+
+std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item) {
+  if (item.kind == AssemblyItem::Kind::Start) return scenario.start;
+  if (item.kind == AssemblyItem::Kind::Goal) {
+    const Pose* goal = std::get_if<Pose>(&scenario.goal);
+    return goal != nullptr ? std::optional<Pose>(*goal) : std::nullopt;
+  }
+  for (const BodyDescription& body : scenario.bodies) {
+    if (body.id == item.bodyId) return body.pose;
+  }
+  return std::nullopt;
+}
+
+Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
+  if (!isValid(X_WB)) return refusal("", "this is not a place in space", "Give finite numbers.");
+  if (item.kind == AssemblyItem::Kind::Start) {
+    scenario.start = X_WB;
+  } else if (item.kind == AssemblyItem::Kind::Goal) {
+    scenario.goal = X_WB;
+  } else {
+    const auto body = findBody(item.bodyId, scenario);
+    if (body == scenario.bodies.end()) return noSuchBody(item.bodyId);
+    body->pose = X_WB;
+  }
+  return Done{};
+}
+
+Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
+  const auto body = findBody(bodyId, scenario);
+  if (body == scenario.bodies.end()) return noSuchBody(bodyId);
+  scenario.bodies.erase(body);
+  dropUnusedAssets(scenario);
+  return Done{};
+}
+
+Outcome swapEnds(Scenario& scenario) {
+  Pose* goal = std::get_if<Pose>(&scenario.goal);
+  if (goal == nullptr) return refusal("goal", "the goal is \"out\", not a place", "Give the goal a place first.");
+  std::swap(scenario.start, *goal);
+  return Done{};
+}
+
+Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario) {
+  const auto body = findBody(bodyId, scenario);
+  if (body == scenario.bodies.end()) return noSuchBody(bodyId);
+  const BodyDescription moving = *body;
+  const ObjectDescription& was = scenario.object;
+  *body = {was.id, was.name, Mobility::Static, was.geometry, scenario.start, was.colour, was.attributes};
+  if (was.centreOnVertexMean) body->pose = scenario.start * inverse(toVertexMean(was.geometry, loaded));
+  const bool centred = std::holds_alternative<MeshGeometry>(moving.geometry);
+  scenario.start = centred ? moving.pose * toVertexMean(moving.geometry, loaded) : moving.pose;
+  scenario.object = {moving.id, moving.name, moving.geometry, centred, moving.colour, moving.attributes};
+  scenario.goal = GoalOut{};
+  scenario.wayPoints.clear();
+  return Done{};
+}
+
+void takeAssembly(const Scenario& from, Scenario& to) {
+  to.assets = from.assets;
+  to.bodies = from.bodies;
+  to.object = from.object;
+  to.start = from.start;
+  to.goal = from.goal;
+  to.workspace = from.workspace;
+  to.wayPoints = from.wayPoints;
+  setSemanticEdits(semanticEditsOf(from), to);
+}
+
+}  // namespace glissade

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/scenario/scenario.h"
+
+namespace glissade {
+
+/// What a person can put somewhere: a body, or the object at one of its ends.
+struct AssemblyItem {
+  enum class Kind { Body, Start, Goal };
+  Kind kind = Kind::Body;
+  std::string bodyId;  ///< of the scenario's body; empty for the ends
+
+  friend bool operator==(const AssemblyItem& a, const AssemblyItem& b) {
+    return a.kind == b.kind && a.bodyId == b.bodyId;
+  }
+};
+
+/// Nothing where there is no such body, or the goal is "out".
+std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item);
+
+/// Puts it there. Errors (here and below): Usage, there is no such body, or it cannot be.
+Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario);
+
+/// Takes a body out, with the assets that nothing else uses.
+Outcome removeBody(const std::string& bodyId, Scenario& scenario);
+
+/// The object starts where its goal was, and the other way round. Not where the goal is "out".
+Outcome swapEnds(Scenario& scenario);
+
+/// The body becomes the object, from where it lies and to "out"; what was the object becomes a static body
+/// where it started. Reference points change, so way points of the simulated operator go.
+Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario);
+
+/// Takes over what edits of the assembly and of semantic attributes change: the rest (planner, parameters,
+/// seed, environment) stays as it is.
+void takeAssembly(const Scenario& from, Scenario& to);
+
+}  // namespace glissade

@@ -1,0 +1,131 @@
+#include "engine/scenario/geometry_loader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/geometry/primitives.h"
+#include "engine/import/mesh_import.h"
+#include "engine/import/urdf_import.h"
+#include "engine/scenario/asset_path.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostBytes = 100U << 20;
+
+LoadedGeometry single(TriangleMesh mesh) {
+  LoadedGeometry geometry;
+  geometry.parts.push_back({"", std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::identity(), std::nullopt});
+  return geometry;
+}
+
+/// Takes file coordinates to ours: metres, z up.
+TriangleMesh interpreted(const TriangleMesh& mesh, const Asset& asset) {
+  const Pose upright{Vector3::Zero(),
+                     asset.up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
+  return transformed(scaled(mesh, Vector3::Constant(asset.unit)), upright);
+}
+
+/// One name for a file, whichever folder it is named from.
+std::string withoutLinks(const std::string& path) {
+  std::error_code ignored;
+  const std::filesystem::path found = std::filesystem::weakly_canonical(path, ignored);
+  return found.empty() ? path : found.string();
+}
+
+const Asset& assetById(const std::string& id, const Scenario& scenario) {
+  return *std::find_if(scenario.assets.begin(), scenario.assets.end(), [&](const Asset& a) { return a.id == id; });
+}
+
+}  // namespace
+
+std::string geometryKey(const Geometry& geometry, const Scenario& scenario, const std::string& folder) {
+  const auto ofAsset = [&](const std::string& kind, const std::string& id) {
+    const Asset& asset = assetById(id, scenario);
+    return kind + " " + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
+           withoutLinks(assetFile(asset, folder));
+  };
+  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return ofAsset("mesh", mesh->asset);
+  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return ofAsset("urdf", urdf->asset);
+  if (const auto* box = std::get_if<BoxGeometry>(&geometry)) {
+    return "box " + toText(box->size.x()) + " " + toText(box->size.y()) + " " + toText(box->size.z());
+  }
+  if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
+    return "cylinder " + toText(cylinder->radius) + " " + toText(cylinder->length);
+  }
+  return "sphere " + toText(std::get<SphereGeometry>(geometry).radius);
+}
+
+GeometryLoader::GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known)
+    : scenario_(scenario), folder_(std::move(folder)), file_(std::move(file)), known_(std::move(known)) {}
+
+Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
+  const std::string key = geometryKey(geometry, scenario_, folder_);
+  LoadedGeometryPtr& loaded = loaded_[key];
+  if (loaded) return loaded;
+  if (const auto known = known_.find(key); known != known_.end()) {
+    loaded = known->second;
+    return loaded;
+  }
+  auto read = this->read(geometry);
+  if (!read) return read.error();
+  loaded = std::make_shared<const LoadedGeometry>(std::move(*read));
+  return loaded;
+}
+
+Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
+  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return readMesh(assetById(mesh->asset, scenario_));
+  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return readUrdf(assetById(urdf->asset, scenario_));
+  if (const auto* box = std::get_if<BoxGeometry>(&geometry)) return single(makeBox(box->size));
+  if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
+    return single(makeCylinder(cylinder->radius, cylinder->length));
+  }
+  return single(makeSphere(std::get<SphereGeometry>(geometry).radius));
+}
+
+/// The file of an asset; warns where it is not the one that the scenario was saved with.
+Result<std::string> GeometryLoader::fileOf(const Asset& asset) {
+  const std::string path = assetFile(asset, folder_);
+  const auto content = readFile(path, kMostBytes);
+  if (!content) return content.error();
+  if (!asset.sha256.empty() && sha256(*content) != asset.sha256) {
+    warnings_.push_back({ErrorKind::MalformedInput, path, "", "has changed since the scenario was saved",
+                         "Check the scenario and save it again."});
+  }
+  return path;
+}
+
+Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
+  const auto path = fileOf(asset);
+  if (!path) return path.error();
+  const auto imported = importMesh(*path);
+  if (!imported) return imported.error();
+  LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset)));
+  TriangleMesh point;
+  point.vertices = {imported->vertexMean};
+  geometry.vertexMean = interpreted(point, asset).vertices.front();
+  return geometry;
+}
+
+Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
+  if (asset.unit != 1.0 || asset.up != UpAxis::Z) {
+    return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
+                      "has a unit or an up-axis, but a URDF file is always in metres and z up",
+                      "Leave out 'unit' and 'up_axis'."};
+  }
+  const auto path = fileOf(asset);
+  if (!path) return path.error();
+  auto links = importUrdf(*path, folderOf(*path));
+  if (!links) return links.error();
+  LoadedGeometry geometry;
+  for (UrdfLink& link : *links) {
+    geometry.parts.push_back(
+        {link.name, std::make_shared<const TriangleMesh>(std::move(link.mesh)), link.X_RL, link.colour});
+  }
+  return geometry;
+}
+
+}  // namespace glissade

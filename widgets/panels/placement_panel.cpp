@@ -1,0 +1,82 @@
+#include "widgets/panels/placement_panel.h"
+
+#include <QGridLayout>
+#include <QSignalBlocker>
+
+namespace glissade {
+namespace {
+
+constexpr double kMillimetres = 1000.0;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+/// A kilometre: whatever is assembled is smaller.
+constexpr double kFarthest = 1e6;
+
+}  // namespace
+
+PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLabel(this)) {
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(6, 2, 6, 6);
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(3);
+  grid->addWidget(name_, 0, 0, 1, 6);
+  for (int axis = 0; axis < 3; ++axis) {
+    const QString letter(QLatin1Char("XYZ"[axis]));
+    position_[axis] = addBox(1, axis, letter, tr("Along the world's axis %1, in millimetres").arg(letter));
+    position_[axis]->setObjectName(QStringLiteral("place-") + letter.toLower());
+    position_[axis]->setRange(-kFarthest, kFarthest);
+    turn_[axis] = addBox(2, axis, QStringLiteral("∠") + letter,
+                         tr("Turned about the world's axis %1, in degrees: first X, then Y, then Z").arg(letter));
+    turn_[axis]->setObjectName(QStringLiteral("turn-") + letter.toLower());
+    turn_[axis]->setRange(-360.0, 360.0);
+    connect(position_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+            [this, axis] { takePosition(axis); });
+    connect(turn_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, axis] { takeTurn(axis); });
+  }
+  show(QString(), std::nullopt);
+}
+
+QDoubleSpinBox* PlacementPanel::addBox(int row, int axis, const QString& label, const QString& tip) {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  auto* box = new QDoubleSpinBox(this);
+  box->setToolTip(tip);
+  box->setDecimals(2);
+  box->setKeyboardTracking(false);  // a number counts when it is written
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  box->setAlignment(Qt::AlignRight);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  auto* text = new QLabel(label, this);
+  text->setBuddy(box);
+  grid->addWidget(text, row, 2 * axis);
+  grid->addWidget(box, row, 2 * axis + 1);
+  grid->setColumnStretch(2 * axis + 1, 1);
+  return box;
+}
+
+void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB) {
+  X_WB_ = X_WB.value_or(Pose::identity());
+  rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation);
+  name_->setText(!X_WB            ? tr("Placement: select one body, start or goal")
+                 : name.isEmpty() ? tr("Placement, mm and °")
+                                  : tr("Placement of %1, mm and °").arg(name));
+  for (int axis = 0; axis < 3; ++axis) {
+    const QSignalBlocker blockPosition(position_[axis]);
+    const QSignalBlocker blockTurn(turn_[axis]);
+    position_[axis]->setValue(kMillimetres * X_WB_.position[axis]);
+    turn_[axis]->setValue(kDegrees * rollPitchYaw_[axis]);
+    position_[axis]->setEnabled(X_WB.has_value());
+    turn_[axis]->setEnabled(X_WB.has_value());
+  }
+}
+
+void PlacementPanel::takePosition(int axis) {
+  X_WB_.position[axis] = position_[axis]->value() / kMillimetres;
+  emit placed(X_WB_);
+}
+
+void PlacementPanel::takeTurn(int axis) {
+  rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
+  X_WB_.orientation = fromRollPitchYaw(rollPitchYaw_.x(), rollPitchYaw_.y(), rollPitchYaw_.z());
+  emit placed(X_WB_);
+}
+
+}  // namespace glissade
