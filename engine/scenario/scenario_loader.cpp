@@ -1,13 +1,9 @@
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "engine/base/file.h"
 #include "engine/geometry/mesh_audit.h"
-#include "engine/geometry/primitives.h"
-#include "engine/import/mesh_import.h"
 #include "engine/import/omplapp_config.h"
-#include "engine/import/urdf_import.h"
+#include "engine/scenario/asset_geometry.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -20,96 +16,6 @@ constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
 
 Pose normalized(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
-
-/// One rigid part of a body's or the object's geometry.
-struct Part {
-  std::string name;  ///< of the URDF link; empty where there is only one part
-  TriangleMesh mesh;
-  Pose X_BP;
-  std::optional<Colour> colour;
-};
-
-/// Imports the geometry that a scenario names.
-class GeometryLoader {
- public:
-  GeometryLoader(const Scenario& scenario, std::string folder, std::string file)
-      : scenario_(scenario), folder_(std::move(folder)), file_(std::move(file)) {}
-
-  Result<std::vector<Part>> load(const Geometry& geometry) {
-    if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return loadMesh(mesh->asset);
-    if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return loadUrdf(urdf->asset);
-    if (const auto* box = std::get_if<BoxGeometry>(&geometry)) return single(makeBox(box->size));
-    if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
-      return single(makeCylinder(cylinder->radius, cylinder->length));
-    }
-    return single(makeSphere(std::get<SphereGeometry>(geometry).radius));
-  }
-
-  /// Mean of the vertices of the mesh loaded last, in its body's frame.
-  const Vector3& vertexMean() const { return vertexMean_; }
-  Warnings& warnings() { return warnings_; }
-
- private:
-  static std::vector<Part> single(TriangleMesh mesh) { return {{"", std::move(mesh), Pose::identity(), std::nullopt}}; }
-
-  const Asset& assetById(const std::string& id) const {
-    return *std::find_if(scenario_.assets.begin(), scenario_.assets.end(), [&](const Asset& a) { return a.id == id; });
-  }
-
-  /// The file of an asset; warns where it is not the one that the scenario was saved with.
-  Result<std::string> fileOf(const Asset& asset) {
-    constexpr std::size_t kMostBytes = 100U << 20;
-    const std::string path = assetFile(asset, folder_);
-    const auto content = readFile(path, kMostBytes);
-    if (!content) return content.error();
-    if (!asset.sha256.empty() && sha256(*content) != asset.sha256) {
-      warnings_.push_back({ErrorKind::MalformedInput, path, "", "has changed since the scenario was saved",
-                           "Check the scenario and save it again."});
-    }
-    return path;
-  }
-
-  /// Takes file coordinates to ours: metres, z up.
-  static TriangleMesh interpreted(const TriangleMesh& mesh, const Asset& asset) {
-    const Pose upright{Vector3::Zero(),
-                       asset.up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
-    return transformed(scaled(mesh, Vector3::Constant(asset.unit)), upright);
-  }
-
-  Result<std::vector<Part>> loadMesh(const std::string& id) {
-    const Asset& asset = assetById(id);
-    const auto path = fileOf(asset);
-    if (!path) return path.error();
-    auto imported = importMesh(*path);
-    if (!imported) return imported.error();
-    TriangleMesh point;
-    point.vertices = {imported->vertexMean};
-    vertexMean_ = interpreted(point, asset).vertices.front();
-    return single(welded(interpreted(imported->mesh, asset)));
-  }
-
-  Result<std::vector<Part>> loadUrdf(const std::string& id) {
-    const Asset& asset = assetById(id);
-    if (asset.unit != 1.0 || asset.up != UpAxis::Z) {
-      return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
-                        "has a unit or an up-axis, but a URDF file is always in metres and z up",
-                        "Leave out 'unit' and 'up_axis'."};
-    }
-    const auto path = fileOf(asset);
-    if (!path) return path.error();
-    auto links = importUrdf(*path, folderOf(*path));
-    if (!links) return links.error();
-    std::vector<Part> parts;
-    for (UrdfLink& link : *links) parts.push_back({link.name, std::move(link.mesh), link.X_RL, link.colour});
-    return parts;
-  }
-
-  const Scenario& scenario_;
-  std::string folder_;
-  std::string file_;
-  Vector3 vertexMean_ = Vector3::Zero();
-  Warnings warnings_;
-};
 
 void warnIfOpen(const RigidBody& body, const std::string& file, Warnings& warnings) {
   if (audit(*body.mesh).closed()) return;
@@ -124,9 +30,9 @@ Mobility mobilityOf(const BodyDescription& description) {
   return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
 }
 
-std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<Part> parts) {
+std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<GeometryPart> parts) {
   std::vector<RigidBody> bodies;
-  for (Part& part : parts) {
+  for (GeometryPart& part : parts) {
     RigidBody body;
     const bool several = !part.name.empty();
     body.id = several ? description.id + "/" + part.name : description.id;
@@ -144,14 +50,11 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, std::vector<
 Result<RigidBody> loadObject(const Scenario& scenario, GeometryLoader& loader) {
   auto parts = loader.load(scenario.object.geometry);
   if (!parts) return parts.error();
-  TriangleMesh mesh;
-  for (const Part& part : *parts) append(mesh, transformed(part.mesh, part.X_BP));
-  if (scenario.object.centreOnVertexMean) mesh = transformed(mesh, Pose::translation(-loader.vertexMean()));
   RigidBody object;
   object.id = scenario.object.id;
   object.name = scenario.object.name;
   object.mobility = Mobility::Mobile;
-  object.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  object.mesh = std::make_shared<const TriangleMesh>(objectMesh(scenario.object, *parts));
   object.X_WB = normalized(scenario.start);
   object.colour = scenario.object.colour ? *scenario.object.colour : parts->front().colour.value_or(kObjectColour);
   return object;
