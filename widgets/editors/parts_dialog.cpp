@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kWidth = 760;
 constexpr int kHeight = 400;
+constexpr int kGap = 4;
 
 /// Lets the wheel scroll the table instead of changing what it happens to be over.
 class CellCombo final : public QComboBox {
@@ -39,6 +40,12 @@ QString sizeText(const Box3& box) {
   };
   return QStringLiteral("%1 × %2 × %3 %4")
       .arg(text(shown.x()), text(shown.y()), text(shown.z()), metres ? QStringLiteral("m") : QStringLiteral("mm"));
+}
+
+/// The file's folder is left to the row's tooltip.
+QString reasonText(Diagnostic why) {
+  why.file = QFileInfo(QString::fromStdString(why.file)).fileName().toStdString();
+  return QString::fromStdString(toString(why));
 }
 
 QColor errorColour(const QPalette& palette) {
@@ -72,6 +79,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   table_->setTabKeyNavigation(false);
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
+  table_->setStyleSheet(QStringLiteral("QTableWidget::item { padding: 0 6px; }"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(table_, 1);
   layout->addLayout(makeFileButtons());
@@ -85,6 +93,7 @@ QLayout* PartsDialog::makeFileButtons() {
   add->setObjectName(QStringLiteral("add-files"));
   add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF) or URDF files"));
   remove_->setObjectName(QStringLiteral("remove"));
+  remove_->setEnabled(false);
   remove_->setToolTip(tr("Takes the selected rows out of the list (Del)"));
   auto* row = new QHBoxLayout;
   row->addWidget(add);
@@ -94,7 +103,8 @@ QLayout* PartsDialog::makeFileButtons() {
   connect(del, &QShortcut::activated, this, &PartsDialog::removeSelected);
   connect(add, &QPushButton::clicked, this, &PartsDialog::chooseFiles);
   connect(remove_, &QPushButton::clicked, this, &PartsDialog::removeSelected);
-  connect(table_, &QTableWidget::itemSelectionChanged, this, &PartsDialog::refresh);
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(table_->selectionModel()->hasSelection()); });
   return row;
 }
 
@@ -168,10 +178,14 @@ void PartsDialog::addRow(const QString& file) {
 }
 
 QComboBox* PartsDialog::addCombo(int row, Column column, const QString& name, const QString& tip) {
-  auto* combo = new CellCombo(table_);
+  auto* cell = new QWidget(table_);
+  auto* combo = new CellCombo(cell);
   combo->setAccessibleName(name);
   combo->setToolTip(tip);
-  table_->setCellWidget(row, column, combo);
+  auto* layout = new QHBoxLayout(cell);
+  layout->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
+  layout->addWidget(combo);
+  table_->setCellWidget(row, column, cell);
   return combo;
 }
 
@@ -185,8 +199,8 @@ void PartsDialog::chooseFiles() {
 void PartsDialog::removeSelected() {
   for (int row = table_->rowCount() - 1; row >= 0; --row) {
     if (!table_->selectionModel()->isRowSelected(row, QModelIndex())) continue;
-    rows_.erase(rows_.begin() + row);
     table_->removeRow(row);
+    rows_.erase(rows_.begin() + row);
   }
   refresh();
 }
@@ -213,7 +227,7 @@ std::vector<int> PartsDialog::rowsWith(int row) const {
 
 int PartsDialog::rowOf(const QObject* combo, Column column) const {
   int row = 0;
-  while (table_->cellWidget(row, column) != combo) ++row;
+  while (table_->cellWidget(row, column) != combo->parent()) ++row;
   return row;
 }
 
@@ -264,19 +278,21 @@ void PartsDialog::refresh() {
   guessWhatMoves();
   for (int row = 0; row < table_->rowCount(); ++row) showRow(row);
   hint_->setText(hint());
-  remove_->setEnabled(table_->selectionModel()->hasSelection());
   accept_->setEnabled(isComplete());
 }
 
 void PartsDialog::showRow(int row) {
   const PartFile& part = rows_[row].part;
   const auto show = [this, row](Column column, const QVariant& value) {
-    auto* combo = qobject_cast<QComboBox*>(table_->cellWidget(row, column));
+    auto* combo = table_->cellWidget(row, column)->findChild<QComboBox*>();
     combo->setCurrentIndex(combo->findData(value));
   };
   show(kRole, static_cast<int>(part.role));
   show(kUnit, part.unit);
   show(kUp, static_cast<int>(part.up));
+  QFont font = table_->font();
+  font.setBold(part.role == PartRole::Moves);
+  table_->item(row, kPart)->setFont(font);
   showSize(row);
 }
 
@@ -289,7 +305,7 @@ void PartsDialog::showSize(int row) {
     item.setText(sizeText(boxOfPart(rows_[row].part, **inFile)));
   } else {
     item.setText(tr("cannot be read"));
-    item.setToolTip(QString::fromStdString(toString(inFile->error())));
+    item.setToolTip(reasonText(inFile->error()));
     item.setForeground(errorColour(palette()));
   }
 }
@@ -298,7 +314,7 @@ void PartsDialog::showSize(int row) {
 QString PartsDialog::hint() const {
   if (rows_.empty()) return tr("Add the files of the parts.");
   for (const Row& row : rows_) {
-    if (row.inFile && !row.inFile->ok()) return QString::fromStdString(toString(row.inFile->error()));
+    if (row.inFile && !row.inFile->ok()) return reasonText(row.inFile->error());
   }
   if (!isMeasured()) return tr("The files are being read.");
   if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
