@@ -29,6 +29,23 @@ class CellCombo final : public QComboBox {
   void wheelEvent(QWheelEvent* event) override { event->ignore(); }
 };
 
+QComboBox* makeCombo(const char* id, const QString& name, const QString& tip) {
+  auto* combo = new CellCombo;
+  combo->setObjectName(QLatin1String(id));
+  combo->setAccessibleName(name);
+  combo->setToolTip(tip);
+  return combo;
+}
+
+/// Room about a combo box, which has to be filled: the column is measured with it.
+QWidget* makeCell(QComboBox* combo) {
+  auto* cell = new QWidget;
+  auto* layout = new QHBoxLayout(cell);
+  layout->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
+  layout->addWidget(combo);
+  return cell;
+}
+
 /// Three digits of the largest edge, in the unit that suits it.
 QString sizeText(const Box3& box) {
   const Vector3 size = box.sizes();
@@ -79,7 +96,6 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   table_->setTabKeyNavigation(false);
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
-  table_->setStyleSheet(QStringLiteral("QTableWidget::item { padding: 0 6px; }"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(table_, 1);
   layout->addLayout(makeFileButtons());
@@ -138,21 +154,37 @@ void PartsDialog::addRow(const QString& file) {
   const QString name = QFileInfo(file).fileName();
   table_->item(row, kPart)->setText(name);
   table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(file));
+  QComboBox* role = makeRole(tr("Role of %1").arg(name));
+  QComboBox* unit = makeUnit(tr("Unit of %1").arg(name));
+  QComboBox* up = makeUp(tr("Axis of %1 that points up").arg(name));
+  for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
+    table_->setCellWidget(row, column, makeCell(combo));
+  }
+  if (!isUrdfFile(file.toStdString())) return;
+  for (QComboBox* fixed : {unit, up}) {
+    fixed->setEnabled(false);
+    fixed->setToolTip(tr("A URDF file is always in metres, with Z up"));
+  }
+}
 
-  QComboBox* role = addCombo(row, kRole, tr("Role of %1").arg(name), tr("What the part is in the scenario"));
-  const auto addRole = [role](const QString& label, PartRole value, const QString& tip) {
+QComboBox* PartsDialog::makeRole(const QString& name) {
+  QComboBox* role = makeCombo("role", name, tr("What the part is in the scenario"));
+  const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
   };
   if (purpose_ == Purpose::NewScenario) {
-    addRole(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for"));
+    add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for"));
   }
-  addRole(tr("Static"), PartRole::Static, tr("Stays where it is"));
-  addRole(tr("Mobile"), PartRole::Mobile, tr("In the way, too, but somebody could move it"));
+  add(tr("Static"), PartRole::Static, tr("Stays where it is"));
+  add(tr("Mobile"), PartRole::Mobile, tr("In the way, too, but somebody could move it"));
   connect(role, QOverload<int>::of(&QComboBox::activated), this,
           [this, role] { chooseRole(rowOf(role, kRole), static_cast<PartRole>(role->currentData().toInt())); });
+  return role;
+}
 
-  QComboBox* unit = addCombo(row, kUnit, tr("Unit of %1").arg(name), tr("Of the file; of all selected rows together"));
+QComboBox* PartsDialog::makeUnit(const QString& name) {
+  QComboBox* unit = makeCombo("unit", name, tr("Unit of the file; of all selected rows together"));
   unit->addItem(tr("m"), 1.0);
   unit->addItem(tr("cm"), 0.01);
   unit->addItem(tr("mm"), 0.001);
@@ -161,32 +193,18 @@ void PartsDialog::addRow(const QString& file) {
     for (const int i : rowsWith(rowOf(unit, kUnit))) rows_[i].part.unit = unit->currentData().toDouble();
     refresh();
   });
+  return unit;
+}
 
-  QComboBox* up = addCombo(row, kUp, tr("Axis of %1 that points up").arg(name),
-                           tr("The file's axis that points up; of all selected rows together"));
+QComboBox* PartsDialog::makeUp(const QString& name) {
+  QComboBox* up = makeCombo("up", name, tr("The file's axis that points up; of all selected rows together"));
   up->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
   up->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
   connect(up, QOverload<int>::of(&QComboBox::activated), this, [this, up] {
     for (const int i : rowsWith(rowOf(up, kUp))) rows_[i].part.up = static_cast<UpAxis>(up->currentData().toInt());
     refresh();
   });
-  if (!isUrdfFile(file.toStdString())) return;
-  for (QComboBox* fixed : {unit, up}) {
-    fixed->setEnabled(false);
-    fixed->setToolTip(tr("A URDF file is always in metres, with Z up"));
-  }
-}
-
-QComboBox* PartsDialog::addCombo(int row, Column column, const QString& name, const QString& tip) {
-  auto* cell = new QWidget(table_);
-  auto* combo = new CellCombo(cell);
-  combo->setAccessibleName(name);
-  combo->setToolTip(tip);
-  auto* layout = new QHBoxLayout(cell);
-  layout->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
-  layout->addWidget(combo);
-  table_->setCellWidget(row, column, cell);
-  return combo;
+  return up;
 }
 
 void PartsDialog::chooseFiles() {

@@ -41,7 +41,9 @@ class PartsDialog final : public QDialog {
   QLayout* makeFileButtons();
   QLayout* makeEnd();
   void addRow(const QString& file);
-  QComboBox* addCombo(int row, Column column, const QString& name, const QString& tip);
+  QComboBox* makeRole(const QString& name);
+  QComboBox* makeUnit(const QString& name);
+  QComboBox* makeUp(const QString& name);
   void chooseFiles();
   void removeSelected();
   void chooseRole(int row, PartRole role);
