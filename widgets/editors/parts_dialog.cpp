@@ -12,6 +12,8 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -80,6 +82,16 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
   setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
+  setUpTable();
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(table_, 1);
+  layout->addLayout(makeFileButtons());
+  layout->addLayout(makeEnd());
+  resize(kWidth, kHeight);
+  addFiles(files);
+}
+
+void PartsDialog::setUpTable() {
   table_->setObjectName(QStringLiteral("parts-table"));
   table_->setAccessibleName(tr("Parts"));
   table_->setHorizontalHeaderLabels({tr("Part"), tr("Role"), tr("Unit"), tr("Up"), tr("Size")});
@@ -96,12 +108,6 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   table_->setTabKeyNavigation(false);
   table_->setAlternatingRowColors(true);
   table_->setShowGrid(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->addWidget(table_, 1);
-  layout->addLayout(makeFileButtons());
-  layout->addLayout(makeEnd());
-  resize(kWidth, kHeight);
-  addFiles(files);
 }
 
 QLayout* PartsDialog::makeFileButtons() {
@@ -127,6 +133,7 @@ QLayout* PartsDialog::makeFileButtons() {
 QLayout* PartsDialog::makeEnd() {
   hint_->setObjectName(QStringLiteral("hint"));
   hint_->setWordWrap(true);
+  hint_->setTextFormat(Qt::PlainText);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   accept_ = buttons->button(QDialogButtonBox::Ok);
   accept_->setText(purpose_ == Purpose::NewScenario ? tr("&Create") : tr("&Add"));

@@ -38,6 +38,7 @@ class PartsDialog final : public QDialog {
     std::optional<Result<Box3>> inFile;  ///< none: not measured yet
   };
 
+  void setUpTable();
   QLayout* makeFileButtons();
   QLayout* makeEnd();
   void addRow(const QString& file);
