@@ -1,6 +1,9 @@
 #include "app/window/assembly_controller.h"
 
+#include <QLocale>
 #include <QVBoxLayout>
+
+#include "engine/planning/automatic/freeing.h"
 
 namespace glissade {
 
@@ -50,14 +53,25 @@ void AssemblyController::connectActions() {
   on("assembly.remove", [this] { removeSelected(); });
   on("assembly.moves", [this] { markSelected(); });
   on("assembly.arrange", [this](bool arrange) { tool_.setOn(arrange); });
-  on("assembly.start-here", [this] { carryOut(document_.place({AssemblyItem::Kind::Start, {}}, q_device_)); });
-  on("assembly.goal-here", [this] { carryOut(document_.place({AssemblyItem::Kind::Goal, {}}, q_device_)); });
+  on("assembly.start-here", [this] {
+    carryOut(document_.place({AssemblyItem::Kind::Start, {}}, snapshot_->device.q_device));
+  });
+  on("assembly.goal-here", [this] {
+    carryOut(document_.place({AssemblyItem::Kind::Goal, {}}, snapshot_->device.q_device));
+  });
   on("assembly.goal-out", [this] {
     editScenario(tr("Goal out"), [](Scenario& scenario) {
       scenario.goal = GoalOut{};
       return Outcome(Done{});
     });
   });
+  on("assembly.fit-workspace", [this] {
+    editScenario(tr("Fit the workspace"), [this](Scenario& scenario) {
+      scenario.workspace = fittingWorkspace(*document_.scenario());
+      return Outcome(Done{});
+    });
+  });
+  on("assembly.free-ends", [this] { freeEnds(); });
   on("assembly.swap", [this] { editScenario(tr("Swap start and goal"), swapEnds); });
 }
 
@@ -69,8 +83,8 @@ void AssemblyController::show(const ScenarioPtr& scenario) {
   takeSelection();
 }
 
-void AssemblyController::setState(bool editable, const Pose& q_device) {
-  q_device_ = q_device;
+void AssemblyController::setState(bool editable, const SnapshotPtr& snapshot) {
+  snapshot_ = snapshot;
   if (editable == editable_) return;
   editable_ = editable;
   if (!editable) actions_[QStringLiteral("assembly.arrange")]->setChecked(false);
@@ -114,6 +128,36 @@ void AssemblyController::markSelected() {
   const std::string id = *selectedBodies().begin();
   editScenario(tr("%1 moves").arg(QString::fromStdString(id)),
                [&](Scenario& scenario) { return markMoving(id, *document_.scenario(), scenario); });
+}
+
+void AssemblyController::freeEnds() {
+  const LoadedScenario& loaded = *document_.scenario();
+  // Twice what is required: the planner needs room to begin.
+  const double clearance = 2.0 * snapshot_->parameters[ParameterId::RequiredClearance];
+  Scenario after = document_.current();
+  QStringList told;
+  for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
+    const AssemblyItem item{end, {}};
+    const auto before = poseOf(after, item);
+    if (!before) continue;
+    const auto clear = freed(loaded.problem.world, *before, clearance);
+    if (!clear) {
+      const char* const which = end == AssemblyItem::Kind::Start ? "start" : "goal";
+      emit failed({ErrorKind::InCollision, "", which, "there is no free place near by: the parts overlap too far",
+                   "Drag it to a free place (Assembly > Arrange with the mouse), or check the parts."});
+      return;
+    }
+    if (*clear == *before) continue;
+    (void)place(item, *clear, after);
+    const QString by = QLocale().toString(1000.0 * (clear->position - before->position).norm(), 'f', 3);
+    told << (end == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by) : tr("the goal went %1 mm").arg(by));
+  }
+  if (told.isEmpty()) {
+    emit this->told(tr("Start and goal are clear of all bodies."));
+    return;
+  }
+  carryOut(document_.edit(tr("Clear start and goal"), std::move(after)));
+  emit this->told(tr("Clear of all bodies: %1").arg(told.join(QStringLiteral(", "))));
 }
 
 void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
@@ -168,6 +212,8 @@ void AssemblyController::enableActions() {
   enable("assembly.remove", editable_ && bodies > 0);
   enable("assembly.moves", editable_ && bodies == 1);
   enable("assembly.arrange", editable_);
+  enable("assembly.fit-workspace", editable_);
+  enable("assembly.free-ends", editable_);
   enable("assembly.start-here", editable_);
   enable("assembly.goal-here", editable_);
   enable("assembly.goal-out", editable_ && goal);

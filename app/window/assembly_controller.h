@@ -27,11 +27,13 @@ class AssemblyController final : public QObject {
 
   /// A scenario was opened, rearranged, or saved elsewhere.
   void show(const ScenarioPtr& scenario);
-  /// Whether there may be edits now, and where the object in the operator's hand is.
-  void setState(bool editable, const Pose& q_device);
+  /// Whether there may be edits now, and the session that they are made beside (null: none).
+  void setState(bool editable, const SnapshotPtr& snapshot);
 
  signals:
   void failed(const glissade::Diagnostic& why);
+  /// What was done, where it is not seen.
+  void told(const QString& text);
   void addPartsWanted();
 
  private:
@@ -40,6 +42,7 @@ class AssemblyController final : public QObject {
   void editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change);
   void removeSelected();
   void markSelected();
+  void freeEnds();
   void choose(const std::optional<AssemblyItem>& item);
   void takeSelection();
   void showPlacement();
@@ -55,7 +58,7 @@ class AssemblyController final : public QObject {
   PlacementPanel* placement_;
   std::optional<AssemblyItem> chosen_;  ///< what the placement panel shows
   bool editable_ = false;
-  Pose q_device_;
+  SnapshotPtr snapshot_;
 };
 
 }  // namespace glissade

@@ -39,9 +39,28 @@ Result<Vector3> numbersOf(const std::string& text) {
 
 std::optional<Outcome> AssemblyScript::carryOut(const ScriptCommand& command) {
   const auto& words = command.arguments;
+  if (command.name == "new-scenario") {
+    return takePart(PartsDialog::Purpose::NewScenario, PartRole::Moves, words);
+  }
+  if (command.name == "add-part") {
+    const PartRole role = words[1] == "mobile" ? PartRole::Mobile : PartRole::Static;
+    return takePart(PartsDialog::Purpose::AddParts, role, {words[0], words[2], words[3]});
+  }
   if (command.name == "place") return place(words[0], words[1], words[2]);
   if (command.name == "expect-place") return expectPlace(words[0], words[1]);
   return std::nullopt;
+}
+
+/// `words`: file, unit, up.
+Outcome AssemblyScript::takePart(PartsDialog::Purpose purpose, PartRole role, const std::vector<std::string>& words) {
+  const auto unit = toNumber(words[1]);
+  if (!unit) return Diagnostic{ErrorKind::MalformedInput, "", "", "'" + words[1] + "' is no unit", "Give metres."};
+  Outcome outcome = Done{};
+  const auto refused =
+      QObject::connect(&window_.parts(), &PartImport::failed, [&outcome](const Diagnostic& why) { outcome = why; });
+  window_.parts().take(purpose, {{words[0], role, *unit, words[2] == "Y" ? UpAxis::Y : UpAxis::Z}});
+  QObject::disconnect(refused);
+  return outcome;
 }
 
 Outcome AssemblyScript::place(const std::string& what, const std::string& position, const std::string& turn) {

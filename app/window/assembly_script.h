@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/window/main_window.h"
+#include "app/window/part_import.h"
 #include "app/window/script.h"
 
 namespace glissade {
@@ -16,6 +17,7 @@ class AssemblyScript {
   std::optional<Outcome> carryOut(const ScriptCommand& command);
 
  private:
+  Outcome takePart(PartsDialog::Purpose purpose, PartRole role, const std::vector<std::string>& words);
   Outcome place(const std::string& what, const std::string& position, const std::string& turn);
   Outcome expectPlace(const std::string& what, const std::string& position);
 

@@ -19,6 +19,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
+#include "app/window/part_import.h"
 #include "app/window/replay_controller.h"
 #include "app/window/status_text.h"
 #include "app/window/study_controller.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   status_->setObjectName(QStringLiteral("status"));
   statusBar()->addWidget(status_, 1);
   work_ = new WorkController(*bridge_, *actions_, *statusBar());
+  parts_ = new PartImport(assembly_->document(), *work_, this);
   difficulty_ = new DifficultyController(*actions_, *scene_, *work_, this);
   devices_->addIndicators(*statusBar());
   statusBar()->addPermanentWidget(elapsed_);
@@ -104,6 +106,17 @@ void MainWindow::connectPanels() {
   connect(assembly_, &AssemblyController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("This cannot be done"), why);
   });
+  connect(assembly_, &AssemblyController::told, this,
+          [this](const QString& text) { statusBar()->showMessage(text, 10000); });
+  connect(assembly_, &AssemblyController::addPartsWanted, this,
+          [this] { parts_->ask(PartsDialog::Purpose::AddParts); });
+  connect(parts_, &PartImport::made, this, [this](const ScenarioPtr& scenario) {
+    openLoaded(scenario);
+    environment_->document().undoStack().resetClean();  // it is saved nowhere
+  });
+  connect(parts_, &PartImport::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("The parts cannot be taken"), why);
+  });
   connect(replay_, &ReplayController::shown, this, &MainWindow::showSnapshot);
   connect(replay_, &ReplayController::activeChanged, this, [this](bool active) {
     interaction_->setReplayed(active);
@@ -130,6 +143,7 @@ void MainWindow::connectActions() {
   const auto on = [this](const char* id, auto handler) {
     connect((*actions_)[QLatin1String(id)], &QAction::triggered, this, handler);
   };
+  on("file.new", [this] { newScenario({}); });
   on("file.open", [this] { chooseScenario(); });
   on("file.export", [this] { chooseExport(); });
   on("file.open-recording", [this] { chooseRecording(); });
@@ -234,9 +248,17 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
     if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
     return loaded.error();
   }
-  work_->cancel();
-  scenario_ = std::make_shared<const LoadedScenario>(std::move(*loaded));
+  openLoaded(std::make_shared<const LoadedScenario>(std::move(*loaded)));
   if (memory_) memory_->noteFile(file);
+  if (!quiet && !scenario_->warnings.empty()) {
+    showError(tr("The scenario was opened, with a warning"), scenario_->warnings.front());
+  }
+  return std::nullopt;
+}
+
+void MainWindow::openLoaded(const ScenarioPtr& scenario) {
+  work_->cancel();
+  scenario_ = scenario;
   welcome_->hide();
   scene_->view().setScenario(scenario_);
   interaction_->setScenario(*scenario_);
@@ -250,10 +272,6 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
   showTitle();
   publishOperatorFrame();
   scene_->widget()->setFocus();
-  if (!quiet && !scenario_->warnings.empty()) {
-    showError(tr("The scenario was opened, with a warning"), scenario_->warnings.front());
-  }
-  return std::nullopt;
 }
 
 void MainWindow::rearrange(const ScenarioPtr& scenario) {
@@ -310,7 +328,7 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);
   (*actions_)["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
-  assembly_->setState(live && !running, open ? snapshot->device.q_device : Pose::identity());
+  assembly_->setState(live && !running, bridge_->snapshot());
 }
 
 void MainWindow::publishOperatorFrame() {
@@ -396,8 +414,17 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) openScenario(urls.front().toLocalFile());
+  QStringList parts;
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (isPartFile(url.toLocalFile().toStdString())) parts << url.toLocalFile();
+  }
+  if (parts.isEmpty()) {
+    openScenario(event->mimeData()->urls().front().toLocalFile());
+  } else if (scenario_) {
+    parts_->ask(PartsDialog::Purpose::AddParts, parts);
+  } else {
+    newScenario(parts);
+  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

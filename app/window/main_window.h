@@ -21,6 +21,7 @@ class DeviceController;
 class DifficultyController;
 class EnvironmentController;
 class InteractionPanel;
+class PartImport;
 class PathPanel;
 class ReplayController;
 class StudyController;
@@ -50,6 +51,7 @@ class MainWindow final : public QMainWindow {
   ReplayController& replay() { return *replay_; }
   BodyVisibility& bodies() { return *bodies_; }
   AssemblyController& assembly() { return *assembly_; }
+  PartImport& parts() { return *parts_; }
   DifficultyController& difficulty() { return *difficulty_; }
   WorkController& work() { return *work_; }
   /// Replays what was read from a file, and opens its scenario where another is open; says what is wrong
@@ -88,6 +90,8 @@ class MainWindow final : public QMainWindow {
   /// `action` brings it to the front.
   void addPanel(const QString& title, const char* id, QWidget* content, const char* action = "",
                 Scrolling scrolling = Scrolling::Whole);
+  void openLoaded(const ScenarioPtr& scenario);
+  void newScenario(const QStringList& partFiles);
   /// The open scenario with its bodies elsewhere, or others; what is looked at and what was set stay.
   void rearrange(const ScenarioPtr& scenario);
   void showSnapshot(const SnapshotPtr& snapshot);
@@ -118,6 +122,7 @@ class MainWindow final : public QMainWindow {
   CountsPanel* counts_ = nullptr;
   PathPanel* path_ = nullptr;
   AssemblyController* assembly_ = nullptr;
+  PartImport* parts_ = nullptr;
   BodyVisibility* bodies_ = nullptr;
   EnvironmentController* environment_ = nullptr;
   StudyController* studies_ = nullptr;

@@ -17,6 +17,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
+#include "app/window/part_import.h"
 #include "app/window/replay_controller.h"
 #include "app/window/window_memory.h"
 #include "app/window/work_controller.h"
@@ -27,6 +28,10 @@ void MainWindow::chooseScenario() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a scenario"), QString(),
                                                     tr("Scenarios (*.json *.cfg);;All files (*)"));
   if (!file.isEmpty()) openScenario(file);
+}
+
+void MainWindow::newScenario(const QStringList& partFiles) {
+  if (mayDiscard()) parts_->ask(PartsDialog::Purpose::NewScenario, partFiles);
 }
 
 /// Files that are not there stay in the list: a drive may only be away for a while.
@@ -64,8 +69,9 @@ void MainWindow::save() {
 }
 
 void MainWindow::chooseSave() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save the scenario"),
-                                                    QString::fromStdString(scenario_->file), tr("Scenarios (*.json)"));
+  const std::string usual = scenario_->file.empty() ? scenario_->scenario.name + ".json" : scenario_->file;
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the scenario"), QString::fromStdString(usual),
+                                                    tr("Scenarios (*.json)"));
   if (file.isEmpty()) return;
   if (const auto why = saveScenarioAs(file)) showError(tr("The scenario cannot be saved"), *why);
 }

@@ -40,6 +40,8 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"study", 1},
                                                          {"expect-difficulty", 2},
                                                          {"show-body", 2},
+                                                         {"new-scenario", 3},
+                                                         {"add-part", 4},
                                                          {"place", 3},
                                                          {"expect-place", 2},
                                                          {"show-difficulty", 1},

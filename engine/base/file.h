@@ -21,4 +21,7 @@ std::string sha256(const std::string& content);
 /// The folder part of a path, "." where there is none.
 std::string folderOf(const std::string& file);
 
+/// The ending of a file's name in lower case, without its dot.
+std::string endingOf(const std::string& file);
+
 }  // namespace glissade

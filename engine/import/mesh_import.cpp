@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -18,13 +17,6 @@ namespace {
 namespace protocol = import_protocol;
 
 constexpr std::array<const char*, 5> kEndings{"stl", "obj", "dae", "gltf", "glb"};
-
-std::string endingOf(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  if (!ending.empty()) ending.erase(0, 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
 
 Diagnostic malformed(const std::string& file, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, "", reason, "Export the part again, for example as binary STL or GLB."};

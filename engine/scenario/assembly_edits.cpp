@@ -4,6 +4,7 @@
 
 #include "engine/base/file.h"
 #include "engine/scenario/geometry_loader.h"
+#include "engine/scenario/part_files.h"
 
 namespace glissade {
 namespace {
@@ -37,10 +38,20 @@ void dropUnusedAssets(Scenario& scenario) {
                         scenario.assets.end());
 }
 
+const LoadedGeometry& geometryOf(const Geometry& geometry, const LoadedScenario& loaded) {
+  return *loaded.geometry.at(geometryKey(geometry, loaded.scenario, folderOf(loaded.file)));
+}
+
 /// From the frame of a mesh file to that of the object centred on its vertices.
 Pose toVertexMean(const Geometry& geometry, const LoadedScenario& loaded) {
-  const std::string key = geometryKey(geometry, loaded.scenario, folderOf(loaded.file));
-  return Pose::translation(loaded.geometry.at(key)->vertexMean);
+  return Pose::translation(geometryOf(geometry, loaded).vertexMean);
+}
+
+/// About the bodies, and the object where it starts.
+Box3 boxOfAll(const LoadedScenario& loaded) {
+  Box3 box = boundingBox(*loaded.object.mesh, loaded.problem.start);
+  for (const RigidBody& body : loaded.obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+  return box;
 }
 
 }  // namespace
@@ -98,7 +109,15 @@ Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scen
   scenario.object = {moving.id, moving.name, moving.geometry, centred, moving.colour, moving.attributes};
   scenario.goal = GoalOut{};
   scenario.wayPoints.clear();
+  const double radius = radiusAboutOrigin(objectMesh(scenario.object, geometryOf(moving.geometry, loaded)));
+  scenario.workspace.extend(roomAbout(boxOfAll(loaded), radius));
   return Done{};
+}
+
+Box3 fittingWorkspace(const LoadedScenario& loaded) {
+  Box3 workspace = roomAbout(boxOfAll(loaded), loaded.problem.world->objectRadius());
+  if (const Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) workspace.extend(goal->position);
+  return workspace;
 }
 
 void takeAssembly(const Scenario& from, Scenario& to) {

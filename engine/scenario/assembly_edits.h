@@ -31,9 +31,12 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 /// The object starts where its goal was, and the other way round. Not where the goal is "out".
 Outcome swapEnds(Scenario& scenario);
 
-/// The body becomes the object, from where it lies and to "out"; what was the object becomes a static body
-/// where it started. Reference points change, so way points of the simulated operator go.
+/// The body becomes the object, from where it lies and to "out", for which the workspace grows; what was the
+/// object becomes a static body where it started. Way points of the simulated operator go with their object.
 Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario);
+
+/// A workspace about all that there is, with room for the object to get clear of it on every side.
+Box3 fittingWorkspace(const LoadedScenario& loaded);
 
 /// Takes over what edits of the assembly and of semantic attributes change: the rest (planner, parameters,
 /// seed, environment) stays as it is.

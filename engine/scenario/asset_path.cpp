@@ -33,14 +33,17 @@ std::string assetFile(const Asset& asset, const std::string& folder) {
   return (fs::path(folder) / named).lexically_normal().string();
 }
 
+std::string assetPathFrom(const std::string& folder, const std::string& file) {
+  const fs::path from = withoutLinks(folder);
+  const fs::path named = withoutLinks(file);
+  return shareMoreThanTheRoot(named, from) ? named.lexically_relative(from).generic_string() : named.generic_string();
+}
+
 Scenario movedTo(const std::string& newFile, Scenario scenario, const std::string& oldFile) {
-  const fs::path from = withoutLinks(folderOf(oldFile));
-  const fs::path to = withoutLinks(folderOf(newFile));
-  if (from == to) return scenario;
-  for (Asset& asset : scenario.assets) {
-    const fs::path file = withoutLinks(assetFile(asset, folderOf(oldFile)));
-    asset.path = shareMoreThanTheRoot(file, to) ? file.lexically_relative(to).generic_string() : file.generic_string();
-  }
+  const std::string from = folderOf(oldFile);
+  const std::string to = folderOf(newFile);
+  if (!oldFile.empty() && withoutLinks(from) == withoutLinks(to)) return scenario;
+  for (Asset& asset : scenario.assets) asset.path = assetPathFrom(to, assetFile(asset, from));
   return scenario;
 }
 

@@ -11,10 +11,13 @@ namespace glissade {
 /// names itself may not leave the folder of that file.
 std::string assetFile(const Asset& asset, const std::string& folder);
 
+/// How a scenario in `folder` names a file. What lies below the folder, or shares more than the root with
+/// it, is named relatively, so that a common folder can be moved as a whole; the rest absolutely, because
+/// a way through the root would break with any move.
+std::string assetPathFrom(const std::string& folder, const std::string& file);
+
 /// The scenario as it has to be written into another file: its assets are named as seen from there.
-/// What lies below the new folder, or shares more than the root with it, is named relatively, so that
-/// a common folder can be moved as a whole; the rest absolutely, because a way through the root would
-/// break with any move.
+/// `oldFile` is empty where the scenario was never saved.
 Scenario movedTo(const std::string& newFile, Scenario scenario, const std::string& oldFile);
 
 }  // namespace glissade

@@ -22,13 +22,6 @@ LoadedGeometry single(TriangleMesh mesh) {
   return geometry;
 }
 
-/// Takes file coordinates to ours: metres, z up.
-TriangleMesh interpreted(const TriangleMesh& mesh, const Asset& asset) {
-  const Pose upright{Vector3::Zero(),
-                     asset.up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
-  return transformed(scaled(mesh, Vector3::Constant(asset.unit)), upright);
-}
-
 /// One name for a file, whichever folder it is named from.
 std::string withoutLinks(const std::string& path) {
   std::error_code ignored;
@@ -103,10 +96,14 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   if (!path) return path.error();
   const auto imported = importMesh(*path);
   if (!imported) return imported.error();
-  LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset)));
+  LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset.unit, asset.up)));
+  if (geometry.parts.front().mesh->empty()) {
+    return Diagnostic{ErrorKind::MalformedInput, *path, "", "holds no triangle with three corners",
+                      "Export the part again."};
+  }
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
-  geometry.vertexMean = interpreted(point, asset).vertices.front();
+  geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();
   return geometry;
 }
 
@@ -126,6 +123,25 @@ Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
         {link.name, std::make_shared<const TriangleMesh>(std::move(link.mesh)), link.X_RL, link.colour});
   }
   return geometry;
+}
+
+TriangleMesh objectMesh(const ObjectDescription& object, const LoadedGeometry& geometry) {
+  TriangleMesh mesh;
+  for (const GeometryPart& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_BP));
+  if (object.centreOnVertexMean) mesh = transformed(mesh, Pose::translation(-geometry.vertexMean));
+  return mesh;
+}
+
+Box3 boxOf(const LoadedGeometry& geometry) {
+  Box3 box;
+  for (const GeometryPart& part : geometry.parts) box.extend(boundingBox(*part.mesh, part.X_BP));
+  return box;
+}
+
+TriangleMesh interpreted(const TriangleMesh& mesh, double unit, UpAxis up) {
+  const Pose upright{Vector3::Zero(),
+                     up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
+  return transformed(scaled(mesh, Vector3::Constant(unit)), upright);
 }
 
 }  // namespace glissade

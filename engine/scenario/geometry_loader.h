@@ -39,4 +39,13 @@ class GeometryLoader {
   Warnings warnings_;
 };
 
+/// The object as one mesh about its reference point.
+TriangleMesh objectMesh(const ObjectDescription& object, const LoadedGeometry& geometry);
+
+/// Bounding box of all parts, in their body's frame.
+Box3 boxOf(const LoadedGeometry& geometry);
+
+/// Takes file coordinates to ours: metres, z up.
+TriangleMesh interpreted(const TriangleMesh& mesh, double unit, UpAxis up);
+
 }  // namespace glissade

@@ -52,14 +52,11 @@ Result<RigidBody> loadObject(const Scenario& scenario, GeometryLoader& loader) {
   const auto loaded = loader.load(scenario.object.geometry);
   if (!loaded) return loaded.error();
   const LoadedGeometry& geometry = **loaded;
-  TriangleMesh mesh;
-  for (const GeometryPart& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_BP));
-  if (scenario.object.centreOnVertexMean) mesh = transformed(mesh, Pose::translation(-geometry.vertexMean));
   RigidBody object;
   object.id = scenario.object.id;
   object.name = scenario.object.name;
   object.mobility = Mobility::Mobile;
-  object.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  object.mesh = std::make_shared<const TriangleMesh>(objectMesh(scenario.object, geometry));
   object.X_WB = normalized(scenario.start);
   object.colour =
       scenario.object.colour ? *scenario.object.colour : geometry.parts.front().colour.value_or(kObjectColour);

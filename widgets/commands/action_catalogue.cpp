@@ -15,6 +15,8 @@ QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 
 const std::vector<ActionSpec>& actionSpecs() {
   static const std::vector<ActionSpec> specs{
+      {"file.new", QT_TRANSLATE_NOOP("Actions", "&New from parts..."), "Ctrl+N",
+       QT_TRANSLATE_NOOP("Actions", "Make a scenario of mesh or URDF files, one of which moves"), false},
       {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open..."), "Ctrl+O",
        QT_TRANSLATE_NOOP("Actions", "Open a scenario or an OMPL.app problem"), false},
       {"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "Ctrl+S",
@@ -68,8 +70,14 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "The motion ends where the object in your hand is"), false},
       {"assembly.goal-out", QT_TRANSLATE_NOOP("Actions", "Goal &out"), "Ctrl+Alt+3",
        QT_TRANSLATE_NOOP("Actions", "The motion ends anywhere clear of the other bodies"), false},
+      {"assembly.free-ends", QT_TRANSLATE_NOOP("Actions", "Move the ends &clear"), "Ctrl+Alt+5",
+       QT_TRANSLATE_NOOP("Actions", "Where the object touches or overlaps a body at its start or goal, move it clear by "
+                                    "the least that is found"),
+       false},
       {"assembly.swap", QT_TRANSLATE_NOOP("Actions", "S&wap start and goal"), "Ctrl+Alt+4",
        QT_TRANSLATE_NOOP("Actions", "Mounting instead of removing, or the other way round"), false},
+      {"assembly.fit-workspace", QT_TRANSLATE_NOOP("Actions", "&Fit the workspace"), "",
+       QT_TRANSLATE_NOOP("Actions", "A workspace about all bodies, with room for the object to get out"), false},
       {"run.start", QT_TRANSLATE_NOOP("Actions", "&Start"), "F5",
        QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed"), false},
       {"run.pause", QT_TRANSLATE_NOOP("Actions", "&Pause"), "F6",

@@ -20,6 +20,10 @@ class AssemblyDocument final : public QObject {
   /// The scenario with the semantic edits as they are: what an edit begins with.
   Scenario current() const;
 
+  /// Geometry that was read meanwhile, and need not be read again.
+  void learn(const GeometryCache& read) { read_.insert(read.begin(), read.end()); }
+  const GeometryCache& read() const { return read_; }
+
   /// Makes the scenario so. Refused where its geometry cannot be loaded. Edits with one `mergeKey` become one.
   Outcome edit(const QString& text, Scenario after, const QString& mergeKey = {});
   /// Puts a body, or an end of the motion, somewhere.

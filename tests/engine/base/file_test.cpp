@@ -90,5 +90,11 @@ TEST(Sha256, HasTheValuesOfTheStandard) {
   EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }
 
+TEST(EndingOf, IsInLowerCaseAndWithoutItsDot) {
+  EXPECT_EQ(endingOf("/parts/Cover.v2.STL"), "stl");
+  EXPECT_EQ(endingOf("/parts.stl/README"), "");
+  EXPECT_EQ(endingOf(".stl"), "");
+}
+
 }  // namespace
 }  // namespace glissade

@@ -111,7 +111,7 @@ TEST(EnvironmentModel, UpdatedForMovedBodiesEqualsOneBuiltAfresh) {
 
 TEST(EnvironmentModel, UpdatedKeepsItsPlacesWhereOnlyMobileBodiesMoved) {
   std::vector<RigidBody> bodies = test::wallWithAHole();
-  bodies.push_back(test::boxBody("crate", Vector3::Constant(0.2), Pose::translation({0.4, 0.5, 0.5})));
+  bodies.push_back(boxBody("crate", Vector3::Constant(0.2), Pose::translation({0.4, 0.5, 0.5})));
   bodies.back().mobility = Mobility::Mobile;
   const EnvironmentOptions options{0.0, 1, 6, "watershed"};
   const EnvironmentModelPtr before = test::environmentOf(bodies, test::twoRooms(), options);

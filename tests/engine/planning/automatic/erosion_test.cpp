@@ -2,6 +2,7 @@
 
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/erodible_mesh.h"
+#include "engine/planning/automatic/freeing.h"
 #include "engine/planning/automatic/retraction.h"
 #include "tests/engine/support/test_worlds.h"
 
@@ -63,6 +64,30 @@ TEST(Retraction, GivesUpInsideAnObstacle) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
   EXPECT_FALSE(retracted(*query, Pose::translation({0.0, 1.5, 0.0}), 0.01, problem.world->objectRadius()));
+}
+
+/// The cube of `windowProblem()` on the floor of its window, or that far into it.
+Pose onTheFloor(double overlap) { return Pose::translation({0.0, 0.1, -0.3 - overlap}); }
+
+TEST(Freeing, PartsThatTouchOrOverlapALittleComeClearByAboutThat) {
+  const Problem problem = windowProblem();
+  const auto query = problem.world->makeQuery();
+  constexpr double kClearance = 2e-6;
+  for (const double overlap : {-1e-6, 0.0, 1e-6, 1e-4, 1e-3}) {
+    const Pose q = onTheFloor(overlap);
+    ASSERT_FALSE(query->clearAbove(q, kClearance)) << overlap;
+    const auto clear = freed(problem.world, q, kClearance);
+    ASSERT_TRUE(clear) << overlap;
+    EXPECT_TRUE(query->clearAbove(*clear, kClearance)) << overlap;
+    EXPECT_LT((clear->position - q.position).norm(), 2.5 * (std::abs(overlap) + 1e-4)) << overlap;
+    EXPECT_EQ(*freed(problem.world, q, kClearance), *clear) << "not the same again";
+  }
+}
+
+TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUp) {
+  const Problem problem = windowProblem();
+  EXPECT_EQ(*freed(problem.world, problem.start, 1e-6), problem.start);
+  EXPECT_FALSE(freed(problem.world, onTheFloor(0.2), 1e-6));
 }
 
 }  // namespace

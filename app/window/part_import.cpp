@@ -1,0 +1,50 @@
+#include "app/window/part_import.h"
+
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+
+PartImport::PartImport(AssemblyDocument& document, WorkController& work, QWidget* window)
+    : QObject(window), document_(document), work_(work), window_(window) {}
+
+void PartImport::ask(PartsDialog::Purpose purpose, const QStringList& files) {
+  PartsDialog dialog(purpose, files, false, window_);
+  if (dialog.exec() == QDialog::Accepted) take(purpose, dialog.parts());
+}
+
+void PartImport::take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts) {
+  if (purpose == PartsDialog::Purpose::NewScenario) {
+    work_.run(tr("Reading the parts"), [this, parts](const WorkWatch&) { return makeScenario(parts); });
+    return;
+  }
+  const Scenario scenario = document_.current();
+  const std::string file = document_.scenario()->file;
+  work_.run(tr("Reading the parts"), [=, known = document_.read()](const WorkWatch&) -> BackgroundTask::Delivery {
+    GeometryCache read = known;
+    const auto more = withParts(scenario, file, parts, &read);
+    if (!more) return [this, why = more.error()] { emit failed(why); };
+    return [this, parts, read] { add(parts, read); };
+  });
+}
+
+/// On the worker's thread.
+BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& parts) {
+  GeometryCache read;
+  auto scenario = scenarioOfParts(parts, &read);
+  if (!scenario) return [this, why = scenario.error()] { emit failed(why); };
+  auto loaded = realiseScenario(std::move(*scenario), ".", "", read);
+  if (!loaded) return [this, why = loaded.error()] { emit failed(why); };
+  const ScenarioPtr made = std::make_shared<LoadedScenario>(std::move(*loaded));
+  return [this, made] { emit this->made(made); };
+}
+
+/// To the scenario as it is now: it may have been edited while the files were read.
+void PartImport::add(const std::vector<PartFile>& parts, const GeometryCache& read) {
+  GeometryCache known = read;
+  document_.learn(read);
+  auto more = withParts(document_.current(), document_.scenario()->file, parts, &known);
+  const Outcome added = more ? document_.edit(tr("Add parts"), std::move(*more)) : Outcome(more.error());
+  if (!added) emit failed(added.error());
+}
+
+}  // namespace glissade

@@ -1,0 +1,229 @@
+#include "widgets/editors/parts_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QTest>
+
+#include <set>
+
+#include "tests/engine/support/part_fixture.h"
+
+namespace glissade {
+namespace {
+
+using Purpose = PartsDialog::Purpose;
+
+QString text(const std::string& value) { return QString::fromStdString(value); }
+
+class PartsPage : public testing::Test {
+ protected:
+  QStringList files() const { return {text(product.tray), text(product.block)}; }
+  QString write(const std::string& name, const std::string& content) const {
+    return text(product.folder.write(name, content));
+  }
+  QString pin() const { return text(product.writeBlock("pin.obj", {0, 0, 200})); }
+
+  static QTableWidget& table(const PartsDialog& dialog) { return *dialog.findChild<QTableWidget*>(); }
+  static QComboBox& combo(const PartsDialog& dialog, int row, PartsDialog::Column column) {
+    return *table(dialog).cellWidget(row, column)->findChild<QComboBox*>();
+  }
+  /// As a person chooses.
+  static void choose(const PartsDialog& dialog, int row, PartsDialog::Column column, const char* label) {
+    QComboBox& box = combo(dialog, row, column);
+    const int index = box.findText(QLatin1String(label));
+    ASSERT_GE(index, 0) << label;
+    box.setCurrentIndex(index);
+    emit box.activated(index);
+  }
+  static QString size(const PartsDialog& dialog, int row) {
+    return table(dialog).item(row, PartsDialog::kSize)->text();
+  }
+  static QString hint(const PartsDialog& dialog) { return dialog.findChild<QLabel*>(QStringLiteral("hint"))->text(); }
+  static bool mayAccept(const PartsDialog& dialog) {
+    const bool enabled = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled();
+    EXPECT_EQ(enabled, dialog.isComplete());
+    return enabled;
+  }
+  static std::vector<PartRole> roles(const PartsDialog& dialog) {
+    std::vector<PartRole> roles;
+    for (const PartFile& part : dialog.parts()) roles.push_back(part.role);
+    for (std::size_t row = 0; row < roles.size(); ++row) {
+      EXPECT_EQ(combo(dialog, static_cast<int>(row), PartsDialog::kRole).currentData().toInt(),
+                static_cast<int>(roles[row]));
+    }
+    return roles;
+  }
+
+  static constexpr PartRole kMoves = PartRole::Moves;
+  static constexpr PartRole kStatic = PartRole::Static;
+  static constexpr PartRole kMobile = PartRole::Mobile;
+  test::TrayProduct product;
+};
+
+TEST_F(PartsPage, TheSmallestPartMovesUntilSomebodyChooses) {
+  PartsDialog dialog(Purpose::NewScenario, files(), true);
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMoves}));
+  EXPECT_TRUE(mayAccept(dialog));
+  choose(dialog, 0, PartsDialog::kUnit, "mm");
+  choose(dialog, 1, PartsDialog::kUnit, "m");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kStatic})) << "a block of 60 m is not the smallest";
+  choose(dialog, 0, PartsDialog::kRole, "Static");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic}));
+  EXPECT_FALSE(mayAccept(dialog));
+  EXPECT_TRUE(hint(dialog).contains(QStringLiteral("moves"))) << hint(dialog).toStdString();
+  dialog.addFiles({pin()});
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic, kStatic}));
+}
+
+TEST_F(PartsPage, ChoosingThePartThatMovesTakesItFromTheOther) {
+  PartsDialog dialog(Purpose::NewScenario, files(), true);
+  choose(dialog, 0, PartsDialog::kRole, "Moves");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kStatic}));
+  choose(dialog, 1, PartsDialog::kRole, "Mobile");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMobile}));
+  EXPECT_TRUE(mayAccept(dialog));
+}
+
+TEST_F(PartsPage, WhatItGivesIsAScenario) {
+  const PartsDialog dialog(Purpose::NewScenario, files(), true);
+  const auto scenario = scenarioOfParts(dialog.parts());
+  ASSERT_TRUE(scenario) << toString(scenario.error());
+  EXPECT_EQ(scenario->object.id, "block");
+}
+
+TEST_F(PartsPage, AddedPartsDoNotMove) {
+  PartsDialog dialog(Purpose::AddParts, files(), true);
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic}));
+  EXPECT_EQ(combo(dialog, 0, PartsDialog::kRole).count(), 2);
+  EXPECT_TRUE(mayAccept(dialog));
+  choose(dialog, 1, PartsDialog::kRole, "Mobile");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMobile}));
+}
+
+TEST_F(PartsPage, TheSizeFollowsUnitAndAxis) {
+  const QLocale before;
+  QLocale::setDefault(QLocale::c());
+  PartsDialog dialog(Purpose::NewScenario, files(), true);
+  EXPECT_EQ(size(dialog, 1), QStringLiteral("60.0 × 40.0 × 30.0 mm"));
+  choose(dialog, 1, PartsDialog::kUp, "Y");
+  EXPECT_EQ(size(dialog, 1), QStringLiteral("60.0 × 30.0 × 40.0 mm"));
+  choose(dialog, 1, PartsDialog::kUnit, "inch");
+  EXPECT_EQ(size(dialog, 1), QStringLiteral("1.52 × 0.76 × 1.02 m"));
+  EXPECT_EQ(dialog.parts()[1].unit, 0.0254);
+  EXPECT_EQ(dialog.parts()[1].up, UpAxis::Y);
+  EXPECT_EQ(dialog.parts()[0].unit, 0.001);
+  QLocale::setDefault(before);
+}
+
+TEST_F(PartsPage, AUnitIsOfAllSelectedRows) {
+  PartsDialog dialog(Purpose::NewScenario, files() << pin(), true);
+  table(dialog).setRangeSelected({0, 0, 1, PartsDialog::kSize}, true);
+  choose(dialog, 1, PartsDialog::kUnit, "cm");
+  choose(dialog, 0, PartsDialog::kUp, "Y");
+  choose(dialog, 2, PartsDialog::kUnit, "inch");
+  const std::vector<PartFile> parts = dialog.parts();
+  EXPECT_EQ(parts[0].unit, 0.01);
+  EXPECT_EQ(parts[1].unit, 0.01);
+  EXPECT_EQ(parts[2].unit, 0.0254) << "not one of those selected";
+  EXPECT_EQ(parts[0].up, UpAxis::Y);
+  EXPECT_EQ(parts[1].up, UpAxis::Y);
+  EXPECT_EQ(parts[2].up, UpAxis::Z);
+}
+
+TEST_F(PartsPage, AUrdfFileIsInMetresWhateverIsSelected) {
+  const QString post = write("post.urdf",
+                             "<robot name=\"r\"><link name=\"post\"><collision><geometry><box size=\"1 1 3\"/>"
+                             "</geometry></collision></link></robot>");
+  PartsDialog dialog(Purpose::NewScenario, files() << post, true);
+  EXPECT_FALSE(combo(dialog, 2, PartsDialog::kUnit).isEnabled());
+  EXPECT_FALSE(combo(dialog, 2, PartsDialog::kUp).isEnabled());
+  table(dialog).selectAll();
+  choose(dialog, 0, PartsDialog::kUnit, "inch");
+  EXPECT_EQ(dialog.parts()[2].unit, 1.0);
+  EXPECT_EQ(combo(dialog, 2, PartsDialog::kUnit).currentText(), QStringLiteral("m"));
+  EXPECT_TRUE(scenarioOfParts(dialog.parts()));
+}
+
+TEST_F(PartsPage, WhatCannotBeReadIsSaidAndHoldsUpTheRest) {
+  const QString broken = write("broken.stl", "solid a\nfacet");
+  PartsDialog dialog(Purpose::NewScenario, files() << broken, true);
+  EXPECT_FALSE(mayAccept(dialog));
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kMoves, kStatic}));
+  EXPECT_TRUE(table(dialog).item(2, PartsDialog::kSize)->toolTip().contains(QStringLiteral("endsolid")));
+  EXPECT_TRUE(hint(dialog).contains(QStringLiteral("broken.stl"))) << hint(dialog).toStdString();
+  table(dialog).selectRow(2);
+  dialog.findChild<QPushButton*>(QStringLiteral("remove"))->click();
+  EXPECT_EQ(dialog.parts().size(), 2U);
+  EXPECT_TRUE(mayAccept(dialog));
+}
+
+TEST_F(PartsPage, DeleteTakesTheSelectedRowsOut) {
+  PartsDialog dialog(Purpose::NewScenario, files() << pin(), true);
+  dialog.show();
+  dialog.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+  table(dialog).setFocus();
+  table(dialog).setRangeSelected({0, 0, 1, PartsDialog::kSize}, true);
+  QTest::keyClick(&table(dialog), Qt::Key_Delete);
+  ASSERT_EQ(dialog.parts().size(), 1U);
+  EXPECT_EQ(dialog.parts()[0].path, pin().toStdString());
+  EXPECT_EQ(table(dialog).rowCount(), 1);
+  choose(dialog, 0, PartsDialog::kUnit, "m");
+  EXPECT_EQ(dialog.parts()[0].unit, 1.0);
+}
+
+TEST_F(PartsPage, AFileIsListedOnce) {
+  PartsDialog dialog(Purpose::NewScenario, files(), true);
+  dialog.addFiles(files() << QFileInfo(files().front()).path() + QStringLiteral("/../") +
+                                 QFileInfo(text(product.folder.path())).fileName() + QStringLiteral("/tray.obj"));
+  EXPECT_EQ(dialog.parts().size(), 2U);
+}
+
+TEST_F(PartsPage, WithoutFilesItAsksForThem) {
+  const PartsDialog dialog(Purpose::NewScenario, {}, true);
+  EXPECT_FALSE(mayAccept(dialog));
+  EXPECT_TRUE(hint(dialog).contains(QStringLiteral("files"))) << hint(dialog).toStdString();
+  EXPECT_FALSE(dialog.findChild<QPushButton*>(QStringLiteral("remove"))->isEnabled());
+}
+
+TEST_F(PartsPage, FilesAreMeasuredOneAfterTheOtherInTheBackground) {
+  PartsDialog dialog(Purpose::NewScenario, files() << pin(), false);
+  EXPECT_FALSE(mayAccept(dialog));
+  EXPECT_EQ(size(dialog, 0), QStringLiteral("…"));
+  table(dialog).selectRow(0);  // what is being read
+  dialog.findChild<QPushButton*>(QStringLiteral("remove"))->click();
+  dialog.addFiles({write("broken.stl", "solid a\nfacet")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return size(dialog, 2) == QStringLiteral("cannot be read"); }, 20000));
+  EXPECT_TRUE(size(dialog, 0).endsWith(QStringLiteral("mm"))) << size(dialog, 0).toStdString();
+  EXPECT_TRUE(size(dialog, 1).endsWith(QStringLiteral("mm"))) << size(dialog, 1).toStdString();
+}
+
+TEST_F(PartsPage, ClosingDoesNotWaitForTheRest) {
+  for (int i = 0; i < 5; ++i) PartsDialog(Purpose::NewScenario, files(), false).reject();
+}
+
+TEST_F(PartsPage, EveryChoiceIsReachedByTab) {
+  PartsDialog dialog(Purpose::NewScenario, files(), true);
+  dialog.show();
+  dialog.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+  table(dialog).setFocus();
+  std::set<const QWidget*> reached;
+  for (int i = 0; i < 20; ++i) {
+    reached.insert(QApplication::focusWidget());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  for (const QComboBox* box : dialog.findChildren<QComboBox*>()) {
+    EXPECT_TRUE(reached.count(box)) << box->accessibleName().toStdString();
+    EXPECT_FALSE(box->toolTip().isEmpty());
+  }
+  for (const QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    EXPECT_TRUE(reached.count(button) || !button->isEnabled()) << button->text().toStdString();
+  }
+}
+
+}  // namespace
+}  // namespace glissade

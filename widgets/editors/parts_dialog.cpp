@@ -1,0 +1,361 @@
+#include "widgets/editors/parts_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QShortcut>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace glissade {
+namespace {
+
+constexpr int kWidth = 760;
+constexpr int kHeight = 400;
+constexpr int kGap = 4;
+
+/// Lets the wheel scroll the table instead of changing what it happens to be over.
+class CellCombo final : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+QComboBox* makeCombo(const char* id, const QString& name, const QString& tip) {
+  auto* combo = new CellCombo;
+  combo->setObjectName(QLatin1String(id));
+  combo->setAccessibleName(name);
+  combo->setToolTip(tip);
+  return combo;
+}
+
+/// Room about a combo box, which has to be filled: the column is measured with it.
+QWidget* makeCell(QComboBox* combo) {
+  auto* cell = new QWidget;
+  auto* layout = new QHBoxLayout(cell);
+  layout->setContentsMargins(kGap, kGap / 2, kGap, kGap / 2);
+  layout->addWidget(combo);
+  return cell;
+}
+
+/// Three digits of the largest edge, in the unit that suits it.
+QString sizeText(const Box3& box) {
+  const Vector3 size = box.sizes();
+  const bool metres = size.maxCoeff() >= 1.0;
+  const Vector3 shown = metres ? size : Vector3(1e3 * size);
+  const double digits = 2.0 - std::floor(std::log10(std::max(shown.maxCoeff(), 1e-6)));
+  const auto text = [decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0))](double edge) {
+    return QLocale().toString(edge, 'f', decimals);
+  };
+  return QStringLiteral("%1 × %2 × %3 %4")
+      .arg(text(shown.x()), text(shown.y()), text(shown.z()), metres ? QStringLiteral("m") : QStringLiteral("mm"));
+}
+
+/// The file's folder is left to the row's tooltip.
+QString reasonText(Diagnostic why) {
+  why.file = QFileInfo(QString::fromStdString(why.file)).fileName().toStdString();
+  return QString::fromStdString(toString(why));
+}
+
+QColor errorColour(const QPalette& palette) {
+  return palette.color(QPalette::Base).lightness() < 128 ? QColor("#ff8f75") : QColor("#b3261e");
+}
+
+}  // namespace
+
+PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent)
+    : QDialog(parent),
+      purpose_(purpose),
+      atOnce_(atOnce),
+      table_(new QTableWidget(0, 5, this)),
+      remove_(new QPushButton(tr("&Remove"), this)),
+      hint_(new QLabel(this)) {
+  setObjectName(QStringLiteral("parts"));
+  setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
+  setUpTable();
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(table_, 1);
+  layout->addLayout(makeFileButtons());
+  layout->addLayout(makeEnd());
+  resize(kWidth, kHeight);
+  addFiles(files);
+}
+
+void PartsDialog::setUpTable() {
+  table_->setObjectName(QStringLiteral("parts-table"));
+  table_->setAccessibleName(tr("Parts"));
+  table_->setHorizontalHeaderLabels({tr("Part"), tr("Role"), tr("Unit"), tr("Up"), tr("Size")});
+  table_->horizontalHeaderItem(kSize)->setToolTip(tr("Width × depth × height: shows whether the unit is right"));
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(kPart, QHeaderView::Stretch);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->verticalHeader()->setVisible(false);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setTabKeyNavigation(false);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+}
+
+QLayout* PartsDialog::makeFileButtons() {
+  auto* add = new QPushButton(tr("Add &files…"), this);
+  add->setObjectName(QStringLiteral("add-files"));
+  add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF) or URDF files"));
+  remove_->setObjectName(QStringLiteral("remove"));
+  remove_->setEnabled(false);
+  remove_->setToolTip(tr("Takes the selected rows out of the list (Del)"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(add);
+  row->addWidget(remove_);
+  row->addStretch(1);
+  const auto* del = new QShortcut(QKeySequence::Delete, table_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+  connect(del, &QShortcut::activated, this, &PartsDialog::removeSelected);
+  connect(add, &QPushButton::clicked, this, &PartsDialog::chooseFiles);
+  connect(remove_, &QPushButton::clicked, this, &PartsDialog::removeSelected);
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { remove_->setEnabled(table_->selectionModel()->hasSelection()); });
+  return row;
+}
+
+QLayout* PartsDialog::makeEnd() {
+  hint_->setObjectName(QStringLiteral("hint"));
+  hint_->setWordWrap(true);
+  hint_->setTextFormat(Qt::PlainText);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  accept_ = buttons->button(QDialogButtonBox::Ok);
+  accept_->setText(purpose_ == Purpose::NewScenario ? tr("&Create") : tr("&Add"));
+  buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* row = new QHBoxLayout;
+  row->addWidget(hint_, 1);
+  row->addWidget(buttons);
+  return row;
+}
+
+void PartsDialog::addFiles(const QStringList& files) {
+  for (const QString& file : files) addRow(QFileInfo(file).absoluteFilePath());
+  refresh();
+  if (!measuring_.isBusy()) measureNext();
+}
+
+void PartsDialog::addRow(const QString& file) {
+  if (rowOf(file.toStdString()) >= 0) return;
+  const int row = table_->rowCount();
+  rows_.push_back({usualPart(file.toStdString()), std::nullopt});
+  table_->insertRow(row);
+  for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
+  const QString name = QFileInfo(file).fileName();
+  table_->item(row, kPart)->setText(name);
+  table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(file));
+  QComboBox* role = makeRole(tr("Role of %1").arg(name));
+  QComboBox* unit = makeUnit(tr("Unit of %1").arg(name));
+  QComboBox* up = makeUp(tr("Axis of %1 that points up").arg(name));
+  for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
+    table_->setCellWidget(row, column, makeCell(combo));
+  }
+  if (!isUrdfFile(file.toStdString())) return;
+  for (QComboBox* fixed : {unit, up}) {
+    fixed->setEnabled(false);
+    fixed->setToolTip(tr("A URDF file is always in metres, with Z up"));
+  }
+}
+
+QComboBox* PartsDialog::makeRole(const QString& name) {
+  QComboBox* role = makeCombo("role", name, tr("What the part is in the scenario"));
+  const auto add = [role](const QString& label, PartRole value, const QString& tip) {
+    role->addItem(label, static_cast<int>(value));
+    role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
+  };
+  if (purpose_ == Purpose::NewScenario) {
+    add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for"));
+  }
+  add(tr("Static"), PartRole::Static, tr("Stays where it is"));
+  add(tr("Mobile"), PartRole::Mobile, tr("In the way, too, but somebody could move it"));
+  connect(role, QOverload<int>::of(&QComboBox::activated), this,
+          [this, role] { chooseRole(rowOf(role, kRole), static_cast<PartRole>(role->currentData().toInt())); });
+  return role;
+}
+
+QComboBox* PartsDialog::makeUnit(const QString& name) {
+  QComboBox* unit = makeCombo("unit", name, tr("Unit of the file; of all selected rows together"));
+  unit->addItem(tr("m"), 1.0);
+  unit->addItem(tr("cm"), 0.01);
+  unit->addItem(tr("mm"), 0.001);
+  unit->addItem(tr("inch"), 0.0254);
+  connect(unit, QOverload<int>::of(&QComboBox::activated), this, [this, unit] {
+    for (const int i : rowsWith(rowOf(unit, kUnit))) rows_[i].part.unit = unit->currentData().toDouble();
+    refresh();
+  });
+  return unit;
+}
+
+QComboBox* PartsDialog::makeUp(const QString& name) {
+  QComboBox* up = makeCombo("up", name, tr("The file's axis that points up; of all selected rows together"));
+  up->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
+  up->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
+  connect(up, QOverload<int>::of(&QComboBox::activated), this, [this, up] {
+    for (const int i : rowsWith(rowOf(up, kUp))) rows_[i].part.up = static_cast<UpAxis>(up->currentData().toInt());
+    refresh();
+  });
+  return up;
+}
+
+void PartsDialog::chooseFiles() {
+  const QString folder =
+      rows_.empty() ? QString() : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
+  addFiles(QFileDialog::getOpenFileNames(this, tr("Add the files of parts"), folder,
+                                         tr("Parts (*.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)")));
+}
+
+void PartsDialog::removeSelected() {
+  for (int row = table_->rowCount() - 1; row >= 0; --row) {
+    if (!table_->selectionModel()->isRowSelected(row, QModelIndex())) continue;
+    table_->removeRow(row);
+    rows_.erase(rows_.begin() + row);
+  }
+  refresh();
+}
+
+void PartsDialog::chooseRole(int row, PartRole role) {
+  for (Row& other : rows_) {
+    if (role == PartRole::Moves && other.part.role == role) other.part.role = PartRole::Static;
+  }
+  rows_[row].part.role = role;
+  roleChosen_ = true;
+  refresh();
+}
+
+/// The row alone, or with the others selected where it is one of them; URDF files are what they are.
+std::vector<int> PartsDialog::rowsWith(int row) const {
+  const QItemSelectionModel& selection = *table_->selectionModel();
+  if (!selection.isRowSelected(row, QModelIndex())) return {row};
+  std::vector<int> rows;
+  for (int i = 0; i < table_->rowCount(); ++i) {
+    if (selection.isRowSelected(i, QModelIndex()) && !isUrdfFile(rows_[i].part.path)) rows.push_back(i);
+  }
+  return rows;
+}
+
+int PartsDialog::rowOf(const QObject* combo, Column column) const {
+  int row = 0;
+  while (table_->cellWidget(row, column) != combo->parent()) ++row;
+  return row;
+}
+
+/// -1 where the file is not listed.
+int PartsDialog::rowOf(const std::string& path) const {
+  const auto same = std::find_if(rows_.begin(), rows_.end(), [&](const Row& row) { return row.part.path == path; });
+  return same == rows_.end() ? -1 : static_cast<int>(same - rows_.begin());
+}
+
+void PartsDialog::measureNext() {
+  const auto next = std::find_if(rows_.begin(), rows_.end(), [](const Row& row) { return !row.inFile; });
+  if (next == rows_.end()) return;
+  const auto measure = [this, path = next->part.path](const WorkWatch&) -> BackgroundTask::Delivery {
+    const auto inFile = std::make_shared<const Result<Box3>>(boxInFile(path));
+    return [this, path, inFile] { setMeasured(path, *inFile); };
+  };
+  measuring_.start(measure, atOnce_);
+}
+
+void PartsDialog::setMeasured(const std::string& path, const Result<Box3>& inFile) {
+  if (const int row = rowOf(path); row >= 0) rows_[row].inFile = inFile;
+  refresh();
+  measureNext();
+}
+
+bool PartsDialog::isMeasured() const {
+  return std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.inFile.has_value(); });
+}
+
+bool PartsDialog::hasMoving() const {
+  return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.part.role == PartRole::Moves; });
+}
+
+/// The smallest part, as long as nobody has chosen.
+void PartsDialog::guessWhatMoves() {
+  if (purpose_ != Purpose::NewScenario || roleChosen_ || !isMeasured()) return;
+  Row* smallest = nullptr;
+  const auto diagonal = [](const Row& row) { return boxOfPart(row.part, **row.inFile).diagonal().norm(); };
+  for (Row& row : rows_) {
+    row.part.role = PartRole::Static;
+    if (!row.inFile->ok()) continue;
+    if (smallest == nullptr || diagonal(row) < diagonal(*smallest)) smallest = &row;
+  }
+  if (smallest != nullptr) smallest->part.role = PartRole::Moves;
+}
+
+void PartsDialog::refresh() {
+  guessWhatMoves();
+  for (int row = 0; row < table_->rowCount(); ++row) showRow(row);
+  hint_->setText(hint());
+  accept_->setEnabled(isComplete());
+}
+
+void PartsDialog::showRow(int row) {
+  const PartFile& part = rows_[row].part;
+  const auto show = [this, row](Column column, const QVariant& value) {
+    auto* combo = table_->cellWidget(row, column)->findChild<QComboBox*>();
+    combo->setCurrentIndex(combo->findData(value));
+  };
+  show(kRole, static_cast<int>(part.role));
+  show(kUnit, part.unit);
+  show(kUp, static_cast<int>(part.up));
+  QFont font = table_->font();
+  font.setBold(part.role == PartRole::Moves);
+  table_->item(row, kPart)->setFont(font);
+  showSize(row);
+}
+
+void PartsDialog::showSize(int row) {
+  const auto& inFile = rows_[row].inFile;
+  QTableWidgetItem& item = *table_->item(row, kSize);
+  if (!inFile) {
+    item.setText(QStringLiteral("…"));
+  } else if (inFile->ok()) {
+    item.setText(sizeText(boxOfPart(rows_[row].part, **inFile)));
+  } else {
+    item.setText(tr("cannot be read"));
+    item.setToolTip(reasonText(inFile->error()));
+    item.setForeground(errorColour(palette()));
+  }
+}
+
+/// What is missing, in one sentence.
+QString PartsDialog::hint() const {
+  if (rows_.empty()) return tr("Add the files of the parts.");
+  for (const Row& row : rows_) {
+    if (row.inFile && !row.inFile->ok()) return reasonText(row.inFile->error());
+  }
+  if (!isMeasured()) return tr("The files are being read.");
+  if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
+  return rows_.size() > 1 ? tr("Select several rows to choose their unit or axis together.") : QString();
+}
+
+std::vector<PartFile> PartsDialog::parts() const {
+  std::vector<PartFile> parts;
+  for (const Row& row : rows_) parts.push_back(row.part);
+  return parts;
+}
+
+bool PartsDialog::isComplete() const {
+  const bool readable =
+      std::all_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.inFile && row.inFile->ok(); });
+  return !rows_.empty() && readable && (purpose_ == Purpose::AddParts || hasMoving());
+}
+
+}  // namespace glissade

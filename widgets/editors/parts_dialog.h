@@ -1,0 +1,76 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <optional>
+#include <vector>
+
+#include "engine/scenario/part_files.h"
+#include "widgets/bridge/background_task.h"
+
+namespace glissade {
+
+/// Asks how the files of a product's parts are to be taken, and which part moves. Files are measured in
+/// the background, so that a wrong unit is seen at once.
+class PartsDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  enum class Purpose { NewScenario, AddParts };
+  enum Column { kPart, kRole, kUnit, kUp, kSize };
+
+  /// `atOnce`: files are measured before the constructor and addFiles() return.
+  PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent = nullptr);
+
+  /// Files that are listed already stay as they are.
+  void addFiles(const QStringList& files);
+
+  std::vector<PartFile> parts() const;
+  /// All files were read, and one part moves where one has to.
+  bool isComplete() const;
+
+ private:
+  struct Row {
+    PartFile part;
+    std::optional<Result<Box3>> inFile;  ///< none: not measured yet
+  };
+
+  void setUpTable();
+  QLayout* makeFileButtons();
+  QLayout* makeEnd();
+  void addRow(const QString& file);
+  QComboBox* makeRole(const QString& name);
+  QComboBox* makeUnit(const QString& name);
+  QComboBox* makeUp(const QString& name);
+  void chooseFiles();
+  void removeSelected();
+  void chooseRole(int row, PartRole role);
+  std::vector<int> rowsWith(int row) const;
+  int rowOf(const QObject* combo, Column column) const;
+  int rowOf(const std::string& path) const;
+
+  void measureNext();
+  void setMeasured(const std::string& path, const Result<Box3>& inFile);
+  bool isMeasured() const;
+  bool hasMoving() const;
+  void guessWhatMoves();
+  void refresh();
+  void showRow(int row);
+  void showSize(int row);
+  QString hint() const;
+
+  Purpose purpose_;
+  bool atOnce_;
+  bool roleChosen_ = false;
+  std::vector<Row> rows_;  ///< as in the table
+  QTableWidget* table_;
+  QPushButton* remove_;
+  QLabel* hint_;
+  QPushButton* accept_ = nullptr;
+  BackgroundTask measuring_;
+};
+
+}  // namespace glissade
