@@ -279,7 +279,7 @@ void MainWindow::rearrange(const ScenarioPtr& scenario) {
   scenario_ = scenario;
   scene_->view().rearrange(scenario_);
   interaction_->setScenario(*scenario_);
-  replay_->openScenario(scenario_);
+  replay_->rearrange(scenario_);
   environment_->rearrange(scenario_);
   assembly_->show(scenario_);
   bodies_->rearrange(*scenario_);

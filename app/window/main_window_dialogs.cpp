@@ -14,6 +14,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/window/assembly_controller.h"
 #include "app/window/environment_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
@@ -121,7 +122,13 @@ void MainWindow::chooseSaveRecording() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save the recording"), QStringLiteral("run.json"),
                                                     tr("Recordings (*.json)"));
   if (file.isEmpty()) return;
-  if (const auto why = replay_->save(file)) showError(tr("The recording cannot be saved"), *why);
+  if (const auto why = replay_->save(file)) {
+    showError(tr("The recording cannot be saved"), *why);
+  } else if (!assembly_->document().isSaved()) {
+    QMessageBox::information(this, tr("The recording was saved"),
+                             tr("It names the scenario's file, which does not have the bodies as they are here. Save "
+                                "the scenario, too: only then can the recording be replayed."));
+  }
 }
 
 void MainWindow::keepJournals(const QString& folder) {

@@ -88,6 +88,14 @@ void ReplayController::openScenario(const ScenarioPtr& scenario) {
   enableActions();
 }
 
+void ReplayController::rearrange(const ScenarioPtr& scenario) {
+  close();
+  opened_.reset();
+  scenario_ = scenario;
+  recorder_.rearrange(scenario);
+  enableActions();
+}
+
 std::optional<Diagnostic> ReplayController::open(
     const RunRecord& record, const QString& file,
     const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {

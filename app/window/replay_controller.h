@@ -27,6 +27,8 @@ class ReplayController final : public QObject {
   bool isActive() const { return log_ != nullptr; }
 
   void openScenario(const ScenarioPtr& scenario);
+  /// Its bodies are elsewhere from the next run on; the recording of the last one can still be saved.
+  void rearrange(const ScenarioPtr& scenario);
   /// Opens a recording that was read from a file; `openScenario` is asked for its scenario where another is open.
   std::optional<Diagnostic> open(const RunRecord& record, const QString& file,
                                  const std::function<std::optional<Diagnostic>(const QString&)>& openOther);

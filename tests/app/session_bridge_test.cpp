@@ -38,6 +38,34 @@ TEST_P(Bridge, SolvesWithASimulatedOperatorAndSignalsOnTheGuiThread) {
   EXPECT_TRUE(spy.count() > 0 || spy.wait());
 }
 
+TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
+  const ScenarioPtr before = slidingPlane();
+  SessionBridge bridge(GetParam());
+  bridge.open(before);
+  bridge.post(command::SetParameter{ParameterId::Alpha, 0.625});
+  bridge.post(command::SetPlanner{"birrt"});
+  bridge.post(command::SetSeed{77});
+  QElapsedTimer timer;
+  timer.start();
+  while (bridge.snapshot()->seed != 77 && timer.elapsed() < 10000) QCoreApplication::processEvents();
+
+  Scenario other = before->scenario;
+  other.object = {"cube", "cube", BoxGeometry{{1.0, 1.0, 1.0}}};
+  other.start.position.z() += 1.0;
+  auto loaded = realiseScenario(other, ".", before->file, before->geometry);
+  ASSERT_TRUE(loaded.ok());
+  const double larger = loaded->problem.world->objectRadius() / before->problem.world->objectRadius();
+  bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*loaded)));
+  const SnapshotPtr now = bridge.snapshot();
+  EXPECT_EQ(now->seed, 77U);
+  EXPECT_EQ(now->plannerId, "birrt");
+  EXPECT_EQ(now->parameters[ParameterId::Alpha], 0.625);
+  EXPECT_EQ(now->state, SessionState::Idle);
+  EXPECT_EQ(now->device.q_device, other.start);
+  // What fits itself to the object's size does so again.
+  EXPECT_NEAR(now->parameters[ParameterId::GrowthStep], larger * before->parameters[ParameterId::GrowthStep], 1e-12);
+}
+
 TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {
   SessionBridge bridge(GetParam());
   bridge.open(slidingPlane());

@@ -1,5 +1,7 @@
 #include "widgets/bridge/run_recorder.h"
 
+#include <utility>
+
 namespace glissade {
 
 RunRecorder::~RunRecorder() { discardJournal(); }
@@ -9,11 +11,13 @@ void RunRecorder::open(const ScenarioPtr& scenario) {
   parts_.clear();
   head_.reset();
   scenario_ = scenario;
+  next_.reset();
 }
 
 bool RunRecorder::follow(const SessionSnapshot& snapshot) {
   if (snapshot.log.empty() || !scenario_) return false;
   const bool another = parts_.empty() || parts_.front() != snapshot.log.front();
+  if (another && next_) open(std::exchange(next_, nullptr));
   parts_ = snapshot.log;
   if (another && !folder_.empty()) beginJournal();
   journal();

@@ -17,6 +17,8 @@ class RunRecorder {
   /// From now on runs are journalled in this folder.
   void keepJournals(const std::string& folder) { folder_ = folder; }
   void open(const ScenarioPtr& scenario);
+  /// The next run is of this scenario; the recording of the last one stays until then.
+  void rearrange(const ScenarioPtr& scenario) { next_ = scenario; }
   /// True where another run has begun.
   bool follow(const SessionSnapshot& snapshot);
 
@@ -33,7 +35,8 @@ class RunRecorder {
   void discardJournal();
 
   std::string folder_;
-  ScenarioPtr scenario_;
+  ScenarioPtr scenario_;  ///< of the recording
+  ScenarioPtr next_;      ///< of the next one, where it is another
   std::optional<RunRecord> head_;  ///< of this scenario's records; hashing its assets takes time
   RunLogParts parts_;
   std::unique_ptr<RunJournal> journal_;

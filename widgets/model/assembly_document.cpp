@@ -4,6 +4,7 @@
 
 #include "engine/base/file.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -54,7 +55,10 @@ AssemblyDocument::AssemblyDocument(SemanticDocument& semantics, QObject* parent)
 void AssemblyDocument::open(const LoadedScenarioPtr& scenario) {
   scenario_ = scenario;
   read_ = scenario->geometry;
+  savedProblem_ = scenario->file.empty() ? std::string() : problemSha256(scenario->scenario);
 }
+
+bool AssemblyDocument::isSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }
 
 Scenario AssemblyDocument::current() const {
   Scenario scenario = scenario_->scenario;

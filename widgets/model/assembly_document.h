@@ -20,6 +20,8 @@ class AssemblyDocument final : public QObject {
   /// The scenario with the semantic edits as they are: what an edit begins with.
   Scenario current() const;
 
+  /// The file says of the problem what the window does: a recording that names it can be replayed.
+  bool isSaved() const;
   /// Geometry that was read meanwhile, and need not be read again.
   void learn(const GeometryCache& read) { read_.insert(read.begin(), read.end()); }
   const GeometryCache& read() const { return read_; }
@@ -42,6 +44,7 @@ class AssemblyDocument final : public QObject {
 
   SemanticDocument& semantics_;
   std::shared_ptr<const LoadedScenario> scenario_;
+  std::string savedProblem_;  ///< hash of the problem as it was opened or saved; empty: it never was
   GeometryCache read_;  ///< all geometry that this scenario had since it was opened
 };
 

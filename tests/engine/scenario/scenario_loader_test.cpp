@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"
@@ -158,6 +159,25 @@ TEST(LoadScenario, TheUnitAndTheUpAxisOfAnAssetAreApplied) {
   const Box3 box = boundingBox(*loaded->obstacles[1].mesh);
   EXPECT_TRUE(box.max().isApprox(Vector3(0.5, 0, 1), 1e-12)) << box.max().transpose();  // y became z
   EXPECT_NEAR(box.min().y(), -1.5, 1e-12);                                              // z became -y
+}
+
+TEST(RealiseScenario, GeometryThatIsKnownIsNotReadAgainAndGivesTheSame) {
+  const TemporaryFolder folder;
+  folder.write("part.obj", kObj);
+  Scenario scenario = withMesh("part.obj");
+  const auto first = realiseScenario(scenario, folder.path(), "s.json");
+  ASSERT_TRUE(first.ok()) << toString(first.error());
+  std::filesystem::remove(folder / "part.obj");
+  scenario.bodies.back().pose = Pose::translation({0, 0, 5});
+  EXPECT_FALSE(realiseScenario(scenario, folder.path(), "s.json").ok());
+  const auto moved = realiseScenario(scenario, folder.path(), "s.json", first->geometry);
+  ASSERT_TRUE(moved.ok()) << toString(moved.error());
+  EXPECT_EQ(moved->obstacles.back().mesh, first->obstacles.back().mesh);
+  EXPECT_EQ(moved->obstacles.back().X_WB, scenario.bodies.back().pose);
+  EXPECT_EQ(moved->object.mesh->vertices, first->object.mesh->vertices);
+
+  scenario.assets.front().unit = 0.5;  // another interpretation is another geometry
+  EXPECT_FALSE(realiseScenario(scenario, folder.path(), "s.json", first->geometry).ok());
 }
 
 }  // namespace

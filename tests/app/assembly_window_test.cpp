@@ -1,0 +1,99 @@
+// Parts, bodies and the ends of the motion, arranged in the window as a person would.
+#include "tests/app/window_fixture.h"
+#include "tests/engine/support/part_fixture.h"
+
+namespace {
+
+using namespace glissade::test;
+
+class AssemblyWindow : public WindowTest {
+ protected:
+  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  void expectRefused(const QString& scenario, const QString& script, const char* why) {
+    const RunResult result = run(scenario, script);
+    EXPECT_NE(result.exitCode, 0) << script.toStdString();
+    EXPECT_TRUE(result.errors.contains(QLatin1String(why))) << result.errors.toStdString();
+  }
+  /// Of the 3D view's middle, where nothing but the scene is.
+  static QImage middle(const QString& file) { return QImage(file).copy(QRect(380, 120, 540, 500)); }
+
+  const QString shapeGame = kSource + QStringLiteral("/samples/shape-game/tight-circle.json");
+};
+
+TEST_F(AssemblyWindow, APartOfAProductIsTakenOutOfItFromItsFilesAlone) {
+  const TrayProduct product;
+  const QString saved = folder.filePath(QStringLiteral("tray.json"));
+  expectGood(
+      run(QString(), QStringLiteral("new-scenario %1 0.001 Z\n"
+                                    "add-part %2 static 0.001 Z\n"
+                                    "expect-place tray 0,0,0\n"
+                                    "expect-place goal nowhere\n"
+                                    "action run.start\nwait ended 20000\nexpect solved\n"
+                                    "save %3\nopen %3\n"
+                                    "action run.start\nwait ended 20000\nexpect solved\n"
+                                    "select body tray\naction assembly.moves\n"
+                                    "expect-place block 0,0,0\nexpect-place tray nowhere\n"
+                                    "action edit.undo\nexpect-place tray 0,0,0\n")
+                         .arg(QString::fromStdString(product.block), QString::fromStdString(product.tray), saved)));
+  expectRefused(QString(), QStringLiteral("new-scenario gone.stl 0.001 Z\n"), "gone.stl");
+}
+
+TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenThere) {
+  const QString dragged = folder.filePath(QStringLiteral("dragged.png"));
+  const QString fresh = folder.filePath(QStringLiteral("fresh.png"));
+  const QString back = folder.filePath(QStringLiteral("back.png"));
+  const QString before = folder.filePath(QStringLiteral("before.png"));
+  // Selected, the body is gripped behind the wall, too.
+  expectGood(run(shapeGame, QStringLiteral("action layer.mobile-cells\nselect body O3\nscreenshot %1\n"
+                                           "action assembly.arrange\ndrag 285 300 345 340\nscreenshot %2\n"
+                                           "action environment.build\nscreenshot %3\n"
+                                           "action edit.undo\nscreenshot %4\naction edit.redo\n"
+                                           "action run.start\nwait ended 40000\nexpect solved\n")
+                                .arg(before, dragged, fresh, back)));
+  EXPECT_GT(difference(middle(before), middle(dragged)).share, 0.01);
+  EXPECT_EQ(middle(dragged), middle(fresh));
+  EXPECT_EQ(middle(before), middle(back));
+}
+
+TEST_F(AssemblyWindow, WhereThingsAreIsKeptByTheFile) {
+  const QString saved = folder.filePath(QStringLiteral("moved.json"));
+  expectGood(run(shapeGame, QStringLiteral("place O3 1000,500,700 10,20,30\nexpect-place O3 1000,500,700\n"
+                                           "place goal 2100,800,1300 0,0,0\n"
+                                           "action assembly.swap\nexpect-place start 2100,800,1300\n"
+                                           "action assembly.goal-out\nexpect-place goal nowhere\n"
+                                           "save %1\nopen %1\nexpect-place O3 1000,500,700\n"
+                                           "expect-place start 2100,800,1300\nexpect-place goal nowhere\n"
+                                           "select body O3\naction assembly.remove\nexpect-place O3 nowhere\n"
+                                           "action edit.undo\nexpect-place O3 1000,500,700\n")
+                                .arg(saved)));
+  expectRefused(shapeGame, QStringLiteral("place O9 1,2,3 0,0,0\n"), "no such body");
+  expectRefused(shapeGame, QStringLiteral("place O3 1,2 0,0,0\n"), "not three numbers");
+}
+
+TEST_F(AssemblyWindow, AnEndThatTouchesIsMovedClearOfIt) {
+  // The cylinder's flat end lies on the wall's face, and a run refuses to begin there.
+  const QString touching = QStringLiteral(
+      "select body O3\nplace start 1000,500,1200 0,0,0\n"
+      "place O3 1000,500,1200 0,0,0\n");
+  expectGood(run(shapeGame, touching + QStringLiteral("action run.start\nwait ended 100\nexpect failed\n")));
+  expectGood(run(QStringLiteral("teaching"), QStringLiteral("action assembly.free-ends\naction run.start\n"
+                                                            "wait ended 40000\nexpect solved\n")));
+}
+
+TEST_F(AssemblyWindow, NothingIsArrangedWhileARunGoesOn) {
+  expectGood(run(QStringLiteral("environment-2"), QStringLiteral("action assembly.arrange\naction run.start\nsteps 5\n"
+                                                                 "expect planning\n")));
+  expectRefused(QStringLiteral("environment-2"),
+                QStringLiteral("action run.start\nsteps 5\nexpect planning\naction assembly.arrange\n"),
+                "not possible now");
+}
+
+TEST_F(AssemblyWindow, ThePanelsLookAsTheyShould) {
+  const QString picture = folder.filePath(QStringLiteral("assembly.png"));
+  expectGood(run(shapeGame, QStringLiteral("action panel.scene\nselect body O3\nplace O3 700,300,1500 0,0,30\n"
+                                           "action layer.mobile-cells\nscreenshot %1\n")
+                                .arg(picture)));
+  expectLike(picture, QStringLiteral("assembly"));
+}
+
+}  // namespace

@@ -1,0 +1,48 @@
+#include "widgets/panels/placement_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QVector>
+
+namespace glissade {
+namespace {
+
+class PlacementPanelTest : public testing::Test {
+ protected:
+  PlacementPanelTest() {
+    QObject::connect(&panel, &PlacementPanel::placed, [this](const Pose& X_WB) { placed.push_back(X_WB); });
+  }
+  QDoubleSpinBox& box(const char* name) { return *panel.findChild<QDoubleSpinBox*>(QLatin1String(name)); }
+
+  PlacementPanel panel;
+  QVector<Pose> placed;
+};
+
+TEST_F(PlacementPanelTest, ShowsMillimetresAndDegreesAndAnnouncesNothingItself) {
+  panel.show(QStringLiteral("part"), Pose{Vector3(0.0125, -2.0, 3.0), fromRollPitchYaw(0.0, 0.0, -std::acos(0.0) / 3)});
+  EXPECT_EQ(box("place-x").value(), 12.5);
+  EXPECT_EQ(box("place-y").value(), -2000.0);
+  EXPECT_EQ(box("turn-x").value(), 0.0);
+  EXPECT_EQ(box("turn-z").value(), -30.0);
+  EXPECT_TRUE(box("turn-z").isEnabled());
+  panel.show(QString(), std::nullopt);
+  EXPECT_FALSE(box("place-x").isEnabled());
+  EXPECT_TRUE(placed.isEmpty());
+}
+
+TEST_F(PlacementPanelTest, OnlyTheNumberThatIsChangedChanges) {
+  // More digits than are shown.
+  const Pose before{Vector3(1.0 / 3.0, 2.0 / 3.0, 1.0 / 7.0), fromRollPitchYaw(0.1, 0.2, 0.3)};
+  panel.show(QStringLiteral("part"), before);
+  box("place-y").setValue(500.0);
+  ASSERT_EQ(placed.size(), 1);
+  EXPECT_EQ(placed.back().position, Vector3(1.0 / 3.0, 0.5, 1.0 / 7.0));
+  EXPECT_EQ(placed.back().orientation.coeffs(), before.orientation.coeffs());
+  box("turn-z").setValue(0.0);
+  ASSERT_EQ(placed.size(), 2);
+  EXPECT_LT(angleBetween(placed.back().orientation, fromRollPitchYaw(0.1, 0.2, 0.0)), 1e-6);
+  EXPECT_EQ(placed.back().position, Vector3(1.0 / 3.0, 0.5, 1.0 / 7.0));
+}
+
+}  // namespace
+}  // namespace glissade
