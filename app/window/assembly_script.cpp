@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "app/window/assembly_controller.h"
+#include "app/window/environment_controller.h"
 #include "engine/base/number_text.h"
 
 namespace glissade {
@@ -46,6 +47,7 @@ std::optional<Outcome> AssemblyScript::carryOut(const ScriptCommand& command) {
     const PartRole role = words[1] == "mobile" ? PartRole::Mobile : PartRole::Static;
     return takePart(PartsDialog::Purpose::AddParts, role, {words[0], words[2], words[3]});
   }
+  if (command.name == "rule") return setRule(words[0], words[1]);
   if (command.name == "place") return place(words[0], words[1], words[2]);
   if (command.name == "expect-place") return expectPlace(words[0], words[1]);
   return std::nullopt;
@@ -61,6 +63,17 @@ Outcome AssemblyScript::takePart(PartsDialog::Purpose purpose, PartRole role, co
   window_.parts().take(purpose, {{words[0], role, *unit, words[2] == "Y" ? UpAxis::Y : UpAxis::Z}});
   QObject::disconnect(refused);
   return outcome;
+}
+
+Outcome AssemblyScript::setRule(const std::string& which, const std::string& expression) {
+  Scenario after = window_.assembly().document().current();
+  StrategyRules rules = after.rules.value_or(presetRules("gts"));
+  (which == "node" ? rules.node : rules.edge) = expression;
+  const auto& table = window_.environment().document().table();
+  const auto parsed = parseRules(rules, table, idsOf(makeLocalPlannerRegistry()));
+  if (!parsed) return parsed.error();
+  after.rules = std::move(rules);
+  return window_.assembly().document().edit(QStringLiteral("rule"), std::move(after));
 }
 
 Outcome AssemblyScript::place(const std::string& what, const std::string& position, const std::string& turn) {

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The script commands about where bodies and the ends of the motion are.
+/// The script commands about parts, where they and the ends of the motion are, and rules.
 class AssemblyScript {
  public:
   explicit AssemblyScript(MainWindow& window) : window_(window) {}
@@ -18,6 +18,7 @@ class AssemblyScript {
 
  private:
   Outcome takePart(PartsDialog::Purpose purpose, PartRole role, const std::vector<std::string>& words);
+  Outcome setRule(const std::string& which, const std::string& expression);
   Outcome place(const std::string& what, const std::string& position, const std::string& turn);
   Outcome expectPlace(const std::string& what, const std::string& position);
 

@@ -168,6 +168,7 @@ void MainWindow::connectActions() {
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
   connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
   on("path.smooth", [this](bool smooth) { bridge_->post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
+  on("strategy.rules", [this] { editRules(); });
   on("view.reset-layout", [this] { arrangePanels(); });
   on("help.shortcuts", [this] { showShortcuts(); });
   on("help.about", [this] { showAbout(); });
@@ -320,6 +321,7 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("run.restart-new-seed", live);
   enable("run.tuning", live);
   (*actions_)["run.tuning"]->setChecked(open && snapshot->parameters[ParameterId::Tuning] > 0.0);
+  enable("strategy.rules", live && !running);
   enable("object.to-start", live);
   enable("path.play", open && snapshot->path != nullptr);
   enable("path.smooth", live && snapshot->path != nullptr && !snapshot->smoothing);

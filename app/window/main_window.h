@@ -91,6 +91,8 @@ class MainWindow final : public QMainWindow {
   void addPanel(const QString& title, const char* id, QWidget* content, const char* action = "",
                 Scrolling scrolling = Scrolling::Whole);
   void openLoaded(const ScenarioPtr& scenario);
+  /// Shows the rules of the strategy; changed, they become the scenario's own.
+  void editRules();
   void newScenario(const QStringList& partFiles);
   /// The open scenario with its bodies elsewhere, or others; what is looked at and what was set stay.
   void rearrange(const ScenarioPtr& scenario);

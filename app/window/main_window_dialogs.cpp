@@ -22,6 +22,7 @@
 #include "app/window/replay_controller.h"
 #include "app/window/window_memory.h"
 #include "app/window/work_controller.h"
+#include "widgets/editors/rules_dialog.h"
 
 namespace glissade {
 
@@ -33,6 +34,21 @@ void MainWindow::chooseScenario() {
 
 void MainWindow::newScenario(const QStringList& partFiles) {
   if (mayDiscard()) parts_->ask(PartsDialog::Purpose::NewScenario, partFiles);
+}
+
+void MainWindow::editRules() {
+  Scenario after = assembly_->document().current();
+  const std::string& strategy = bridge_->snapshot()->plannerId;
+  const bool preset = strategy == "gt" || strategy == "gts1" || strategy == "gts2";
+  RulesDialog dialog(preset        ? presetRules(strategy)
+                     : after.rules ? *after.rules
+                                   : presetRules("gts"),
+                     environment_->document().table(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  after.rules = dialog.rules();
+  const Outcome changed = assembly_->document().edit(tr("Change the rules"), std::move(after));
+  if (!changed) showError(tr("The rules cannot be changed"), changed.error());
+  bridge_->post(command::SetPlanner{"own"});
 }
 
 /// Files that are not there stay in the list: a drive may only be away for a while.

@@ -104,6 +104,7 @@ void MainWindow::makeMenus() {
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   fill(run, "run.");
   fill(run, "work.");
+  fill(run, "strategy.");
   run->addSeparator();
   fill(run, "replay.");
   run->addSeparator();

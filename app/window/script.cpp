@@ -41,6 +41,7 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"expect-difficulty", 2},
                                                          {"show-body", 2},
                                                          {"new-scenario", 3},
+                                                         {"rule", 2},
                                                          {"add-part", 4},
                                                          {"place", 3},
                                                          {"expect-place", 2},

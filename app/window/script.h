@@ -32,6 +32,7 @@ struct ScriptCommand {
 ///   wait STATE LIMIT            idle, planning, paused, solved, ended; LIMIT in steps offscreen,
 ///                               in seconds on screen
 ///   expect STATE                the session is in this state now
+///   rule node|edge EXPRESSION   of strategy "own": f or g, without blanks
 ///   select-strategy ID          g, gt, gts1, gts2, gts, own, contact-birrt, ...
 ///   open FILE                   another scenario
 ///   save FILE                   the scenario with its edits

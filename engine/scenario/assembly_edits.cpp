@@ -128,6 +128,7 @@ void takeAssembly(const Scenario& from, Scenario& to) {
   to.goal = from.goal;
   to.workspace = from.workspace;
   to.wayPoints = from.wayPoints;
+  to.rules = from.rules;
   setSemanticEdits(semanticEditsOf(from), to);
 }
 

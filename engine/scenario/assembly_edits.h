@@ -38,8 +38,8 @@ Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scen
 /// A workspace about all that there is, with room for the object to get clear of it on every side.
 Box3 fittingWorkspace(const LoadedScenario& loaded);
 
-/// Takes over what edits of the assembly and of semantic attributes change: the rest (planner, parameters,
-/// seed, environment) stays as it is.
+/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own". The
+/// rest (planner, parameters, seed, environment) stays as it is.
 void takeAssembly(const Scenario& from, Scenario& to);
 
 }  // namespace glissade

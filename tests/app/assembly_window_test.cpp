@@ -35,7 +35,7 @@ TEST_F(AssemblyWindow, APartOfAProductIsTakenOutOfItFromItsFilesAlone) {
                                     "expect-place block 0,0,0\nexpect-place tray nowhere\n"
                                     "action edit.undo\nexpect-place tray 0,0,0\n")
                          .arg(QString::fromStdString(product.block), QString::fromStdString(product.tray), saved)));
-  expectRefused(QString(), QStringLiteral("new-scenario gone.stl 0.001 Z\n"), "gone.stl");
+  expectRefused(QString(), QStringLiteral("new-scenario gone.stl 0.001 Z\n"), "cannot be opened");
 }
 
 TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenThere) {
@@ -86,6 +86,17 @@ TEST_F(AssemblyWindow, NothingIsArrangedWhileARunGoesOn) {
   expectRefused(QStringLiteral("environment-2"),
                 QStringLiteral("action run.start\nsteps 5\nexpect planning\naction assembly.arrange\n"),
                 "not possible now");
+}
+
+TEST_F(AssemblyWindow, OwnRulesChangeTheWayAreUndoneAndKept) {
+  const QString saved = folder.filePath(QStringLiteral("rules.json"));
+  expectGood(run(QStringLiteral("teaching"),
+                 QStringLiteral("select-strategy own\naction environment.build\nexpect-way P2,P5,P3,P4,P1\n"
+                                "rule node 0\nexpect-way P2,P6,P1\n"
+                                "action edit.undo\nexpect-way P2,P5,P3,P4,P1\naction edit.redo\nexpect-way P2,P6,P1\n"
+                                "save %1\nopen %1\nexpect-way P2,P6,P1\n")
+                     .arg(saved)));
+  expectRefused(QStringLiteral("teaching"), QStringLiteral("rule edge distance*place.hazard\n"), "place.hazard");
 }
 
 TEST_F(AssemblyWindow, ThePanelsLookAsTheyShould) {

@@ -5,7 +5,7 @@
 
 namespace glissade {
 
-/// The bodies of one open scenario, its object and its ends, as the user arranges them. Every edit is an
+/// The bodies of one open scenario, its object and its ends, as the user arranges them, and its rules. Every edit is an
 /// undoable command on the stack of the semantic document, with the scenario before and after it as values;
 /// geometry that was read once is not read again.
 class AssemblyDocument final : public QObject {

@@ -10,8 +10,8 @@
 namespace glissade {
 namespace {
 
-constexpr AssemblyItem kStart{AssemblyItem::Kind::Start, {}};
-constexpr AssemblyItem kGoal{AssemblyItem::Kind::Goal, {}};
+const AssemblyItem kStart{AssemblyItem::Kind::Start, {}};
+const AssemblyItem kGoal{AssemblyItem::Kind::Goal, {}};
 
 LoadedScenario realised(const Scenario& scenario) {
   auto loaded = realiseScenario(scenario, ".", "");
