@@ -234,12 +234,18 @@ void MainWindow::setBatch(bool batch) {
   work_->setAtOnce(batch);
 }
 
+bool MainWindow::isModified() const {
+  const Scenario& saved = scenario_->scenario;
+  return !environment_->document().undoStack().isClean() || !(environment_->options() == saved.environment) ||
+         bridge_->snapshot()->plannerId != saved.planner;
+}
+
 void MainWindow::showTitle() {
   if (!scenario_) return;
   const std::string& name = scenario_->scenario.name;
   const QString file = QFileInfo(QString::fromStdString(scenario_->file)).completeBaseName();
   setWindowTitle(QStringLiteral("%1[*] — Glissade").arg(name.empty() ? file : QString::fromStdString(name)));
-  setWindowModified(!environment_->document().undoStack().isClean());
+  setWindowModified(isModified());
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
@@ -303,6 +309,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   environment_->showSnapshot(snapshot);
   work_->showSnapshot(*snapshot);
   difficulty_->showSnapshot(snapshot, !replay_->isActive());
+  setWindowModified(isModified());
   status_->setText(replay_->isActive() ? replay_->statusText() : statusText(*snapshot));
   elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
                                       : QString());

@@ -113,6 +113,8 @@ class MainWindow final : public QMainWindow {
   void chooseSave();
   /// False: the user wants to stay, because something is not saved.
   bool mayDiscard();
+  /// What Save would write is not what the file holds. Sliders and seed are tried out, and do not count.
+  bool isModified() const;
   void showTitle();
   void showShortcuts();
   void showAbout();

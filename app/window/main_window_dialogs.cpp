@@ -94,12 +94,12 @@ void MainWindow::chooseSave() {
 }
 
 bool MainWindow::mayDiscard() {
-  if (batch_ || environment_->document().undoStack().isClean()) return true;
+  if (batch_ || !scenario_ || !isModified()) return true;
   const auto answer =
       QMessageBox::question(this, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) save();
-  return answer == QMessageBox::Discard || environment_->document().undoStack().isClean();
+  return answer == QMessageBox::Discard || !isModified();
 }
 
 void MainWindow::chooseExport() {

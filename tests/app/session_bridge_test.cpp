@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
+#include <QThread>
 
 #include "engine/scenario/scenario_io.h"
 
@@ -36,6 +37,21 @@ TEST_P(Bridge, SolvesWithASimulatedOperatorAndSignalsOnTheGuiThread) {
   bridge.post(command::Start{});
   ASSERT_TRUE(reach(bridge, SessionState::Solved));
   EXPECT_TRUE(spy.count() > 0 || spy.wait());
+}
+
+TEST_P(Bridge, WhoAsksWhileHeIsToldTakesNoNewsFromTheOthers) {
+  SessionBridge bridge(GetParam());
+  bridge.open(slidingPlane());
+  bridge.post(command::SetParameter{ParameterId::MaxSteps, 400});
+  bridge.setDevice("novice");
+  int told = 0;
+  QObject::connect(&bridge, &SessionBridge::snapshotChanged, [&](const SnapshotPtr& snapshot) {
+    QThread::msleep(told++ < 5 ? 20 : 0);  // longer than it takes to publish the next one
+    EXPECT_EQ(bridge.snapshot(), snapshot);
+  });
+  bridge.post(command::Start{});
+  ASSERT_TRUE(reach(bridge, SessionState::Failed) || reach(bridge, SessionState::Solved));
+  EXPECT_GT(told, 0);
 }
 
 TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {

@@ -88,6 +88,7 @@ void SessionBridge::end() {
   fixed_ = false;
   lockstep_ = nullptr;
   session_.reset();
+  announced_.reset();
 }
 
 std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id, std::uint64_t seed) {
@@ -131,8 +132,6 @@ void SessionBridge::setOperatorFrame(const OperatorFrame& frame) {
   if (session_ && !fixed_) session_->setOperatorFrame(frame);
 }
 
-SnapshotPtr SessionBridge::snapshot() const { return session_ ? session_->snapshot() : nullptr; }
-
 void SessionBridge::advance(std::uint64_t steps) {
   if (lockstep_ == nullptr) return;
   lockstep_->advance(steps);
@@ -140,7 +139,9 @@ void SessionBridge::advance(std::uint64_t steps) {
 }
 
 void SessionBridge::emitSnapshot() {
-  if (session_) emit snapshotChanged(session_->snapshot());
+  if (!session_) return;
+  announced_ = session_->snapshot();
+  emit snapshotChanged(SnapshotPtr(announced_));
 }
 
 }  // namespace glissade

@@ -56,8 +56,8 @@ class SessionBridge final : public QObject {
   /// What the person at the window holds.
   const HandInputsPtr& hand() const { return hand_; }
 
-  /// Null while no scenario is open.
-  SnapshotPtr snapshot() const;
+  /// The one announced last; null while no scenario is open. Asking takes no news away from those who listen.
+  const SnapshotPtr& snapshot() const { return announced_; }
   SessionClock clock() const { return clock_; }
   /// Lockstep only: lets the session do so many planner steps.
   void advance(std::uint64_t steps);
@@ -79,6 +79,7 @@ class SessionBridge final : public QObject {
   OperatorFrame frame_;
   HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
+  SnapshotPtr announced_;
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
   bool fixed_ = false;                   ///< session_ is a FixedRun
   std::string fixedDeviceId_;
