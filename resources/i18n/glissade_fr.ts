@@ -699,6 +699,102 @@
         <source>Bring the reasons why no path was found to the front</source>
         <translation>Mettre au premier plan les raisons pour lesquelles aucun chemin n&apos;a été trouvé</translation>
     </message>
+    <message>
+        <source>&amp;New from parts...</source>
+        <translation>&amp;Nouveau à partir de pièces...</translation>
+    </message>
+    <message>
+        <source>Make a scenario of mesh or URDF files, one of which moves</source>
+        <translation>Faire un scénario de fichiers de maillage ou URDF, dont l&apos;un bouge</translation>
+    </message>
+    <message>
+        <source>&amp;Add parts...</source>
+        <translation>&amp;Ajouter des pièces...</translation>
+    </message>
+    <message>
+        <source>Put parts from mesh or URDF files into the scene</source>
+        <translation>Mettre dans la scène des pièces de fichiers de maillage ou URDF</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>Take the selected bodies out of the scene</source>
+        <translation>Retirer de la scène les corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>This part &amp;moves</source>
+        <translation>Cette pièce &amp;bouge</translation>
+    </message>
+    <message>
+        <source>The selected body becomes the object, from where it lies to &quot;out&quot;; what moved until now stays where it started</source>
+        <translation>Le corps sélectionné devient l&apos;objet, de là où il est vers « dehors » ; ce qui bougeait reste à son départ</translation>
+    </message>
+    <message>
+        <source>Arrange &amp;with the mouse</source>
+        <translation>Disposer à la so&amp;uris</translation>
+    </message>
+    <message>
+        <source>Drag bodies, start and goal in the view; Ctrl+drag turns them</source>
+        <translation>Tirer les corps, le départ et le but dans la vue ; Ctrl+tirer les tourne</translation>
+    </message>
+    <message>
+        <source>&amp;Start here</source>
+        <translation>&amp;Départ ici</translation>
+    </message>
+    <message>
+        <source>The motion starts where the object in your hand is</source>
+        <translation>Le mouvement part de là où est l&apos;objet que vous tenez</translation>
+    </message>
+    <message>
+        <source>&amp;Goal here</source>
+        <translation>&amp;But ici</translation>
+    </message>
+    <message>
+        <source>The motion ends where the object in your hand is</source>
+        <translation>Le mouvement finit là où est l&apos;objet que vous tenez</translation>
+    </message>
+    <message>
+        <source>Goal &amp;out</source>
+        <translation>But : de&amp;hors</translation>
+    </message>
+    <message>
+        <source>The motion ends anywhere clear of the other bodies</source>
+        <translation>Le mouvement finit n&apos;importe où, à l&apos;écart des autres corps</translation>
+    </message>
+    <message>
+        <source>Move the ends &amp;clear</source>
+        <translation>Dé&amp;gager les extrémités</translation>
+    </message>
+    <message>
+        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the least that is found</source>
+        <translation>Là où l&apos;objet touche ou pénètre un corps à son départ ou à son but, l&apos;écarter du moins possible</translation>
+    </message>
+    <message>
+        <source>S&amp;wap start and goal</source>
+        <translation>É&amp;changer départ et but</translation>
+    </message>
+    <message>
+        <source>Mounting instead of removing, or the other way round</source>
+        <translation>Monter au lieu de démonter, ou l&apos;inverse</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the workspace</source>
+        <translation>A&amp;juster l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>A workspace about all bodies, with room for the object to get out</source>
+        <translation>Un espace de travail autour de tous les corps, où l&apos;objet a la place de sortir</translation>
+    </message>
+    <message>
+        <source>R&amp;ules of the strategy...</source>
+        <translation>Rè&amp;gles de la stratégie...</translation>
+    </message>
+    <message>
+        <source>Read how the strategy weighs places and chooses planners, and change it</source>
+        <translation>Lire comment la stratégie pèse les lieux et choisit les planificateurs, et le changer</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -1070,6 +1166,76 @@
     <message>
         <source>Failed</source>
         <translation>Échec</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AssemblyController</name>
+    <message>
+        <source>Goal out</source>
+        <translation>But : dehors</translation>
+    </message>
+    <message>
+        <source>Fit the workspace</source>
+        <translation>Ajuster l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Swap start and goal</source>
+        <translation>Échanger départ et but</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>Remove bodies</source>
+        <translation>Retirer des corps</translation>
+    </message>
+    <message>
+        <source>%1 moves</source>
+        <translation>%1 bouge</translation>
+    </message>
+    <message>
+        <source>the start went %1 mm</source>
+        <translation>le départ s&apos;est écarté de %1 mm</translation>
+    </message>
+    <message>
+        <source>the goal went %1 mm</source>
+        <translation>le but s&apos;est écarté de %1 mm</translation>
+    </message>
+    <message>
+        <source>Start and goal are clear of all bodies.</source>
+        <translation>Le départ et le but sont à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>Clear start and goal</source>
+        <translation>Dégager départ et but</translation>
+    </message>
+    <message>
+        <source>Clear of all bodies: %1</source>
+        <translation>À l&apos;écart de tous les corps : %1</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>the goal</source>
+        <translation>le but</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AssemblyDocument</name>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>the goal</source>
+        <translation>le but</translation>
     </message>
 </context>
 <context>
@@ -1913,6 +2079,34 @@
         <source>Saving the recording</source>
         <translation>Sauvegarde de l&apos;enregistrement</translation>
     </message>
+    <message>
+        <source>This cannot be done</source>
+        <translation>Cela ne peut pas se faire</translation>
+    </message>
+    <message>
+        <source>The parts cannot be taken</source>
+        <translation>Les pièces ne peuvent pas être prises</translation>
+    </message>
+    <message>
+        <source>Change the rules</source>
+        <translation>Changer les règles</translation>
+    </message>
+    <message>
+        <source>The rules cannot be changed</source>
+        <translation>Les règles ne peuvent pas être changées</translation>
+    </message>
+    <message>
+        <source>The recording was saved</source>
+        <translation>L&apos;enregistrement est sauvé</translation>
+    </message>
+    <message>
+        <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
+        <translation>Il nomme le fichier du scénario, qui n&apos;a pas les corps tels qu&apos;ils sont ici. Enregistrez aussi le scénario : alors seulement l&apos;enregistrement pourra être rejoué.</translation>
+    </message>
+    <message>
+        <source>&amp;Assembly</source>
+        <translation>&amp;Assemblage</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>
@@ -1931,6 +2125,180 @@
     <message>
         <source>Let it set itself while planning</source>
         <translation>Laisser se régler seul pendant la planification</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PartImport</name>
+    <message>
+        <source>Reading the parts</source>
+        <translation>Lecture des pièces</translation>
+    </message>
+    <message>
+        <source>Add parts</source>
+        <translation>Ajouter des pièces</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PartsDialog</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>New scenario from parts</source>
+        <translation>Nouveau scénario à partir de pièces</translation>
+    </message>
+    <message>
+        <source>Add parts</source>
+        <translation>Ajouter des pièces</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Rôle</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Width × depth × height: shows whether the unit is right</source>
+        <translation>Largeur × profondeur × hauteur : montre si l&apos;unité est la bonne</translation>
+    </message>
+    <message>
+        <source>Add &amp;files…</source>
+        <translation>Ajouter des &amp;fichiers…</translation>
+    </message>
+    <message>
+        <source>Meshes (STL, OBJ, Collada, glTF) or URDF files</source>
+        <translation>Maillages (STL, OBJ, Collada, glTF) ou fichiers URDF</translation>
+    </message>
+    <message>
+        <source>Takes the selected rows out of the list (Del)</source>
+        <translation>Retire de la liste les lignes sélectionnées (Suppr)</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Créer</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Role of %1</source>
+        <translation>Rôle de %1</translation>
+    </message>
+    <message>
+        <source>Unit of %1</source>
+        <translation>Unité de %1</translation>
+    </message>
+    <message>
+        <source>Axis of %1 that points up</source>
+        <translation>Axe de %1 qui pointe vers le haut</translation>
+    </message>
+    <message>
+        <source>A URDF file is always in metres, with Z up</source>
+        <translation>Un fichier URDF est toujours en mètres, Z vers le haut</translation>
+    </message>
+    <message>
+        <source>What the part is in the scenario</source>
+        <translation>Ce que la pièce est dans le scénario</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bouge</translation>
+    </message>
+    <message>
+        <source>The part whose motion is looked for</source>
+        <translation>La pièce dont on cherche le mouvement</translation>
+    </message>
+    <message>
+        <source>Static</source>
+        <translation>Fixe</translation>
+    </message>
+    <message>
+        <source>Stays where it is</source>
+        <translation>Reste où elle est</translation>
+    </message>
+    <message>
+        <source>Mobile</source>
+        <translation>Mobile</translation>
+    </message>
+    <message>
+        <source>In the way, too, but somebody could move it</source>
+        <translation>Gêne aussi, mais quelqu&apos;un pourrait la déplacer</translation>
+    </message>
+    <message>
+        <source>Unit of the file; of all selected rows together</source>
+        <translation>Unité du fichier ; de toutes les lignes sélectionnées ensemble</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>The file&apos;s axis that points up; of all selected rows together</source>
+        <translation>L&apos;axe du fichier qui pointe vers le haut ; de toutes les lignes sélectionnées ensemble</translation>
+    </message>
+    <message>
+        <source>Add the files of parts</source>
+        <translation>Ajouter les fichiers de pièces</translation>
+    </message>
+    <message>
+        <source>Parts (*.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)</source>
+        <translation>Pièces (*.stl *.obj *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>illisible</translation>
+    </message>
+    <message>
+        <source>Add the files of the parts.</source>
+        <translation>Ajoutez les fichiers des pièces.</translation>
+    </message>
+    <message>
+        <source>The files are being read.</source>
+        <translation>Les fichiers sont en cours de lecture.</translation>
+    </message>
+    <message>
+        <source>Choose the part that moves.</source>
+        <translation>Choisissez la pièce qui bouge.</translation>
+    </message>
+    <message>
+        <source>Select several rows to choose their unit or axis together.</source>
+        <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur unité ou leur axe.</translation>
     </message>
 </context>
 <context>
@@ -1974,6 +2342,29 @@
     <message>
         <source>%1 of %2 edges slide</source>
         <translation>%1 segments sur %2 glissent</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PlacementPanel</name>
+    <message>
+        <source>Along the world&apos;s axis %1, in millimetres</source>
+        <translation>Le long de l&apos;axe %1 du monde, en millimètres</translation>
+    </message>
+    <message>
+        <source>Turned about the world&apos;s axis %1, in degrees: first X, then Y, then Z</source>
+        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés : d&apos;abord X, puis Y, puis Z</translation>
+    </message>
+    <message>
+        <source>Placement: select one body, start or goal</source>
+        <translation>Position : choisir un corps, départ ou but</translation>
+    </message>
+    <message>
+        <source>Placement, mm and °</source>
+        <translation>Position, mm et °</translation>
+    </message>
+    <message>
+        <source>Placement of %1, mm and °</source>
+        <translation>Position de %1, mm et °</translation>
     </message>
 </context>
 <context>
@@ -2114,6 +2505,113 @@
     <message>
         <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
         <translation>La réponse (vers le haut) au débattement du périphérique (en travers) ; le point indique la position actuelle</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::RulesDialog</name>
+    <message>
+        <source>f: what a border costs where places a and b meet. Known: %1</source>
+        <translation>f : ce que coûte une frontière où les lieux a et b se rencontrent. Connus : %1</translation>
+    </message>
+    <message>
+        <source>g: what a way across a place costs. Known: %1</source>
+        <translation>g : ce que coûte un trajet à travers un lieu. Connus : %1</translation>
+    </message>
+    <message>
+        <source>When a step fails, try the &amp;next best way</source>
+        <translation>Quand une étape échoue, essayer le &amp;meilleur trajet suivant</translation>
+    </message>
+    <message>
+        <source>&amp;Cross passages as the object fits best</source>
+        <translation>Traverser les &amp;passages comme l&apos;objet y entre le mieux</translation>
+    </message>
+    <message>
+        <source>Rules of the strategy</source>
+        <translation>Règles de la stratégie</translation>
+    </message>
+    <message>
+        <source>&amp;Borders: f =</source>
+        <translation>&amp;Frontières : f =</translation>
+    </message>
+    <message>
+        <source>&amp;Ways: g =</source>
+        <translation>&amp;Trajets : g =</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attributs</translation>
+    </message>
+    <message>
+        <source>&amp;Planners: the first row that holds decides; the last must always hold (1).</source>
+        <translation>P&amp;lanificateurs : la première ligne vraie décide ; la dernière doit l&apos;être toujours (1).</translation>
+    </message>
+    <message>
+        <source>&amp;Use as own rules</source>
+        <translation>&amp;Utiliser comme règles propres</translation>
+    </message>
+    <message>
+        <source>Own rules</source>
+        <translation>Règles propres</translation>
+    </message>
+    <message>
+        <source>Read a strategy of the paper, or ours, and begin with it</source>
+        <translation>Lire une stratégie de l&apos;article, ou la nôtre, et en partir</translation>
+    </message>
+    <message>
+        <source>Be&amp;gin with</source>
+        <translation>&amp;Partir de</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>In a region</source>
+        <translation>Dans une région</translation>
+    </message>
+    <message>
+        <source>Local planner</source>
+        <translation>Planificateur local</translation>
+    </message>
+    <message>
+        <source>The geometrical planner first finds cells that the local planner stays in</source>
+        <translation>Le planificateur géométrique trouve d&apos;abord des cellules où reste le planificateur local</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>A rule before the current one</source>
+        <translation>Une règle avant la règle courante</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>The current rule</source>
+        <translation>La règle courante</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>Mon&amp;ter</translation>
+    </message>
+    <message>
+        <source>The current rule is asked earlier</source>
+        <translation>La règle courante est demandée plus tôt</translation>
+    </message>
+    <message>
+        <source>&amp;Down</source>
+        <translation>Des&amp;cendre</translation>
+    </message>
+    <message>
+        <source>The current rule is asked later</source>
+        <translation>La règle courante est demandée plus tard</translation>
+    </message>
+    <message>
+        <source>of places (place., a., b.): %1; of the object (object.): %2</source>
+        <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
     </message>
 </context>
 <context>
