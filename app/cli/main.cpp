@@ -11,6 +11,7 @@
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/new_command.h"
 #include "app/cli/plan_command.h"
 #include "app/cli/replay_command.h"
 #include "app/cli/smooth_command.h"
@@ -137,6 +138,24 @@ CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   return convert;
 }
 
+CLI::App* addNew(CLI::App& app, NewOptions& options) {
+  CLI::App* make = app.add_subcommand("new", "A scenario of part files (meshes, URDF), one of which is to come out");
+  make->add_option("OUT", options.output, "Scenario file to write")->required();
+  make->add_option("--moves", options.moving, "The part that moves")->required();
+  make->add_option("--static", options.statics, "Parts that stay where they are");
+  make->add_option("--mobile", options.mobiles, "Parts that somebody could move");
+  addLength(
+      *make, "--unit", [&options](double unit) { options.unit = unit; },
+      "A unit of the files, as 1mm or 1m (default: 1m for Collada and glTF, 1mm for other meshes)");
+  const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
+  make->add_option_function<std::string>(
+          "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
+          "The files' axis that points up (default: y for Collada and glTF, z for other meshes)")
+      ->check(CLI::IsMember(axes));
+  make->add_flag("--clear", options.clear, "Move the start clear of what it touches, and say how far");
+  return make;
+}
+
 CLI::App* addStudy(CLI::App& app, StudyOptions& options) {
   CLI::App* study = app.add_subcommand("study", "Repeat runs over scenarios, strategies, parameters and seeds");
   study->add_option("STUDY", options.study, "Study file (samples/studies)")->required();
@@ -191,6 +210,7 @@ int run(int argc, char** argv) {
   ReplayOptions replay;
   InfoOptions info;
   ConvertOptions convert;
+  NewOptions fresh;
   StudyOptions study;
   MergeOptions merge;
   ReportOptions report;
@@ -205,6 +225,7 @@ int run(int argc, char** argv) {
   const CLI::App* reportCommand = addReport(app, report);
   const CLI::App* benchmarkCommand = addBenchmarkPage(app, benchmarks);
   addConvert(app, convert);
+  const CLI::App* newCommand = addNew(app, fresh);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -219,6 +240,7 @@ int run(int argc, char** argv) {
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);
   if (benchmarkCommand->parsed()) return runBenchmarkPage(benchmarks);
+  if (newCommand->parsed()) return runNew(fresh);
   return runConvert(convert);
 }
 

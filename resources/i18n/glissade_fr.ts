@@ -2234,7 +2234,7 @@
     </message>
     <message>
         <source>Static</source>
-        <translation>Fixe</translation>
+        <translation>Statique</translation>
     </message>
     <message>
         <source>Stays where it is</source>

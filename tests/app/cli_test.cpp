@@ -12,6 +12,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/engine/support/part_fixture.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -316,6 +318,22 @@ TEST_F(Cli, ConvertsPathsBackAndForth) {
   ASSERT_EQ(run("convert " + json + " " + back).exitCode, 0);
   EXPECT_EQ(read(back), read(ompl));
   EXPECT_EQ(run("convert " + ompl + " " + csv).exitCode, 2) << "a CSV holds clearances: it needs the scenario";
+}
+
+TEST_F(Cli, MakesAScenarioOfPartsAndTakesOneOut) {
+  const glissade::test::TrayProduct product;
+  const std::string made = (folder / "tray.json").string();
+  const std::string block = product.writeBlock("resting.obj", {0.0, 0.0, -7.5});  // on the tray's floor
+  const std::string parts = " --moves " + block + " --static " + product.tray;
+  ASSERT_EQ(run("new " + made + parts).exitCode, 0);
+  EXPECT_EQ(run("plan " + made).exitCode, 4) << "they touch";
+  const Finished clear = run("new " + made + parts + " --clear");
+  ASSERT_EQ(clear.exitCode, 0) << clear.err;
+  EXPECT_NE(clear.out.find("start moved clear by"), std::string::npos) << clear.out;
+  EXPECT_EQ(run("plan " + made).exitCode, 0);
+  EXPECT_EQ(run("new " + made + " --moves gone.stl").exitCode, 3);
+  EXPECT_EQ(run("new " + made).exitCode, 2);
+  EXPECT_EQ(run("new " + made + parts + " --up x").exitCode, 2);
 }
 
 TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {

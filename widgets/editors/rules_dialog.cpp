@@ -103,6 +103,7 @@ void RulesDialog::setUpFine() {
   fine_->horizontalHeader()->setSectionResizeMode(kLocal, QHeaderView::ResizeToContents);
   fine_->verticalHeader()->hide();
   fine_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  fine_->setSelectionMode(QAbstractItemView::SingleSelection);
   fine_->setTabKeyNavigation(false);
   connect(fine_, &QTableWidget::itemChanged, this, &RulesDialog::check);
 }

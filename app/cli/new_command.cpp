@@ -1,0 +1,63 @@
+#include "app/cli/new_command.h"
+
+#include <iostream>
+
+#include "engine/planning/automatic/freeing.h"
+#include "engine/scenario/asset_path.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade::cli {
+namespace {
+
+std::vector<PartFile> partsOf(const NewOptions& options) {
+  std::vector<PartFile> parts;
+  const auto add = [&](const std::string& file, PartRole role) {
+    PartFile part = usualPart(file);
+    part.role = role;
+    if (!isUrdfFile(file)) {
+      part.unit = options.unit.value_or(part.unit);
+      part.up = options.up.value_or(part.up);
+    }
+    parts.push_back(part);
+  };
+  add(options.moving, PartRole::Moves);
+  for (const std::string& file : options.statics) add(file, PartRole::Static);
+  for (const std::string& file : options.mobiles) add(file, PartRole::Mobile);
+  return parts;
+}
+
+/// Millimetres that the start has gone; nothing where it cannot be moved clear.
+std::optional<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
+  const Pose& start = loaded.problem.start;
+  const auto clear = freed(loaded.problem.world, start, 2.0 * loaded.parameters[ParameterId::RequiredClearance]);
+  if (!clear) return std::nullopt;
+  scenario.start = *clear;
+  return 1000.0 * (clear->position - start.position).norm();
+}
+
+}  // namespace
+
+int runNew(const NewOptions& options) {
+  GeometryCache read;
+  auto scenario = scenarioOfParts(partsOf(options), &read);
+  if (!scenario) return reportError(scenario.error(), options.format);
+  const auto loaded = realiseScenario(*scenario, ".", "", read);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  if (options.clear) {
+    const auto gone = clearStart(*loaded, *scenario);
+    if (!gone) {
+      return reportError(
+          {ErrorKind::InCollision, options.moving, "start", "there is no free place near by: the parts overlap too far",
+           "Check the parts and their unit."},
+          options.format);
+    }
+    if (*gone > 0.0) std::cout << "start moved clear by " << *gone << " mm\n";
+  }
+  const Outcome saved = saveScenario(movedTo(options.output, std::move(*scenario), ""), options.output);
+  if (!saved) return reportError(saved.error(), options.format);
+  std::cout << "wrote " << options.output << "\n";
+  return 0;
+}
+
+}  // namespace glissade::cli

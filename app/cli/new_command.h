@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/report.h"
+#include "engine/scenario/part_files.h"
+
+namespace glissade::cli {
+
+struct NewOptions {
+  std::string output;
+  std::string moving;
+  std::vector<std::string> statics;
+  std::vector<std::string> mobiles;
+  std::optional<double> unit;  ///< metres per unit of the files; none: as files of their kind usually are
+  std::optional<UpAxis> up;
+  bool clear = false;  ///< move the start clear of what it touches
+  Format format = Format::Text;
+};
+
+/// glissade-cli new: a scenario of part files, one of which is to come out.
+int runNew(const NewOptions& options);
+
+}  // namespace glissade::cli
