@@ -79,7 +79,7 @@ TEST_F(SemanticDocumentTest, AttributesOfOnesOwnAreAddedRenamedAndRemovedWithThe
   ASSERT_TRUE(document.renameDefinition(AttributeOwner::Place, "hot", "very_hot").ok());
   EXPECT_EQ(document.semantics()->ofPlace(0, "very_hot").value, AttributeValue(true));
   EXPECT_FALSE(document.renameDefinition(AttributeOwner::Place, "very_hot", "complexity").ok());
-  document.removeDefinition(AttributeOwner::Place, "very_hot");
+  ASSERT_TRUE(document.removeDefinition(AttributeOwner::Place, "very_hot").ok());
   EXPECT_EQ(document.table().find(AttributeOwner::Place, "very_hot"), nullptr);
   document.undoStack().undo();
   EXPECT_EQ(document.semantics()->ofPlace(0, "very_hot").value, AttributeValue(true));

@@ -108,7 +108,8 @@ void SemanticsPanel::renameAttribute() {
 }
 
 void SemanticsPanel::removeAttribute() {
-  document_.removeDefinition(attributes_->owner(), attributes_->currentAttribute());
+  const Outcome removed = document_.removeDefinition(attributes_->owner(), attributes_->currentAttribute());
+  if (!removed) showRefusal(removed.error());
 }
 
 }  // namespace glissade

@@ -3,6 +3,9 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "engine/environment/edit_binding.h"
+#include "engine/planning/planner.h"
+
 namespace glissade {
 
 /// The edits before and after, as values. Commands with the same merge key become one.
@@ -194,6 +197,20 @@ void forEachOwner(SemanticEdits& edits, AttributeOwner owner, Change&& change) {
 
 }  // namespace
 
+/// Refuses definitions that clash, or lack an attribute that a rule uses.
+Outcome SemanticDocument::checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const {
+  const auto table = attributeTableOf(edits);
+  if (!table) return table.error();
+  const auto& rules = scenario_->scenario.rules;
+  if (!rules) return Done{};
+  const auto parsed = parseRules(*rules, *table, idsOf(makeLocalPlannerRegistry()));
+  if (parsed) return Done{};
+  const std::string& rule = parsed.error().place;
+  return Diagnostic{ErrorKind::Usage, "", rule,
+                    "the scenario's rule " + rule + " uses the attribute '" + attribute + "'",
+                    "Change the rule first."};
+}
+
 Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to) {
   SemanticEdits after = edits_;
   for (AttributeDefinition& definition : after.definitions) {
@@ -201,8 +218,8 @@ Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::stri
     definition.name = to;
     definition.label = to;
   }
-  const auto table = attributeTableOf(after);
-  if (!table) return table.error();
+  const Outcome sound = checkDefinitions(after, from);
+  if (!sound) return sound;
   forEachOwner(after, owner, [&](Attributes& attributes) {
     const auto old = attributes.extract(from);
     if (!old.empty()) attributes[to] = old.mapped();
@@ -211,15 +228,18 @@ Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::stri
   return Done{};
 }
 
-void SemanticDocument::removeDefinition(AttributeOwner owner, const std::string& name) {
+Outcome SemanticDocument::removeDefinition(AttributeOwner owner, const std::string& name) {
   SemanticEdits after = edits_;
   after.definitions.erase(std::remove_if(after.definitions.begin(), after.definitions.end(),
                                          [&](const AttributeDefinition& definition) {
                                            return definition.owner == owner && definition.name == name;
                                          }),
                           after.definitions.end());
+  const Outcome sound = checkDefinitions(after, name);
+  if (!sound) return sound;
   forEachOwner(after, owner, [&](Attributes& attributes) { attributes.erase(name); });
   push(tr("Remove attribute %1").arg(QString::fromStdString(name)), after);
+  return Done{};
 }
 
 void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {

@@ -52,8 +52,9 @@ class SemanticDocument final : public QObject {
                        const std::optional<AttributeValue>& value);
   Outcome renamePlace(int place, const QString& name);
   Outcome addDefinition(const AttributeDefinition& definition);
+  /// Both refuse where a rule of the scenario uses the attribute.
   Outcome renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to);
-  void removeDefinition(AttributeOwner owner, const std::string& name);
+  Outcome removeDefinition(AttributeOwner owner, const std::string& name);
   /// Puts a milestone into a border, or (nothing) takes the user's away.
   void setMilestone(int border, const std::optional<Pose>& q);
 
@@ -70,6 +71,7 @@ class SemanticDocument final : public QObject {
   void apply(const SemanticEdits& edits);
   void takeBodies(const std::shared_ptr<const LoadedScenario>& scenario);
   PlaceEdit& editOf(SemanticEdits& edits, int place) const;
+  Outcome checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const;
 
   std::vector<RigidBody> bodies_;
   std::string objectId_;
