@@ -91,10 +91,10 @@ void SemanticsPanel::showRefusal(const Diagnostic& why) {
 }
 
 void SemanticsPanel::addAttribute() {
-  AttributeDialog dialog(attributes_->owner(), this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  const Outcome added = document_.addDefinition(dialog.definition());
-  if (!added) showRefusal(added.error());
+  AttributeDialog dialog(
+      attributes_->owner(),
+      [this](const AttributeDefinition& definition) { return document_.addDefinition(definition); }, this);
+  dialog.exec();
 }
 
 void SemanticsPanel::renameAttribute() {
