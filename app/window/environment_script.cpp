@@ -92,7 +92,8 @@ Outcome EnvironmentScript::setAttribute(const std::string& name, const std::stri
   SemanticDocument& document = window_.environment().document();
   if (document.selection() == SemanticSelection{})
     return usage("nothing is selected", "Select a place or a body first.");
-  return document.setAttribute(document.selection(), name,
+  document.endGesture();
+  return document.setAttribute(document.selection().shown(), name,
                                value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
 }
 
@@ -113,15 +114,14 @@ Outcome EnvironmentScript::expectAttribute(const std::string& name, const std::s
     if (toText(found.value) == value) return Done{};
     return unmet("'" + name + "' is " + toText(found.value) + ", not " + value);
   };
-  const bool ofPlaces = !document.selection().places.isEmpty();
-  const AttributeOwner owner = ofPlaces ? AttributeOwner::Place : AttributeOwner::Body;
+  const SemanticSelection shown = document.selection().shown();
+  const AttributeOwner owner = shown.owner();
   if (document.table().find(owner, name) == nullptr) return usage("there is no attribute '" + name + "'");
-  for (const int place : document.selection().places) {
+  for (const int place : shown.places) {
     const Outcome met = check(document.semantics()->ofPlace(static_cast<std::size_t>(place), name));
     if (!met) return met;
   }
-  if (ofPlaces) return Done{};
-  for (const QString& body : document.selection().bodies) {
+  for (const QString& body : shown.bodies) {
     const Outcome met = check(document.bodyValue(body, name));
     if (!met) return met;
   }

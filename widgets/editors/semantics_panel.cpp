@@ -21,6 +21,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       tree_(new SemanticsTree(document, this)),
       attributes_(new AttributeView(document, this)),
       refusal_(new QLabel(this)) {
+  setFocusProxy(tree_);
   filter_->setPlaceholderText(tr("Filter by name or value"));
   filter_->setClearButtonEnabled(true);
   const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();

@@ -18,7 +18,10 @@ class ChangeSemantics final : public QUndoCommand {
         after_(std::move(after)),
         mergeKey_(std::move(mergeKey)) {}
 
-  void undo() override { document_.apply(before_); }
+  void undo() override {
+    document_.endGesture();
+    document_.apply(before_);
+  }
   void redo() override { document_.apply(after_); }
   int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
   bool mergeWith(const QUndoCommand* next) override {
@@ -130,7 +133,7 @@ Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const s
     if (sound) attributes[attribute] = *value;
     return sound;
   };
-  QString key = QString::fromStdString(attribute);
+  QString key = QStringLiteral("%1 %2").arg(gesture_).arg(QString::fromStdString(attribute));
   QList<int> places = targets.places.values();
   std::sort(places.begin(), places.end());
   for (const int place : places) {

@@ -15,6 +15,21 @@ struct SemanticSelection {
   QSet<int> places;      ///< numbers of places
   QSet<QString> bodies;  ///< ids
 
+  /// Whose attributes are shown and edited: the places', where there are any.
+  AttributeOwner owner() const {
+    return places.isEmpty() && !bodies.isEmpty() ? AttributeOwner::Body : AttributeOwner::Place;
+  }
+  /// The part of it that is shown and edited.
+  SemanticSelection shown() const {
+    SemanticSelection part;
+    if (owner() == AttributeOwner::Place) {
+      part.places = places;
+    } else {
+      part.bodies = bodies;
+    }
+    return part;
+  }
+
   friend bool operator==(const SemanticSelection& a, const SemanticSelection& b) {
     return a.places == b.places && a.bodies == b.bodies;
   }
@@ -22,7 +37,7 @@ struct SemanticSelection {
 
 /// The semantic attributes of one open scenario: what was computed, the user's edits over it, and the
 /// selection. Every edit is an undoable command that holds the edits before and after it (a few
-/// hundred bytes); edits of one drag or of one spin box are merged into a single command.
+/// hundred bytes); edits of one gesture (a drag, the spinning of one box) are merged into a single command.
 class SemanticDocument final : public QObject {
   Q_OBJECT
 
@@ -50,6 +65,8 @@ class SemanticDocument final : public QObject {
   /// Refuses a value of the wrong type or out of range. `text` names the command.
   Outcome setAttribute(const SemanticSelection& targets, const std::string& attribute,
                        const std::optional<AttributeValue>& value);
+  /// What is set from now on is a step of its own to undo.
+  void endGesture() { ++gesture_; }
   Outcome renamePlace(int place, const QString& name);
   Outcome addDefinition(const AttributeDefinition& definition);
   /// Both refuse where a rule of the scenario uses the attribute.
@@ -82,6 +99,7 @@ class SemanticDocument final : public QObject {
   std::optional<SemanticModel> semantics_;
   SemanticSelection selection_;
   QUndoStack undo_;
+  int gesture_ = 0;
 };
 
 }  // namespace glissade
