@@ -32,6 +32,7 @@ std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command)
   if (command.name == "click" || command.name == "drag") return press(words);
   if (command.name == "show-body") return showBody(words[0], words[1]);
   if (command.name == "attribute") return setAttribute(words[0], words[1]);
+  if (command.name == "type") return type(words[0], words[1]);
   if (command.name == "define") return define(words[0], words[1], words[2]);
   if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
   if (command.name == "expect-way") return expectWay(words[0]);
@@ -95,6 +96,19 @@ Outcome EnvironmentScript::setAttribute(const std::string& name, const std::stri
   document.endGesture();
   return document.setAttribute(document.selection().shown(), name,
                                value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
+}
+
+/// Key by key, and not committed.
+Outcome EnvironmentScript::type(const std::string& name, const std::string& text) {
+  const QString id = QString::fromStdString("attribute-" + name);
+  auto* editor = window_.environment().semanticsPanel()->findChild<QWidget*>(id);
+  if (editor == nullptr) return usage("there is no editor of '" + name + "'", "Select a place or a body first.");
+  editor->setFocus(Qt::TabFocusReason);
+  for (const QChar key : QString::fromStdString(text)) {
+    QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, key);
+    QApplication::sendEvent(editor, &event);
+  }
+  return Done{};
 }
 
 Outcome EnvironmentScript::define(const std::string& name, const std::string& type, const std::string& owner) {
