@@ -55,6 +55,8 @@ class SemanticDocument final : public QObject {
   const SemanticEdits& edits() const { return edits_; }
   /// Null until the environment model is there.
   const SemanticModel* semantics() const { return semantics_ ? &*semantics_ : nullptr; }
+  /// Which edits count nowhere, or not as they are meant; empty until the environment model is there.
+  const Warnings& warnings() const { return warnings_; }
   const std::vector<RigidBody>& bodies() const { return bodies_; }
   /// The attributes that there are, also before the environment model is there.
   const AttributeTable& table() const { return table_; }
@@ -97,6 +99,7 @@ class SemanticDocument final : public QObject {
   SemanticEdits edits_;
   AttributeTable table_;
   std::optional<SemanticModel> semantics_;
+  Warnings warnings_;
   SemanticSelection selection_;
   QUndoStack undo_;
   int gesture_ = 0;
