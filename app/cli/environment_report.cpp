@@ -4,6 +4,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/report.h"
+#include "engine/environment/edit_binding.h"
+
 namespace glissade::cli {
 namespace {
 
@@ -88,6 +91,12 @@ Json toJson(const SceneKnowledge& knowledge, const SemanticModel& semantics) {
                                  {"opening_m2", border.opening}});
   }
   return report;
+}
+
+void warnOfEdits(const LoadedScenario& scenario, const SceneKnowledge& knowledge) {
+  Warnings warnings = editWarnings(knowledge.environment->map, semanticEditsOf(scenario.scenario));
+  for (Diagnostic& warning : warnings) warning.file = scenario.file;
+  reportWarnings(warnings);
 }
 
 }  // namespace glissade::cli

@@ -3,11 +3,14 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/scenario/scenario.h"
 
 namespace glissade::cli {
 
 /// Octree, places and borders, for people and for programs.
 void printEnvironment(const SceneKnowledge& knowledge, const SemanticModel& semantics);
 nlohmann::ordered_json toJson(const SceneKnowledge& knowledge, const SemanticModel& semantics);
+/// To stderr, which edits of places and milestones count nowhere, or not as they are meant.
+void warnOfEdits(const LoadedScenario& scenario, const SceneKnowledge& knowledge);
 
 }  // namespace glissade::cli

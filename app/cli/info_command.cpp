@@ -83,6 +83,7 @@ int runInfo(const InfoOptions& options) {
     const auto built = buildSceneKnowledge(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);
     if (!built) return reportError(built.error(), options.format);
     knowledge = *built;
+    warnOfEdits(*loaded, *knowledge);
   }
   if (options.format == Format::Text) {
     printText(*loaded);

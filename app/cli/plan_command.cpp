@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_setup.h"
@@ -25,6 +26,13 @@ SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt)
   return session.snapshot();
 }
 
+/// The planner makes an environment model of its own, or none: its counts must not depend on what is asked here.
+void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
+  if (loaded.scenario.places.empty() && loaded.scenario.milestones.empty()) return;
+  const auto knowledge = buildSceneKnowledge(loaded.problem, loaded.parameters[ParameterId::RequiredClearance], stop);
+  if (knowledge) warnOfEdits(loaded, **knowledge);
+}
+
 }  // namespace
 
 int runPlan(const PlanOptions& options) {
@@ -35,6 +43,7 @@ int runPlan(const PlanOptions& options) {
   if (options.collision != loaded->problem.world->backend()) {
     loaded->problem.world = loaded->problem.world->withBackend(options.collision);
   }
+  checkEdits(*loaded, interrupt.token());
   const auto session = setUpRun(options, *loaded, interrupt.token());
   if (!session) return reportError(session.error(), options.format);
   if (options.format == Format::Text) std::cout << "seed " << (*session)->snapshot()->seed << "\n";

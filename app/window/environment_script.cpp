@@ -32,6 +32,7 @@ std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command)
   if (command.name == "click" || command.name == "drag") return press(words);
   if (command.name == "show-body") return showBody(words[0], words[1]);
   if (command.name == "attribute") return setAttribute(words[0], words[1]);
+  if (command.name == "type") return type(words[0], words[1]);
   if (command.name == "define") return define(words[0], words[1], words[2]);
   if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
   if (command.name == "expect-way") return expectWay(words[0]);
@@ -92,8 +93,22 @@ Outcome EnvironmentScript::setAttribute(const std::string& name, const std::stri
   SemanticDocument& document = window_.environment().document();
   if (document.selection() == SemanticSelection{})
     return usage("nothing is selected", "Select a place or a body first.");
-  return document.setAttribute(document.selection(), name,
+  document.endGesture();
+  return document.setAttribute(document.selection().shown(), name,
                                value == "-" ? std::nullopt : std::optional<AttributeValue>(valueOf(value)));
+}
+
+/// Key by key, and not committed.
+Outcome EnvironmentScript::type(const std::string& name, const std::string& text) {
+  const QString id = QString::fromStdString("attribute-" + name);
+  auto* editor = window_.environment().semanticsPanel()->findChild<QWidget*>(id);
+  if (editor == nullptr) return usage("there is no editor of '" + name + "'", "Select a place or a body first.");
+  editor->setFocus(Qt::TabFocusReason);
+  for (const QChar key : QString::fromStdString(text)) {
+    QKeyEvent event(QEvent::KeyPress, 0, Qt::NoModifier, key);
+    QApplication::sendEvent(editor, &event);
+  }
+  return Done{};
 }
 
 Outcome EnvironmentScript::define(const std::string& name, const std::string& type, const std::string& owner) {
@@ -113,15 +128,14 @@ Outcome EnvironmentScript::expectAttribute(const std::string& name, const std::s
     if (toText(found.value) == value) return Done{};
     return unmet("'" + name + "' is " + toText(found.value) + ", not " + value);
   };
-  const bool ofPlaces = !document.selection().places.isEmpty();
-  const AttributeOwner owner = ofPlaces ? AttributeOwner::Place : AttributeOwner::Body;
+  const SemanticSelection shown = document.selection().shown();
+  const AttributeOwner owner = shown.owner();
   if (document.table().find(owner, name) == nullptr) return usage("there is no attribute '" + name + "'");
-  for (const int place : document.selection().places) {
+  for (const int place : shown.places) {
     const Outcome met = check(document.semantics()->ofPlace(static_cast<std::size_t>(place), name));
     if (!met) return met;
   }
-  if (ofPlaces) return Done{};
-  for (const QString& body : document.selection().bodies) {
+  for (const QString& body : shown.bodies) {
     const Outcome met = check(document.bodyValue(body, name));
     if (!met) return met;
   }

@@ -20,6 +20,7 @@ class EnvironmentScript {
   Outcome showBody(const std::string& id, const std::string& visible);
   Outcome press(const std::vector<std::string>& pixels);
   Outcome setAttribute(const std::string& name, const std::string& value);
+  Outcome type(const std::string& name, const std::string& text);
   Outcome define(const std::string& name, const std::string& type, const std::string& owner);
   Outcome expectAttribute(const std::string& name, const std::string& value);
   Outcome expectWay(const std::string& names);

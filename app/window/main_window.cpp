@@ -16,6 +16,7 @@
 #include "app/window/body_visibility.h"
 #include "app/window/device_controller.h"
 #include "app/window/difficulty_controller.h"
+#include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
@@ -46,6 +47,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
       welcome_(new QLabel(this)) {
   setWindowTitle(QStringLiteral("Glissade"));
   setAcceptDrops(true);
+  commitBefore(*actions_);
   setDockNestingEnabled(true);
   setCentralWidget(scene_->widget());
   scene_->widget()->setMinimumSize(320, 240);
@@ -437,6 +439,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  commitEditorInUse();
   event->setAccepted(mayDiscard());
   if (event->isAccepted() && memory_) memory_->saveLayout(*this);
 }

@@ -21,9 +21,10 @@ void MainWindow::addPanel(const QString& title, const char* id, QWidget* content
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(QLatin1String(id));
   if (action[0] != '\0') {
-    connect((*actions_)[QLatin1String(action)], &QAction::triggered, dock, [dock] {
+    connect((*actions_)[QLatin1String(action)], &QAction::triggered, dock, [dock, content] {
       dock->show();
       dock->raise();
+      if (content->focusProxy() != nullptr) content->setFocus(Qt::ShortcutFocusReason);
     });
   }
   if (scrolling == Scrolling::Own) {

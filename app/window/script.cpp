@@ -24,6 +24,7 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"click", 2},
                                                          {"drag", 4},
                                                          {"attribute", 2},
+                                                         {"type", 2},
                                                          {"define", 3},
                                                          {"expect-attribute", 2},
                                                          {"expect-way", 1},

@@ -45,6 +45,7 @@ struct ScriptCommand {
 ///   click X Y                   the left button over the 3D view, in pixels
 ///   drag X Y TO_X TO_Y          the left button held from one pixel of the 3D view to another
 ///   attribute NAME VALUE        on what is selected: yes, no, a number or a text; "-" resets it
+///   type NAME TEXT              into the editor of that attribute, without Enter
 ///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
 ///   expect-attribute NAME VALUE what is selected has this value
 ///   expect-way NAMES            the places that the coarse path leads through: P1,P6,P2

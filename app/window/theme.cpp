@@ -55,11 +55,15 @@ QString styleSheetFrom(const Tones& tones) {
              "QStatusBar::item { border: none; }"
              "QStatusBar QToolButton { padding: 0px 6px; }"
              "QTreeWidget { border: none; }"
+             "#attributes { background: %1; }"  // as behind other editors: on their own colour they have no edge
              "QLabel#authority { font-weight: 600; }"
-             "#calibration QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid %5; border-radius: 2px; "
-             "}"
-             "#calibration QCheckBox::indicator:focus { border: 2px solid %4; }"
-             "#calibration QCheckBox::indicator:checked { background: %4; border-color: %4; }")
+             "#calibration QCheckBox::indicator, #attributes QCheckBox::indicator { width: 13px; height: 13px; "
+             "border: 1px solid %5; border-radius: 2px; }"
+             "#calibration QCheckBox::indicator:focus, #attributes QCheckBox::indicator:focus "
+             "{ border: 2px solid %4; }"
+             "#calibration QCheckBox::indicator:checked, #attributes QCheckBox::indicator:checked "
+             "{ background: %4; border-color: %4; }"
+             "#attributes QCheckBox::indicator:indeterminate { background: %5; }")
       .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());
 }
 

@@ -150,6 +150,14 @@ Outcome AttributeTable::add(AttributeDefinition definition) {
   if (definition.type == AttributeType::Choice && definition.choices.empty()) {
     return refusal("the attribute '" + definition.name + "' has no choices", "Give at least one.");
   }
+  for (auto choice = definition.choices.begin(); choice != definition.choices.end(); ++choice) {
+    if (choice->empty()) {
+      return refusal("the attribute '" + definition.name + "' has a choice without a name", "Remove it.");
+    }
+    if (std::find(definition.choices.begin(), choice, *choice) != choice) {
+      return refusal("the attribute '" + definition.name + "' has the choice '" + *choice + "' twice", "Remove one.");
+    }
+  }
   if (definition.minimum > definition.maximum) {
     return refusal("the attribute '" + definition.name + "' has a minimum above its maximum", "Swap them.");
   }

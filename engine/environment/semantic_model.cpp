@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/environment/edit_binding.h"
+
 namespace glissade {
 
 SemanticModel::SemanticModel(EnvironmentModelPtr environment, const std::vector<RigidBody>& bodies,
@@ -24,7 +26,7 @@ SemanticModel::SemanticModel(EnvironmentModelPtr environment, const std::vector<
   }
   bodies_[objectId_].computed["mobility"] = std::string("mobile");
   for (std::size_t i = 0; i < edits.places.size(); ++i) {
-    const int place = map.placeAt(edits.places[i].at);
+    const int place = boundPlace(map, edits.places[i].at);
     if (place == kNoPlace) {
       stray_.push_back(i);
       continue;

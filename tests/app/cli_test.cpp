@@ -306,6 +306,20 @@ TEST_F(Cli, InfoTellsWhatIsThere) {
   EXPECT_NEAR(report["object"]["radius_m"].get<double>(), 1.536, 0.001);
 }
 
+TEST_F(Cli, AnEditOfNoPlaceIsWarnedOfAndChangesNothingElse) {
+  const std::string edited = scenario([](Json& json) {
+    json["places"] = {{{"at", {5, 5, 5}}, {"attributes", {{"forbidden", true}}}}};
+    json["milestones"] = {{{"at", {9, 9, 9}}, {"pose", json["goal"]}}};
+  });
+  for (const std::string& command : {"info --places " + edited, "plan " + edited}) {
+    const Finished run = this->run(command);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_NE(run.err.find("warning: " + edited + ": /places/0: lies in no place"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("warning: " + edited + ": /milestones/0: lies in no border"), std::string::npos) << run.err;
+  }
+  EXPECT_EQ(run("info --places " + sample("teaching")).err, "");
+}
+
 TEST_F(Cli, ConvertsPathsBackAndForth) {
   const std::string file = scenario([](Json&) {});
   const std::string csv = (folder / "a.csv").string();

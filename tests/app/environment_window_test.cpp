@@ -68,6 +68,21 @@ TEST_F(EnvironmentWindow, AttributesOfOnesOwnAreKeptAndBadValuesRefused) {
       << refused.errors.toStdString();
 }
 
+TEST_F(EnvironmentWindow, AnEditStaysWhereABodyIsSetStaticOnItsPlace) {
+  expectGood(run(QStringLiteral("teaching"), QStringLiteral("select place P3\nattribute forbidden yes\n"
+                                                            "select body O5\nattribute mobility static\n"
+                                                            "select place P5\nexpect-attribute forbidden yes\n")));
+}
+
+TEST_F(EnvironmentWindow, WhatIsTypedIsSavedAndUndoneWithoutEnter) {
+  const QString scenario = copyOf(QStringLiteral("teaching"), QStringLiteral("scenario.json"));
+  expectGood(run(scenario, QStringLiteral("select place P3\ntype shape round\naction file.save\nopen %1\n"
+                                          "select place P3\nexpect-attribute shape round\n"
+                                          "attribute forbidden yes\ntype shape er\naction edit.undo\n"
+                                          "expect-attribute shape round\nexpect-attribute forbidden yes\n")
+                               .arg(scenario)));
+}
+
 TEST_F(EnvironmentWindow, ABodyThatIsHiddenIsNotDrawnAndComesBack) {
   const QString all = folder.filePath(QStringLiteral("all.png"));
   const QString fewer = folder.filePath(QStringLiteral("fewer.png"));

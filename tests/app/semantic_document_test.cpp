@@ -79,10 +79,83 @@ TEST_F(SemanticDocumentTest, AttributesOfOnesOwnAreAddedRenamedAndRemovedWithThe
   ASSERT_TRUE(document.renameDefinition(AttributeOwner::Place, "hot", "very_hot").ok());
   EXPECT_EQ(document.semantics()->ofPlace(0, "very_hot").value, AttributeValue(true));
   EXPECT_FALSE(document.renameDefinition(AttributeOwner::Place, "very_hot", "complexity").ok());
-  document.removeDefinition(AttributeOwner::Place, "very_hot");
+  ASSERT_TRUE(document.removeDefinition(AttributeOwner::Place, "very_hot").ok());
   EXPECT_EQ(document.table().find(AttributeOwner::Place, "very_hot"), nullptr);
   document.undoStack().undo();
   EXPECT_EQ(document.semantics()->ofPlace(0, "very_hot").value, AttributeValue(true));
+}
+
+TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
+  const int place = document.knowledge()->environment->map.placeAt({1.49, 1.49, 0.3});
+  ASSERT_TRUE(document.setAttribute(places({place}), "forbidden", AttributeValue(true)).ok());
+  SemanticSelection body;
+  body.bodies.insert(QStringLiteral("O5"));  // it stands on the place's widest spot
+  ASSERT_TRUE(document.setAttribute(body, "mobility", AttributeValue(std::string("static"))).ok());
+  EXPECT_TRUE(document.warnings().empty());
+  Problem problem = scenario->problem;
+  problem.scene.edits = std::make_shared<const SemanticEdits>(document.edits());
+  document.setKnowledge(*buildSceneKnowledge(problem, 1e-6));
+  const auto isForbidden = [&](int number) {
+    return document.semantics()->ofPlace(static_cast<std::size_t>(number), "forbidden").value == AttributeValue(true);
+  };
+  std::vector<int> forbidden;
+  for (int i = 0; i < static_cast<int>(document.semantics()->placeCount()); ++i) {
+    if (isForbidden(i)) forbidden.push_back(i);
+  }
+  ASSERT_EQ(forbidden.size(), 1U);
+  ASSERT_EQ(document.warnings().size(), 1U);
+  EXPECT_EQ(document.warnings().front().place, "/places/0");
+  // Edited once more it is bound to the place that it counts for.
+  ASSERT_TRUE(document.setAttribute(places({forbidden[0]}), "preference", AttributeValue(2.0)).ok());
+  EXPECT_EQ(document.edits().places.size(), 1U);
+  EXPECT_TRUE(document.warnings().empty());
+}
+
+TEST_F(SemanticDocumentTest, TwoEditsOfAPlaceAreTakenBackTogether) {
+  Scenario twice = scenario->scenario;
+  const Vector3 at = document.knowledge()->environment->map.places[0].anchor;
+  twice.places = {{at, "", {{"forbidden", true}}}, {at, "", {{"complexity", 5.0}}}};
+  auto other = std::make_shared<LoadedScenario>(*scenario);
+  other->scenario = twice;
+  document.rearrange(other);
+  EXPECT_EQ(document.warnings().size(), 1U);
+  ASSERT_TRUE(document.setAttribute(places({0}), "forbidden", std::nullopt).ok());
+  EXPECT_EQ(document.semantics()->ofPlace(0, "forbidden").value, AttributeValue(false));
+  EXPECT_EQ(complexity(0), 5.0);
+}
+
+TEST_F(SemanticDocumentTest, AnotherGestureIsAnotherStepBack) {
+  for (const double value : {7.0, 3.0, 9.0}) {
+    ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(value)).ok());
+    document.endGesture();
+  }
+  EXPECT_EQ(document.undoStack().count(), 3);
+  document.undoStack().undo();
+  EXPECT_EQ(complexity(2), 3.0);
+  // What follows an undo is no part of what came before it.
+  ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(8.0)).ok());
+  document.undoStack().undo();
+  EXPECT_EQ(complexity(2), 3.0);
+}
+
+TEST_F(SemanticDocumentTest, AnAttributeThatARuleUsesStaysAsItIs) {
+  AttributeDefinition hazard;
+  hazard.name = "hazard";
+  hazard.type = AttributeType::Number;
+  hazard.initial = 0.0;
+  auto other = std::make_shared<LoadedScenario>(*scenario);
+  other->scenario.attributeDefinitions = {hazard};
+  other->scenario.rules = presetRules("gts");
+  other->scenario.rules->edge = "distance * (1 + place.hazard)";
+  document.rearrange(other);
+  const SemanticEdits before = document.edits();
+  for (const Outcome& refused : {document.renameDefinition(AttributeOwner::Place, "hazard", "danger"),
+                                 document.removeDefinition(AttributeOwner::Place, "hazard")}) {
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().reason.find("/rules/edge"), std::string::npos) << refused.error().reason;
+    EXPECT_NE(refused.error().reason.find("'hazard'"), std::string::npos) << refused.error().reason;
+  }
+  EXPECT_TRUE(document.edits() == before);
 }
 
 TEST_F(SemanticDocumentTest, SelectionIsToldOnceAChange) {

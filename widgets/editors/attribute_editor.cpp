@@ -4,12 +4,14 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace glissade {
 namespace {
@@ -41,17 +43,29 @@ AttributeEditor::AttributeEditor(const AttributeDefinition& definition, QWidget*
   }
   editor->setObjectName(QString::fromStdString("attribute-" + definition.name));
   editor->setToolTip(QString::fromStdString(definition.description));
+  editor->setFocusPolicy(Qt::StrongFocus);
+  editor->installEventFilter(this);
   setFocusProxy(editor);
   layout->addWidget(editor);
 }
 
 void AttributeEditor::setValue(const std::optional<AttributeValue>& value) { show_(value); }
 
+bool AttributeEditor::eventFilter(QObject* watched, QEvent* event) {
+  const bool scrolls = event->type() == QEvent::Wheel && !focusProxy()->hasFocus();
+  const auto* key = event->type() == QEvent::ShortcutOverride ? static_cast<QKeyEvent*>(event) : nullptr;
+  const bool undoes = key != nullptr && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo));
+  if (!scrolls && !undoes) return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
+}
+
 QWidget* AttributeEditor::makeCheckBox() {
   auto* box = new QCheckBox(this);
   connect(box, &QCheckBox::clicked, this, [this, box] {
     box->setTristate(false);
     emit edited(AttributeValue(box->isChecked()));
+    emit finished();
   });
   show_ = [box](const std::optional<AttributeValue>& value) {
     const QSignalBlocker block(box);
@@ -63,39 +77,37 @@ QWidget* AttributeEditor::makeCheckBox() {
   return box;
 }
 
-/// One below the range stands for "different".
 QWidget* AttributeEditor::makeSpinBox(const AttributeDefinition& definition) {
-  auto* box = new QSpinBox(this);
   const int least = static_cast<int>(std::max(definition.minimum, -1e9));
-  box->setRange(least - 1, static_cast<int>(std::min(definition.maximum, 1e9)));
-  box->setSpecialValueText(kDiffers);
-  box->setSuffix(definition.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(definition.unit));
-  connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, least](int value) {
-    if (value >= least) emit edited(AttributeValue(static_cast<double>(value)));
-  });
-  show_ = [box, least](const std::optional<AttributeValue>& value) {
-    const QSignalBlocker block(box);
-    box->setValue(value ? static_cast<int>(std::lround(numberOf(*value))) : least - 1);
-  };
-  return box;
+  const int most = static_cast<int>(std::min(definition.maximum, 1e9));
+  auto* box = new RangeBox<QSpinBox, int>(least, this);
+  box->setRange(least - 1, most);
+  return connected(box, definition);
 }
 
 QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
-  auto* box = new QDoubleSpinBox(this);
   constexpr int kDecimals = 4;
   const double step = std::pow(10.0, -kDecimals);
+  auto* box = new RangeBox<QDoubleSpinBox, double>(definition.minimum, this);
   box->setDecimals(kDecimals);
   box->setRange(definition.minimum - step, definition.maximum);
   box->setSingleStep(std::clamp((definition.maximum - definition.minimum) / 20.0, step, 0.1));
+  return connected(box, definition);
+}
+
+/// The value below the range stands for "different".
+template <class Box, class Number>
+QWidget* AttributeEditor::connected(RangeBox<Box, Number>* box, const AttributeDefinition& definition) {
   box->setSpecialValueText(kDiffers);
   box->setSuffix(definition.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(definition.unit));
-  connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          [this, least = definition.minimum](double value) {
-            if (value >= least) emit edited(AttributeValue(value));
-          });
-  show_ = [box, least = definition.minimum - step](const std::optional<AttributeValue>& value) {
+  connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box](Number value) {
+    if (box->isInRange()) emit edited(AttributeValue(static_cast<double>(value)));
+  });
+  connect(box, &Box::editingFinished, this, &AttributeEditor::finished);
+  show_ = [box](const std::optional<AttributeValue>& value) {
     const QSignalBlocker block(box);
-    box->setValue(value ? numberOf(*value) : least);
+    const double number = value ? numberOf(*value) : box->minimum();
+    box->setValue(std::is_integral_v<Number> ? static_cast<Number>(std::lround(number)) : static_cast<Number>(number));
   };
   return box;
 }
@@ -103,8 +115,10 @@ QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
 QWidget* AttributeEditor::makeComboBox(const AttributeDefinition& definition) {
   auto* box = new QComboBox(this);
   for (const std::string& choice : definition.choices) box->addItem(QString::fromStdString(choice));
-  connect(box, QOverload<int>::of(&QComboBox::activated), this,
-          [this, box] { emit edited(AttributeValue(box->currentText().toStdString())); });
+  connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
+    emit edited(AttributeValue(box->currentText().toStdString()));
+    emit finished();
+  });
   show_ = [box](const std::optional<AttributeValue>& value) {
     const QSignalBlocker block(box);
     box->setCurrentIndex(value ? box->findText(textOf(*value)) : -1);
@@ -118,6 +132,7 @@ QWidget* AttributeEditor::makeLine() {
     if (!line->isModified()) return;
     line->setModified(false);
     emit edited(AttributeValue(line->text().toStdString()));
+    emit finished();
   });
   show_ = [line](const std::optional<AttributeValue>& value) {
     if (line->hasFocus() && line->isModified()) return;

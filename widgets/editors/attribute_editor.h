@@ -5,11 +5,13 @@
 #include <optional>
 
 #include "engine/environment/attribute.h"
+#include "widgets/editors/range_box.h"
 
 namespace glissade {
 
 /// The editor of one attribute's value, made for its type: check box, spin box with unit, combo box
-/// or line of text. Several owners with different values show as "—" until one is chosen.
+/// or line of text. Several owners with different values show as "—" until one is chosen. The wheel only
+/// turns an editor that has the focus, and undoing is left to the window.
 class AttributeEditor final : public QWidget {
   Q_OBJECT
 
@@ -21,11 +23,17 @@ class AttributeEditor final : public QWidget {
 
  signals:
   void edited(const glissade::AttributeValue& value);
+  void finished();  ///< what is edited from now on is another edit
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QWidget* makeCheckBox();
   QWidget* makeSpinBox(const AttributeDefinition& definition);
   QWidget* makeNumberBox(const AttributeDefinition& definition);
+  template <class Box, class Number>
+  QWidget* connected(RangeBox<Box, Number>* box, const AttributeDefinition& definition);
   QWidget* makeComboBox(const AttributeDefinition& definition);
   QWidget* makeLine();
 

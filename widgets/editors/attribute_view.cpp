@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QToolButton>
 
 #include <algorithm>
@@ -45,12 +46,10 @@ std::string AttributeView::currentAttribute() const {
 }
 
 void AttributeView::refresh() {
-  const SemanticSelection& selection = document_.selection();
-  owner_ = selection.places.isEmpty() && !selection.bodies.isEmpty() ? AttributeOwner::Body : AttributeOwner::Place;
   std::vector<AttributeDefinition> wanted;
-  if (!selection.places.isEmpty() || !selection.bodies.isEmpty()) {
+  if (!(document_.selection() == SemanticSelection{})) {
     for (const AttributeDefinition& definition : document_.table().definitions()) {
-      if (definition.owner == owner_) wanted.push_back(definition);
+      if (definition.owner == owner()) wanted.push_back(definition);
     }
   }
   // The rows stay as long as they can, so that an editor in use keeps the focus.
@@ -63,6 +62,22 @@ void AttributeView::rebuild(const std::vector<AttributeDefinition>& definitions)
   rows_.clear();
   shown_ = definitions;
   for (const AttributeDefinition& definition : definitions) addRow(definition);
+  QWidget* before = this;
+  for (const Row& row : rows_) {
+    setTabOrder(before, row.editor->focusProxy());
+    before = row.editor->focusProxy();
+  }
+}
+
+void AttributeView::keyPressEvent(QKeyEvent* event) {
+  const bool edits = event->key() == Qt::Key_F2 || event->key() == Qt::Key_Space || event->key() == Qt::Key_Return ||
+                     event->key() == Qt::Key_Enter;
+  QWidget* editor = edits && currentItem() != nullptr ? itemWidget(currentItem(), 1) : nullptr;
+  if (editor == nullptr) {
+    QTreeWidget::keyPressEvent(event);
+  } else {
+    editor->setFocus(Qt::TabFocusReason);
+  }
 }
 
 void AttributeView::addRow(const AttributeDefinition& definition) {
@@ -73,6 +88,7 @@ void AttributeView::addRow(const AttributeDefinition& definition) {
   setItemWidget(item, 1, editor);
   connect(editor, &AttributeEditor::edited, this,
           [this, name = definition.name](const AttributeValue& value) { set(name, value); });
+  connect(editor, &AttributeEditor::finished, &document_, &SemanticDocument::endGesture);
   rows_.push_back({definition.name, editor, item});
 }
 
@@ -89,10 +105,11 @@ void AttributeView::showReset(const Row& row, bool wanted) {
   reset->setToolTip(tr("Take the edit back: the computed value again"));
   connect(reset, &QToolButton::clicked, this, [this, name = row.attribute] { set(name, std::nullopt); });
   setItemWidget(row.item, kResetColumn, reset);
+  setTabOrder(row.editor->focusProxy(), reset);
 }
 
 void AttributeView::set(const std::string& attribute, const std::optional<AttributeValue>& value) {
-  const Outcome outcome = document_.setAttribute(document_.selection(), attribute, value);
+  const Outcome outcome = document_.setAttribute(document_.selection().shown(), attribute, value);
   if (outcome) return;
   emit refused(outcome.error());
   refresh();
@@ -100,10 +117,10 @@ void AttributeView::set(const std::string& attribute, const std::optional<Attrib
 
 std::vector<ProvenValue> AttributeView::valuesOf(const std::string& attribute) const {
   std::vector<ProvenValue> values;
-  if (owner_ == AttributeOwner::Body) {
-    for (const QString& body : document_.selection().bodies) values.push_back(document_.bodyValue(body, attribute));
-  } else if (const SemanticModel* semantics = document_.semantics()) {
-    for (const int place : document_.selection().places) {
+  const SemanticSelection shown = document_.selection().shown();
+  for (const QString& body : shown.bodies) values.push_back(document_.bodyValue(body, attribute));
+  for (const int place : shown.places) {
+    if (const SemanticModel* semantics = document_.semantics()) {
       values.push_back(semantics->ofPlace(static_cast<std::size_t>(place), attribute));
     }
   }

@@ -9,7 +9,7 @@
 namespace glissade {
 
 /// The attributes of what is selected: value with an editor for its type, where it comes from, and a
-/// button that takes an edit back.
+/// button that takes an edit back. F2, Enter and Space on a row lead to its editor.
 class AttributeView final : public QTreeWidget {
   Q_OBJECT
 
@@ -19,10 +19,13 @@ class AttributeView final : public QTreeWidget {
   /// The attribute of the current row; empty: none.
   std::string currentAttribute() const;
   /// Whose attributes are shown.
-  AttributeOwner owner() const { return owner_; }
+  AttributeOwner owner() const { return document_.selection().owner(); }
 
  signals:
   void refused(const glissade::Diagnostic& why);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct Row {
@@ -40,7 +43,6 @@ class AttributeView final : public QTreeWidget {
   std::vector<ProvenValue> valuesOf(const std::string& attribute) const;
 
   SemanticDocument& document_;
-  AttributeOwner owner_ = AttributeOwner::Place;
   std::vector<AttributeDefinition> shown_;
   std::vector<Row> rows_;
 };

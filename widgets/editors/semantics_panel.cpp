@@ -20,7 +20,9 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       busy_(new QProgressBar(this)),
       tree_(new SemanticsTree(document, this)),
       attributes_(new AttributeView(document, this)),
+      warning_(new QLabel(this)),
       refusal_(new QLabel(this)) {
+  setFocusProxy(tree_);
   filter_->setPlaceholderText(tr("Filter by name or value"));
   filter_->setClearButtonEnabled(true);
   const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();
@@ -36,6 +38,9 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   busy_->setTextVisible(false);
   busy_->setMaximumHeight(4);
   busy_->hide();
+  warning_->setWordWrap(true);
+  warning_->setObjectName(QStringLiteral("edit-warning"));
+  warning_->hide();
   refusal_->setWordWrap(true);
   refusal_->setObjectName(QStringLiteral("refusal"));
   refusal_->hide();
@@ -59,6 +64,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   layout->addLayout(finding);
   layout->addWidget(busy_);
   layout->addWidget(splitter, 1);
+  layout->addWidget(warning_);
   layout->addWidget(refusal_);
   connect(filter_, &QLineEdit::textChanged, tree_, &SemanticsTree::setFilter);
   connect(tree_, &SemanticsTree::refused, this, &SemanticsPanel::showRefusal);
@@ -66,6 +72,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   connect(attributes_, &QTreeWidget::currentItemChanged, this, &SemanticsPanel::enableActions);
   connect(&document_, &SemanticDocument::changed, this, [this] {
     refusal_->hide();
+    showWarnings();
     enableActions();
   });
   enableActions();
@@ -85,16 +92,29 @@ void SemanticsPanel::enableActions() {
   actions_[QStringLiteral("attribute.remove")]->setEnabled(users);
 }
 
+/// The first one; all of them where the pointer rests.
+void SemanticsPanel::showWarnings() {
+  const Warnings& warnings = document_.warnings();
+  warning_->setVisible(!warnings.empty());
+  if (warnings.empty()) return;
+  QStringList texts;
+  for (const Diagnostic& warning : warnings) texts << QString::fromStdString(toString(warning));
+  warning_->setToolTip(texts.join(QLatin1Char('\n')));
+  warning_->setText(QStringLiteral("⚠ ") + (texts.size() == 1
+                                                ? texts.front()
+                                                : tr("%1 And %2 more.").arg(texts.front()).arg(texts.size() - 1)));
+}
+
 void SemanticsPanel::showRefusal(const Diagnostic& why) {
   refusal_->setText(QString::fromStdString(why.reason + ". " + why.advice));
   refusal_->show();
 }
 
 void SemanticsPanel::addAttribute() {
-  AttributeDialog dialog(attributes_->owner(), this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  const Outcome added = document_.addDefinition(dialog.definition());
-  if (!added) showRefusal(added.error());
+  AttributeDialog dialog(
+      attributes_->owner(),
+      [this](const AttributeDefinition& definition) { return document_.addDefinition(definition); }, this);
+  dialog.exec();
 }
 
 void SemanticsPanel::renameAttribute() {
@@ -108,7 +128,8 @@ void SemanticsPanel::renameAttribute() {
 }
 
 void SemanticsPanel::removeAttribute() {
-  document_.removeDefinition(attributes_->owner(), attributes_->currentAttribute());
+  const Outcome removed = document_.removeDefinition(attributes_->owner(), attributes_->currentAttribute());
+  if (!removed) showRefusal(removed.error());
 }
 
 }  // namespace glissade

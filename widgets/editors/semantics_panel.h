@@ -32,6 +32,7 @@ class SemanticsPanel final : public QWidget {
 
  private:
   void enableActions();
+  void showWarnings();
   void showRefusal(const Diagnostic& why);
 
   SemanticDocument& document_;
@@ -41,6 +42,7 @@ class SemanticsPanel final : public QWidget {
   QProgressBar* busy_;
   SemanticsTree* tree_;
   AttributeView* attributes_;
+  QLabel* warning_;  ///< edits that count nowhere, as long as there are any
   QLabel* refusal_;
 };
 

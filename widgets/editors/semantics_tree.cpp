@@ -20,13 +20,33 @@ QIcon swatch(const Colour& colour) {
 
 QTreeWidgetItem* makeGroup(QTreeWidget* tree) {
   auto* group = new QTreeWidgetItem(tree);
-  group->setFirstColumnSpanned(true);
   group->setExpanded(true);
   group->setFlags(Qt::ItemIsEnabled);
   QFont font = group->font(0);
   font.setBold(true);
   group->setFont(0, font);
+  group->setFont(1, font);
   return group;
+}
+
+/// What stands beside a place's complexity, with what it means.
+struct Mark {
+  QString sign;
+  QString meaning;
+};
+
+std::vector<Mark> marksOf(const SemanticModel& semantics, std::size_t place) {
+  std::vector<Mark> marks;
+  const auto holds = [&](const char* attribute) { return std::get<bool>(semantics.ofPlace(place, attribute).value); };
+  if (holds("cluttered")) marks.push_back({QStringLiteral("⚠"), SemanticsTree::tr("Cluttered by mobile bodies")});
+  if (holds("forbidden")) marks.push_back({QStringLiteral("⊘"), SemanticsTree::tr("Forbidden: no path leads through")});
+  const double preference = std::get<double>(semantics.ofPlace(place, "preference").value);
+  if (preference > 1.0) {
+    marks.push_back(
+        {QStringLiteral("★"),
+         SemanticsTree::tr("Preferred: ways through count %1 times shorter").arg(QLocale().toString(preference))});
+  }
+  return marks;
 }
 
 QTreeWidgetItem* child(QTreeWidgetItem& group, int index) {
@@ -48,6 +68,7 @@ SemanticsTree::SemanticsTree(SemanticDocument& document, QWidget* parent)
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
+  places_->setFirstColumnSpanned(true);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -64,7 +85,7 @@ void SemanticsTree::refresh() {
   showPlaces();
   showBodies();
   updating_ = false;
-  setFilter(filter_);
+  hideUnwanted();
   showSelection();
 }
 
@@ -82,8 +103,14 @@ void SemanticsTree::showPlaces() {
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable);
     item->setText(0, QString::fromStdString(semantics->placeName(place)));
     item->setIcon(0, swatch(complexityColour(complexity, cluttered)));
-    item->setText(1, QString::number(complexity) + (cluttered ? QStringLiteral(" ⚠") : QString()));
-    item->setToolTip(1, cluttered ? tr("Cluttered by mobile bodies") : QString());
+    QStringList texts(QString::number(complexity));
+    QStringList meanings;
+    for (const Mark& mark : marksOf(*semantics, place)) {
+      texts << mark.sign;
+      meanings << mark.meaning;
+    }
+    item->setText(1, texts.join(QLatin1Char(' ')));
+    item->setToolTip(1, meanings.join(QLatin1Char('\n')));
     item->setText(2, QLocale().toString(width * 1e3, 'f', 0) + QStringLiteral(" mm"));
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
     item->setData(0, kKeyRole, i);
@@ -100,6 +127,7 @@ void SemanticsTree::showPlaces() {
 void SemanticsTree::showBodies() {
   const auto& bodies = document_.bodies();
   bodies_->setText(0, tr("Bodies (%1)").arg(bodies.size()));
+  bodies_->setText(1, tr("Mobility"));
   cut(*bodies_, static_cast<int>(bodies.size()));
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     QTreeWidgetItem* item = child(*bodies_, static_cast<int>(i));
@@ -121,8 +149,14 @@ void SemanticsTree::showBodies() {
   }
 }
 
+/// What is hidden is selected no more: nobody edits what is not seen.
 void SemanticsTree::setFilter(const QString& text) {
   filter_ = text;
+  hideUnwanted();
+  takeSelection();
+}
+
+void SemanticsTree::hideUnwanted() {
   for (QTreeWidgetItem* group : {places_, bodies_}) {
     for (int i = 0; i < group->childCount(); ++i) {
       const QString search = group->child(i)->data(0, kSearchRole).toString();
@@ -135,6 +169,7 @@ void SemanticsTree::takeSelection() {
   if (updating_) return;
   SemanticSelection selection;
   for (const QTreeWidgetItem* item : selectedItems()) {
+    if (item->isHidden()) continue;
     if (item->parent() == places_) selection.places.insert(item->data(0, kKeyRole).toInt());
     if (item->parent() == bodies_) selection.bodies.insert(item->data(0, kKeyRole).toString());
   }

@@ -15,7 +15,7 @@ class SemanticsTree final : public QTreeWidget {
  public:
   explicit SemanticsTree(SemanticDocument& document, QWidget* parent = nullptr);
 
-  /// Hides what does not hold the text in its name or its values.
+  /// Hides, and deselects, what does not hold the text in its name or its values.
   void setFilter(const QString& text);
 
  signals:
@@ -23,6 +23,7 @@ class SemanticsTree final : public QTreeWidget {
 
  private:
   void refresh();
+  void hideUnwanted();
   void showPlaces();
   void showBodies();
   void takeSelection();

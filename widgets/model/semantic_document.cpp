@@ -3,6 +3,9 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "engine/environment/edit_binding.h"
+#include "engine/planning/planner.h"
+
 namespace glissade {
 
 /// The edits before and after, as values. Commands with the same merge key become one.
@@ -15,7 +18,10 @@ class ChangeSemantics final : public QUndoCommand {
         after_(std::move(after)),
         mergeKey_(std::move(mergeKey)) {}
 
-  void undo() override { document_.apply(before_); }
+  void undo() override {
+    document_.endGesture();
+    document_.apply(before_);
+  }
   void redo() override { document_.apply(after_); }
   int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
   bool mergeWith(const QUndoCommand* next) override {
@@ -74,7 +80,9 @@ void SemanticDocument::apply(const SemanticEdits& edits) {
   edits_ = edits;
   if (auto table = attributeTableOf(edits_)) table_ = std::move(*table);
   semantics_.reset();
+  warnings_.clear();
   if (knowledge_) {
+    warnings_ = editWarnings(knowledge_->environment->map, edits_);
     semantics_.emplace(knowledge_->environment, scenario_->obstacles, objectId_, edits_, knowledge_->compatibility());
   }
   emit changed();
@@ -99,16 +107,25 @@ ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string
   return {table_.find(AttributeOwner::Body, attribute)->initial, Provenance::Initial};
 }
 
-/// The edit of a place, made where there is none yet, bound to the place's anchor.
+/// The one edit of a place, made where there is none yet. Several become one, in which the later ones count; what lies
+/// only near the place comes to its anchor.
 PlaceEdit& SemanticDocument::editOf(SemanticEdits& edits, int place) const {
   const TopologicalMap& map = knowledge_->environment->map;
-  const auto known = std::find_if(edits.places.rbegin(), edits.places.rend(),
-                                  [&](const PlaceEdit& edit) { return map.placeAt(edit.at) == place; });
-  if (known != edits.places.rend()) return *known;
-  PlaceEdit edit;
-  edit.at = map.places[static_cast<std::size_t>(place)].anchor;
-  edits.places.push_back(edit);
-  return edits.places.back();
+  const auto isBound = [&](const PlaceEdit& edit) { return boundPlace(map, edit.at) == place; };
+  const Vector3& anchor = map.places[static_cast<std::size_t>(place)].anchor;
+  const auto first = std::find_if(edits.places.begin(), edits.places.end(), isBound);
+  if (first == edits.places.end()) {
+    edits.places.push_back({anchor, "", {}});
+    return edits.places.back();
+  }
+  if (map.placeAt(first->at) != place) first->at = anchor;
+  for (auto other = first + 1; other != edits.places.end(); ++other) {
+    if (!isBound(*other)) continue;
+    if (!other->name.empty()) first->name = other->name;
+    for (const auto& [name, value] : other->attributes) first->attributes[name] = value;
+  }
+  edits.places.erase(std::remove_if(first + 1, edits.places.end(), isBound), edits.places.end());
+  return *first;
 }
 
 Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const std::string& attribute,
@@ -127,7 +144,7 @@ Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const s
     if (sound) attributes[attribute] = *value;
     return sound;
   };
-  QString key = QString::fromStdString(attribute);
+  QString key = QStringLiteral("%1 %2").arg(gesture_).arg(QString::fromStdString(attribute));
   QList<int> places = targets.places.values();
   std::sort(places.begin(), places.end());
   for (const int place : places) {
@@ -156,16 +173,14 @@ Outcome SemanticDocument::setAttribute(const SemanticSelection& targets, const s
 }
 
 Outcome SemanticDocument::renamePlace(int place, const QString& name) {
-  const auto clash = [&](std::size_t other) {
-    return static_cast<int>(other) != place && semantics_->placeName(other) == name.toStdString();
-  };
+  const std::string wanted = name.trimmed().toStdString();
   for (std::size_t other = 0; other < semantics_->placeCount(); ++other) {
-    if (clash(other)) {
-      return Diagnostic{ErrorKind::Usage, "", name.toStdString(), "another place has this name", "Choose another."};
+    if (static_cast<int>(other) != place && semantics_->placeName(other) == wanted) {
+      return Diagnostic{ErrorKind::Usage, "", wanted, "another place has this name", "Choose another."};
     }
   }
   SemanticEdits after = edits_;
-  editOf(after, place).name = name.trimmed().toStdString();
+  editOf(after, place).name = wanted;
   push(tr("Rename place"), after);
   return Done{};
 }
@@ -194,6 +209,20 @@ void forEachOwner(SemanticEdits& edits, AttributeOwner owner, Change&& change) {
 
 }  // namespace
 
+/// Refuses definitions that clash, or lack an attribute that a rule uses.
+Outcome SemanticDocument::checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const {
+  const auto table = attributeTableOf(edits);
+  if (!table) return table.error();
+  const auto& rules = scenario_->scenario.rules;
+  if (!rules) return Done{};
+  const auto parsed = parseRules(*rules, *table, idsOf(makeLocalPlannerRegistry()));
+  if (parsed) return Done{};
+  const std::string& rule = parsed.error().place;
+  return Diagnostic{ErrorKind::Usage, "", rule,
+                    "the scenario's rule " + rule + " uses the attribute '" + attribute + "'",
+                    "Change the rule first."};
+}
+
 Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to) {
   SemanticEdits after = edits_;
   for (AttributeDefinition& definition : after.definitions) {
@@ -201,8 +230,8 @@ Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::stri
     definition.name = to;
     definition.label = to;
   }
-  const auto table = attributeTableOf(after);
-  if (!table) return table.error();
+  const Outcome sound = checkDefinitions(after, from);
+  if (!sound) return sound;
   forEachOwner(after, owner, [&](Attributes& attributes) {
     const auto old = attributes.extract(from);
     if (!old.empty()) attributes[to] = old.mapped();
@@ -211,24 +240,29 @@ Outcome SemanticDocument::renameDefinition(AttributeOwner owner, const std::stri
   return Done{};
 }
 
-void SemanticDocument::removeDefinition(AttributeOwner owner, const std::string& name) {
+Outcome SemanticDocument::removeDefinition(AttributeOwner owner, const std::string& name) {
   SemanticEdits after = edits_;
   after.definitions.erase(std::remove_if(after.definitions.begin(), after.definitions.end(),
                                          [&](const AttributeDefinition& definition) {
                                            return definition.owner == owner && definition.name == name;
                                          }),
                           after.definitions.end());
+  const Outcome sound = checkDefinitions(after, name);
+  if (!sound) return sound;
   forEachOwner(after, owner, [&](Attributes& attributes) { attributes.erase(name); });
   push(tr("Remove attribute %1").arg(QString::fromStdString(name)), after);
+  return Done{};
 }
 
 void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {
   const TopologicalMap& map = knowledge_->environment->map;
   const Border& where = map.borders[static_cast<std::size_t>(border)];
-  const SamplingRegion region(map.grid, where.cells);
   SemanticEdits after = edits_;
   after.milestones.erase(std::remove_if(after.milestones.begin(), after.milestones.end(),
-                                        [&](const MilestoneEdit& edit) { return region.contains(edit.at); }),
+                                        [&](const MilestoneEdit& edit) {
+                                          const std::vector<int> borders = boundBorders(map, edit.at);
+                                          return std::find(borders.begin(), borders.end(), border) != borders.end();
+                                        }),
                          after.milestones.end());
   if (q) after.milestones.push_back({map.grid.centre(where.cells[where.cells.size() / 2]), *q});
   push(q ? tr("Move milestone") : tr("Reset milestone"), after);

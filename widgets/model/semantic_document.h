@@ -15,6 +15,21 @@ struct SemanticSelection {
   QSet<int> places;      ///< numbers of places
   QSet<QString> bodies;  ///< ids
 
+  /// Whose attributes are shown and edited: the places', where there are any.
+  AttributeOwner owner() const {
+    return places.isEmpty() && !bodies.isEmpty() ? AttributeOwner::Body : AttributeOwner::Place;
+  }
+  /// The part of it that is shown and edited.
+  SemanticSelection shown() const {
+    SemanticSelection part;
+    if (owner() == AttributeOwner::Place) {
+      part.places = places;
+    } else {
+      part.bodies = bodies;
+    }
+    return part;
+  }
+
   friend bool operator==(const SemanticSelection& a, const SemanticSelection& b) {
     return a.places == b.places && a.bodies == b.bodies;
   }
@@ -22,7 +37,7 @@ struct SemanticSelection {
 
 /// The semantic attributes of one open scenario: what was computed, the user's edits over it, and the
 /// selection. Every edit is an undoable command that holds the edits before and after it (a few
-/// hundred bytes); edits of one drag or of one spin box are merged into a single command.
+/// hundred bytes); edits of one gesture (a drag, the spinning of one box) are merged into a single command.
 class SemanticDocument final : public QObject {
   Q_OBJECT
 
@@ -40,6 +55,8 @@ class SemanticDocument final : public QObject {
   const SemanticEdits& edits() const { return edits_; }
   /// Null until the environment model is there.
   const SemanticModel* semantics() const { return semantics_ ? &*semantics_ : nullptr; }
+  /// Which edits count nowhere, or not as they are meant; empty until the environment model is there.
+  const Warnings& warnings() const { return warnings_; }
   const std::vector<RigidBody>& bodies() const { return bodies_; }
   /// The attributes that there are, also before the environment model is there.
   const AttributeTable& table() const { return table_; }
@@ -50,10 +67,13 @@ class SemanticDocument final : public QObject {
   /// Refuses a value of the wrong type or out of range. `text` names the command.
   Outcome setAttribute(const SemanticSelection& targets, const std::string& attribute,
                        const std::optional<AttributeValue>& value);
+  /// What is set from now on is a step of its own to undo.
+  void endGesture() { ++gesture_; }
   Outcome renamePlace(int place, const QString& name);
   Outcome addDefinition(const AttributeDefinition& definition);
+  /// Both refuse where a rule of the scenario uses the attribute.
   Outcome renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to);
-  void removeDefinition(AttributeOwner owner, const std::string& name);
+  Outcome removeDefinition(AttributeOwner owner, const std::string& name);
   /// Puts a milestone into a border, or (nothing) takes the user's away.
   void setMilestone(int border, const std::optional<Pose>& q);
 
@@ -70,6 +90,7 @@ class SemanticDocument final : public QObject {
   void apply(const SemanticEdits& edits);
   void takeBodies(const std::shared_ptr<const LoadedScenario>& scenario);
   PlaceEdit& editOf(SemanticEdits& edits, int place) const;
+  Outcome checkDefinitions(const SemanticEdits& edits, const std::string& attribute) const;
 
   std::vector<RigidBody> bodies_;
   std::string objectId_;
@@ -78,8 +99,10 @@ class SemanticDocument final : public QObject {
   SemanticEdits edits_;
   AttributeTable table_;
   std::optional<SemanticModel> semantics_;
+  Warnings warnings_;
   SemanticSelection selection_;
   QUndoStack undo_;
+  int gesture_ = 0;
 };
 
 }  // namespace glissade

@@ -1,5 +1,8 @@
 #include "engine/planning/coarse/milestones.h"
 
+#include <algorithm>
+
+#include "engine/environment/edit_binding.h"
 #include "engine/planning/random_shooter.h"
 
 namespace glissade {
@@ -21,9 +24,10 @@ std::optional<Pose> MilestoneSampler::draw(CollisionQuery& query, const Box3& bo
 
 std::optional<Pose> editedMilestone(const TopologicalMap& map, int border, const SemanticEdits& edits,
                                     CollisionQuery& query) {
-  const SamplingRegion region(map.grid, borderOf(map, border).cells);
   for (const MilestoneEdit& edit : edits.milestones) {
-    if (region.contains(edit.at) && !query.collides(edit.q)) return edit.q;
+    const std::vector<int> borders = boundBorders(map, edit.at);
+    const bool here = std::find(borders.begin(), borders.end(), border) != borders.end();
+    if (here && !query.collides(edit.q)) return edit.q;
   }
   return std::nullopt;
 }

@@ -48,6 +48,15 @@ TEST(AttributeTable, AddsWhatIsSoundAndKeepsTheOrder) {
   EXPECT_EQ(table.find(AttributeOwner::Place, "thing")->type, AttributeType::Choice);
 }
 
+TEST(AttributeTable, RefusesChoicesWithoutANameOrTwice) {
+  AttributeTable table;
+  AttributeDefinition definition = definitionOf(AttributeType::Choice);
+  definition.choices = {"low", "high", ""};
+  EXPECT_FALSE(table.add(definition).ok());
+  definition.choices = {"red", "green", "red"};
+  EXPECT_THAT(table.add(definition).error().reason, HasSubstr("'red' twice"));
+}
+
 TEST(AttributeTable, RefusesWhatCouldNotBeUsed) {
   const auto refused = [](const char* reason, const AttributeDefinition& definition) {
     AttributeTable table;

@@ -9,7 +9,8 @@ namespace {
 
 const Vector3 kLeft(0.3, 0.5, 0.5);
 const Vector3 kHole(1.0, 0.5, 0.5);
-const Vector3 kInTheWall(1.0, 0.1, 0.1);
+const Vector3 kInTheWall(0.95, 0.1, 0.1);
+const Vector3 kFarAway(5.0, 5.0, 5.0);
 
 EnvironmentModelPtr rooms(const char* identifier = "region-growing") {
   return test::environmentOf(test::wallWithAHole(), test::twoRooms(), {1.0 / 32, 16, 6, identifier});
@@ -78,9 +79,18 @@ TEST(SemanticModel, EditsAreBoundToAPointAndSurviveAnotherIdentifier) {
   }
 }
 
-TEST(SemanticModel, AnEditInAWallIsKeptAside) {
+TEST(SemanticModel, AnEditWhereABodyCameToStandCountsForTheNearestPlace) {
   SemanticEdits edits;
-  edits.places = {{kLeft, "Hall", {}}, {kInTheWall, "Nowhere", {{"forbidden", true}}}};
+  edits.places = {{kInTheWall, "Hall", {{"forbidden", true}}}};
+  const Model model(edits);
+  EXPECT_EQ(model.nameAt(kLeft), "Hall");
+  expectValue(model.at(kLeft, "forbidden"), true, Provenance::Edited);
+  EXPECT_TRUE(model.semantic.strayEdits().empty());
+}
+
+TEST(SemanticModel, AnEditFarFromAnyPlaceIsKeptAside) {
+  SemanticEdits edits;
+  edits.places = {{kLeft, "Hall", {}}, {kFarAway, "Nowhere", {{"forbidden", true}}}};
   const Model model(edits);
   EXPECT_EQ(model.semantic.strayEdits(), std::vector<std::size_t>{1});
   for (std::size_t place = 0; place < model.semantic.placeCount(); ++place) {
