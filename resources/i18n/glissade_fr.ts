@@ -1304,6 +1304,26 @@
         <source>Meaning</source>
         <translation>Sens</translation>
     </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>0, or the nearest in range</source>
+        <translation>0, ou le plus proche admis</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Initial value</source>
+        <translation>Valeur initiale</translation>
+    </message>
 </context>
 <context>
     <name>glissade::AttributeEditor</name>
@@ -2722,6 +2742,10 @@
         <source>Add</source>
         <translation>Ajouter</translation>
     </message>
+    <message>
+        <source>%1 And %2 more.</source>
+        <translation>%1 Et %2 autres.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SemanticsTree</name>
@@ -2756,6 +2780,18 @@
     <message>
         <source>moved</source>
         <translation>déplacé</translation>
+    </message>
+    <message>
+        <source>Forbidden: no path leads through</source>
+        <translation>Interdit : aucun trajet n&apos;y passe</translation>
+    </message>
+    <message>
+        <source>Preferred: ways through count %1 times shorter</source>
+        <translation>Préféré : les trajets par ce lieu comptent %1 fois moins longs</translation>
+    </message>
+    <message>
+        <source>Mobility</source>
+        <translation>Mobilité</translation>
     </message>
 </context>
 <context>

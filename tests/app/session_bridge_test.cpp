@@ -11,10 +11,12 @@
 namespace glissade {
 namespace {
 
-ScenarioPtr slidingPlane() {
-  auto loaded = loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/sliding-plane/scenario.json");
+ScenarioPtr sample(const std::string& name) {
+  auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/" + name + "/scenario.json");
   return std::make_shared<const LoadedScenario>(std::move(*loaded));
 }
+
+ScenarioPtr slidingPlane() { return sample("sliding-plane"); }
 
 /// Lets time pass in either kind of session until the state is reached.
 bool reach(SessionBridge& bridge, SessionState state) {
@@ -41,16 +43,15 @@ TEST_P(Bridge, SolvesWithASimulatedOperatorAndSignalsOnTheGuiThread) {
 
 TEST_P(Bridge, WhoAsksWhileHeIsToldTakesNoNewsFromTheOthers) {
   SessionBridge bridge(GetParam());
-  bridge.open(slidingPlane());
-  bridge.post(command::SetParameter{ParameterId::MaxSteps, 400});
-  bridge.setDevice("novice");
+  bridge.open(sample("environment-2"));
+  bridge.post(command::SetParameter{ParameterId::MaxSteps, 3000});
   int told = 0;
   QObject::connect(&bridge, &SessionBridge::snapshotChanged, [&](const SnapshotPtr& snapshot) {
     QThread::msleep(told++ < 5 ? 20 : 0);  // longer than it takes to publish the next one
     EXPECT_EQ(bridge.snapshot(), snapshot);
   });
   bridge.post(command::Start{});
-  ASSERT_TRUE(reach(bridge, SessionState::Failed) || reach(bridge, SessionState::Solved));
+  ASSERT_TRUE(reach(bridge, SessionState::Failed));
   EXPECT_GT(told, 0);
 }
 
