@@ -86,6 +86,14 @@ TEST_F(AttributeViewTest, NoStepAndNoKeyLeadsBelowTheRange) {
   EXPECT_EQ(value("preference"), AttributeValue(0.01));
 }
 
+TEST_F(AttributeViewTest, LengthsAreInMillimetresAsInTheTree) {
+  auto* box = qobject_cast<QDoubleSpinBox*>(editor("narrowness"));
+  EXPECT_EQ(box->text(), QStringLiteral("656.25 mm"));
+  box->setValue(50.0);
+  EXPECT_EQ(value("narrowness"), AttributeValue(0.05));
+  EXPECT_EQ(tree()->topLevelItem(0)->child(2)->text(2), QStringLiteral("50 mm"));
+}
+
 TEST_F(AttributeViewTest, EveryCommittedEditIsOneStepBackAlsoFromInsideTheEditor) {
   auto* box = qobject_cast<QSpinBox*>(editor("complexity"));
   box->setFocus();

@@ -95,6 +95,7 @@ void AttributeDialog::accept() {
     return;
   }
   refusal_->setText(QString::fromStdString(added.error().reason + ". " + added.error().advice));
+  adjustSize();  // a label that wraps does not ask for its room
 }
 
 Result<AttributeDefinition> AttributeDialog::definition() const {

@@ -82,31 +82,36 @@ QWidget* AttributeEditor::makeSpinBox(const AttributeDefinition& definition) {
   const int most = static_cast<int>(std::min(definition.maximum, 1e9));
   auto* box = new RangeBox<QSpinBox, int>(least, this);
   box->setRange(least - 1, most);
-  return connected(box, definition);
+  return connected(box, definition.unit);
 }
 
+/// Lengths are seen in millimetres, as everywhere in the window.
 QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
-  constexpr int kDecimals = 4;
-  const double step = std::pow(10.0, -kDecimals);
-  auto* box = new RangeBox<QDoubleSpinBox, double>(definition.minimum, this);
-  box->setDecimals(kDecimals);
-  box->setRange(definition.minimum - step, definition.maximum);
-  box->setSingleStep(std::clamp((definition.maximum - definition.minimum) / 20.0, step, 0.1));
-  return connected(box, definition);
+  const bool isLength = definition.unit == "m";
+  const double scale = isLength ? 1e3 : 1.0;
+  const int decimals = isLength ? 2 : 4;
+  const double least = scale * definition.minimum;
+  const double most = scale * definition.maximum;
+  const double finest = std::pow(10.0, -decimals);
+  auto* box = new RangeBox<QDoubleSpinBox, double>(least, this);
+  box->setDecimals(decimals);
+  box->setRange(least - finest, most);
+  box->setSingleStep(std::clamp((most - least) / 20.0, finest, scale * 0.1));
+  return connected(box, isLength ? "mm" : definition.unit, scale);
 }
 
-/// The value below the range stands for "different".
+/// The value below the range stands for "different"; what is shown is `scale` times the value.
 template <class Box, class Number>
-QWidget* AttributeEditor::connected(RangeBox<Box, Number>* box, const AttributeDefinition& definition) {
+QWidget* AttributeEditor::connected(RangeBox<Box, Number>* box, const std::string& unit, double scale) {
   box->setSpecialValueText(kDiffers);
-  box->setSuffix(definition.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(definition.unit));
-  connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box](Number value) {
-    if (box->isInRange()) emit edited(AttributeValue(static_cast<double>(value)));
+  box->setSuffix(unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(unit));
+  connect(box, QOverload<Number>::of(&Box::valueChanged), this, [this, box, scale](Number value) {
+    if (box->isInRange()) emit edited(AttributeValue(static_cast<double>(value) / scale));
   });
   connect(box, &Box::editingFinished, this, &AttributeEditor::finished);
-  show_ = [box](const std::optional<AttributeValue>& value) {
+  show_ = [box, scale](const std::optional<AttributeValue>& value) {
     const QSignalBlocker block(box);
-    const double number = value ? numberOf(*value) : box->minimum();
+    const double number = value ? scale * numberOf(*value) : box->minimum();
     box->setValue(std::is_integral_v<Number> ? static_cast<Number>(std::lround(number)) : static_cast<Number>(number));
   };
   return box;

@@ -33,7 +33,7 @@ class AttributeEditor final : public QWidget {
   QWidget* makeSpinBox(const AttributeDefinition& definition);
   QWidget* makeNumberBox(const AttributeDefinition& definition);
   template <class Box, class Number>
-  QWidget* connected(RangeBox<Box, Number>* box, const AttributeDefinition& definition);
+  QWidget* connected(RangeBox<Box, Number>* box, const std::string& unit, double scale = 1.0);
   QWidget* makeComboBox(const AttributeDefinition& definition);
   QWidget* makeLine();
 
