@@ -50,7 +50,7 @@ TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
   while (bridge.snapshot()->seed != 77 && timer.elapsed() < 10000) QCoreApplication::processEvents();
 
   Scenario other = before->scenario;
-  other.object = {"cube", "cube", BoxGeometry{{1.0, 1.0, 1.0}}};
+  other.object.geometry = BoxGeometry{{1.0, 1.0, 1.0}};
   other.start.position.z() += 1.0;
   auto loaded = realiseScenario(other, ".", before->file, before->geometry);
   ASSERT_TRUE(loaded.ok());
