@@ -11,7 +11,9 @@
 #include <QStandardPaths>
 #include <QTranslator>
 
+#include <algorithm>
 #include <clocale>
+#include <cstring>
 #include <iostream>
 
 #include "app/window/main_window.h"
@@ -142,6 +144,28 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   return batch ? 0 : QApplication::exec();
 }
 
+bool asksForText(int argc, char** argv) {
+  return std::any_of(argv, argv + argc, [](const char* argument) {
+    return std::strcmp(argument, "--help") == 0 || std::strcmp(argument, "--version") == 0;
+  });
+}
+
+/// Help and version need no display.
+int tell(int argc, char** argv) {
+  const QCoreApplication application(argc, argv);
+  QCommandLineParser parser;
+  addOptions(parser);
+  if (!parser.parse(QCoreApplication::arguments())) {
+    return failUsage("", parser.errorText().toStdString(), "See glissade --help.");
+  }
+  if (parser.isSet("help")) {
+    std::cout << parser.helpText().toStdString();
+  } else {
+    std::cout << "glissade " << kVersion << "\n";
+  }
+  return 0;
+}
+
 }  // namespace
 
 void prepareProcess() {
@@ -151,6 +175,7 @@ void prepareProcess() {
 }
 
 int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, SessionClock clock) {
+  if (asksForText(argc, argv)) return tell(argc, argv);
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   // A desktop at 150 % is drawn at 150 %, not at 200.
@@ -167,14 +192,6 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   addOptions(parser);
   if (!parser.parse(QApplication::arguments())) {
     return failUsage("", parser.errorText().toStdString(), "See glissade --help.");
-  }
-  if (parser.isSet("help")) {
-    std::cout << parser.helpText().toStdString();
-    return 0;
-  }
-  if (parser.isSet("version")) {
-    std::cout << "glissade " << kVersion << "\n";
-    return 0;
   }
   const auto size = parseSize(parser.value("size"));
   if (!size) return failUsage("--size", "is not WIDTHxHEIGHT", "Give for example 1280x720.");

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
+#include "app/window/coarse_preview.h"
 #include "app/window/scene_ray.h"
-#include "engine/planning/coarse/milestones.h"
-#include "engine/planning/coarse/topological_planner.h"
 #include "widgets/model/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
@@ -18,12 +17,6 @@ namespace {
 constexpr double kClickPixels = 4.0;
 /// How much shorter ways through a preferred place count.
 constexpr double kPreferred = 4.0;
-
-bool isMultiLayer(const std::string& planner) {
-  const PlannerRegistry registry = makePlannerRegistry();
-  const PlannerEntry* entry = registry.find(planner);
-  return entry != nullptr && entry->multiLayer;
-}
 
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
   std::map<std::string, AttributeValue> mobility;
@@ -54,13 +47,11 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
   });
   connect(&document_, &SemanticDocument::changed, this, &EnvironmentController::documentChanged);
   connect(&document_, &SemanticDocument::selectionChanged, this, [this] {
+    leaveStep();
     showEnvironment();
     enableActions();
   });
-  connect(semantics_, &SemanticsPanel::identifierChosen, this, [this](const std::string& id) {
-    options_.identifier = id;
-    build(nullptr);
-  });
+  connect(semantics_, &SemanticsPanel::identifierChosen, this, &EnvironmentController::identifyPlaces);
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
   connect(&milestones_, &MilestoneTool::moving, this, &EnvironmentController::drawPlan);
   connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::failed);
@@ -121,6 +112,12 @@ void EnvironmentController::rearrange(const ScenarioPtr& scenario) {
   showPlan();
 }
 
+void EnvironmentController::identifyPlaces(const std::string& identifier) {
+  options_.identifier = identifier;
+  semantics_->setIdentifier(identifier);
+  build(nullptr);
+}
+
 void EnvironmentController::build(const SceneKnowledgePtr& before) {
   if (!scenario_) return;
   builtMobility_ = mobilityOf(document_.edits());
@@ -168,41 +165,27 @@ void EnvironmentController::showEnvironment() {
 void EnvironmentController::showSnapshot(const SnapshotPtr& snapshot) {
   const bool newPlan = !snapshot_ || snapshot->coarsePlan != snapshot_->coarsePlan ||
                        snapshot->plannerId != snapshot_->plannerId || isRunning(*snapshot) != isRunning(*snapshot_);
-  if (snapshot->coarsePlan && (!snapshot_ || snapshot->coarsePlan != snapshot_->coarsePlan)) {
-    plannedEdits_ = document_.edits();
-  }
   snapshot_ = snapshot;
   if (newPlan) showPlan();
 }
 
-/// What the coarse planning would decide now, with no milestones but the user's.
-CoarsePlanPtr EnvironmentController::preview() const {
-  const SemanticModel* semantics = document_.semantics();
-  if (semantics == nullptr || !snapshot_ || !isMultiLayer(snapshot_->plannerId)) return nullptr;
-  const Pose* goal = std::get_if<Pose>(&scenario_->problem.goal);
-  const auto rules = parseRules(rulesOf(scenario_->problem, snapshot_->plannerId), semantics->table(),
-                                idsOf(makeLocalPlannerRegistry()));
-  if (goal == nullptr || !rules) return nullptr;
-  const TopologicalMap& map = document_.knowledge()->environment->map;
-  auto plan = std::make_shared<CoarsePlan>(
-      makeCoarsePlan(map, *semantics, *rules, scenario_->problem.start.position, goal->position, {}));
-  const auto query = scenario_->problem.world->makeQuery();
-  for (TopologicalStep& step : plan->steps) {
-    const auto edited = step.border >= 0 ? editedMilestone(map, step.border, document_.edits(), *query) : std::nullopt;
-    if (!edited) continue;
-    step.to = *edited;
-    step.milestone = true;
-  }
-  return plan;
-}
-
-/// The plan of the run, as long as it is about the edits that there are.
+/// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview.
 void EnvironmentController::showPlan() {
+  if (!scenario_) return;
+  const CoarsePlanPtr run = snapshot_ ? snapshot_->coarsePlan : nullptr;
   const bool ofRun =
-      snapshot_ && snapshot_->coarsePlan && (isRunning(*snapshot_) || plannedEdits_ == document_.edits());
-  shownPlan_ = ofRun ? snapshot_->coarsePlan : preview();
-  plan_->setPlan(shownPlan_);
+      run && (isRunning(*snapshot_) ? isAboutPlaces(*run, document_)
+                                    : isUpToDate(*run, document_, scenario_->problem, snapshot_->plannerId));
+  QString whyNone;
+  shownPlan_ = ofRun ? run : nullptr;
+  if (!ofRun && snapshot_) {
+    auto preview = previewPlan(document_, scenario_->problem, snapshot_->plannerId, run);
+    if (preview) shownPlan_ = *preview;
+    if (!preview) whyNone = QString::fromStdString(toString(preview.error()));
+  }
+  plan_->setPlan(shownPlan_, whyNone);
   milestones_.setPlan(shownPlan_);
+  scene_.view().setShownStep(plan_->currentStep());
   drawPlan();
   enableActions();
 }
@@ -212,16 +195,27 @@ void EnvironmentController::drawPlan() {
   scene_.refresh();
 }
 
+/// A step that is looked at has its place selected, so that what is done to places is done to that one.
 void EnvironmentController::showStep() {
   const auto step = plan_->currentStep();
   scene_.view().setShownStep(step);
-  if (step && shownPlan_ && shownPlan_->steps[*step].place >= 0) {
+  if (step) {
+    const int place = shownPlan_->steps[*step].place;
     SemanticSelection selection;
-    selection.places.insert(shownPlan_->steps[*step].place);
+    if (place != TopologicalStep::kWholeWorkspace) selection.places.insert(place);
     document_.select(selection);
   }
   scene_.refresh();
   enableActions();
+}
+
+/// Where something else was selected the step is not looked at any more.
+void EnvironmentController::leaveStep() {
+  const auto step = plan_->currentStep();
+  const int place = step ? shownPlan_->steps[*step].place : TopologicalStep::kWholeWorkspace;
+  const bool stays = place == TopologicalStep::kWholeWorkspace ? document_.selection() == SemanticSelection{}
+                                                               : document_.selection().places.contains(place);
+  if (step && !stays) plan_->leaveStep();
 }
 
 void EnvironmentController::pick(const QPointF& position, bool add) {

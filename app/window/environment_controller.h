@@ -33,6 +33,8 @@ class EnvironmentController final : public QObject {
   void showSnapshot(const SnapshotPtr& snapshot);
   /// Builds the environment model; what stays of `before` (may be null) is not built again.
   void build(const SceneKnowledgePtr& before);
+  /// Builds it anew with another way to find places; an id of the place identifier registry.
+  void identifyPlaces(const std::string& identifier);
   /// How the environment is modelled: the scenario's, until somebody chooses otherwise.
   const EnvironmentOptions& options() const { return options_; }
   /// The plan that is shown; null where there is none.
@@ -56,7 +58,7 @@ class EnvironmentController final : public QObject {
   void showPlan();
   void drawPlan();
   void showStep();
-  CoarsePlanPtr preview() const;
+  void leaveStep();
   void toggleForbidden();
   void togglePreferred();
   void setMilestone(bool here);
@@ -76,7 +78,6 @@ class EnvironmentController final : public QObject {
   int finestCellLevel_ = 6;
   SnapshotPtr snapshot_;
   CoarsePlanPtr shownPlan_;
-  SemanticEdits plannedEdits_;  ///< those that the session's plan was made with
   std::map<std::string, AttributeValue> builtMobility_;
   QPointF pressed_;
 };

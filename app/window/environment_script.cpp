@@ -7,6 +7,7 @@
 #include "app/window/body_visibility.h"
 #include "app/window/environment_controller.h"
 #include "engine/base/number_text.h"
+#include "engine/environment/place_identifier.h"
 
 namespace glissade {
 namespace {
@@ -36,6 +37,9 @@ std::optional<Outcome> EnvironmentScript::carryOut(const ScriptCommand& command)
   if (command.name == "define") return define(words[0], words[1], words[2]);
   if (command.name == "expect-attribute") return expectAttribute(words[0], words[1]);
   if (command.name == "expect-way") return expectWay(words[0]);
+  if (command.name == "expect-step") return expectStep(words[0]);
+  if (command.name == "expect-plan") return expectPlan(words[0]);
+  if (command.name == "identify") return identify(words[0]);
   return std::nullopt;
 }
 
@@ -45,12 +49,7 @@ Outcome EnvironmentScript::select(const std::string& kind, const std::string& na
   if (kind == "body") {
     selection.bodies.insert(QString::fromStdString(name));
   } else if (kind == "step") {
-    auto* steps = window_.environment().planPanel()->findChild<QTreeWidget*>(QStringLiteral("steps"));
-    const auto number = toNumber(name);
-    QTreeWidgetItem* item = number ? steps->topLevelItem(static_cast<int>(*number) - 1) : nullptr;
-    if (item == nullptr) return usage("there is no step '" + name + "'");
-    steps->setCurrentItem(item);
-    return Done{};
+    return clickStep(name);
   } else if (kind == "place" && document.semantics() != nullptr) {
     for (std::size_t place = 0; place < document.semantics()->placeCount(); ++place) {
       if (document.semantics()->placeName(place) == name) selection.places.insert(static_cast<int>(place));
@@ -59,6 +58,20 @@ Outcome EnvironmentScript::select(const std::string& kind, const std::string& na
   if (selection == SemanticSelection{})
     return usage("there is no " + kind + " '" + name + "'", "Find the places first.");
   document.select(selection);
+  return Done{};
+}
+
+/// By the mouse: a row that is highlighted already can be chosen again.
+Outcome EnvironmentScript::clickStep(const std::string& name) {
+  auto* steps = window_.environment().planPanel()->findChild<QTreeWidget*>(QStringLiteral("steps"));
+  const auto number = toNumber(name);
+  QTreeWidgetItem* item = number ? steps->topLevelItem(static_cast<int>(*number) - 1) : nullptr;
+  if (item == nullptr) return usage("there is no step '" + name + "'");
+  steps->scrollToItem(item);
+  for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, steps->visualItemRect(item).center(), Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(steps->viewport(), &event);
+  }
   return Done{};
 }
 
@@ -149,6 +162,25 @@ Outcome EnvironmentScript::expectWay(const std::string& names) {
   }
   if (way == names) return Done{};
   return unmet("the coarse path leads through " + (way.empty() ? "nothing" : way) + ", not " + names);
+}
+
+Outcome EnvironmentScript::expectStep(const std::string& name) {
+  const auto step = window_.environment().planPanel()->currentStep();
+  const std::string found = step ? window_.environment().shownPlan()->steps[*step].placeName : "-";
+  return found == name ? Outcome(Done{}) : unmet("the step that is highlighted is " + found + ", not " + name);
+}
+
+Outcome EnvironmentScript::expectPlan(const std::string& what) {
+  const CoarsePlanPtr& plan = window_.environment().shownPlan();
+  const std::string found = !plan ? "none" : plan->attempt == 0 ? "preview" : "tried";
+  return found == what ? Outcome(Done{}) : unmet("the coarse plan that is shown is " + found + ", not " + what);
+}
+
+Outcome EnvironmentScript::identify(const std::string& identifier) {
+  const PlaceIdentifierRegistry registry = makePlaceIdentifierRegistry();
+  if (registry.find(identifier) == nullptr) return usage("places cannot be found by '" + identifier + "'");
+  window_.environment().identifyPlaces(identifier);
+  return Done{};
 }
 
 }  // namespace glissade

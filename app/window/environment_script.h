@@ -24,6 +24,10 @@ class EnvironmentScript {
   Outcome define(const std::string& name, const std::string& type, const std::string& owner);
   Outcome expectAttribute(const std::string& name, const std::string& value);
   Outcome expectWay(const std::string& names);
+  Outcome expectStep(const std::string& name);
+  Outcome expectPlan(const std::string& what);
+  Outcome identify(const std::string& identifier);
+  Outcome clickStep(const std::string& name);
 
   MainWindow& window_;
 };

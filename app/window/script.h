@@ -49,6 +49,9 @@ struct ScriptCommand {
 ///   define NAME TYPE OWNER      an attribute: bool, integer, number, text; of place or body
 ///   expect-attribute NAME VALUE what is selected has this value
 ///   expect-way NAMES            the places that the coarse path leads through: P1,P6,P2
+///   expect-step NAME            the step that is highlighted crosses this place; "-": none is
+///   expect-plan WHAT            the coarse plan that is shown: tried (a run's), preview, none
+///   identify ID                 how places are found: region-growing, watershed
 ///   study DIR                   the browser of a study's results
 ///   study-cell N                chooses its N-th cell
 ///   study-plot N                brings its N-th plot to the front

@@ -2,10 +2,29 @@
 
 #include <QCoreApplication>
 
+#include "app/window/coarse_preview.h"
+
 namespace glissade {
 namespace {
 
 QString say(const char* text) { return QCoreApplication::translate("Status", text); }
+
+/// What a multi-layer planner is at.
+QString layersText(const CoarsePlanPtr& plan) {
+  if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: the places are found"));
+  for (std::size_t i = 0; i < plan->steps.size(); ++i) {
+    const TopologicalStep& step = plan->steps[i];
+    if (step.result != StepResult::Running) continue;
+    if (step.place == TopologicalStep::kWholeWorkspace) {
+      return say(QT_TRANSLATE_NOOP("Status", "Planning: the whole workspace is searched"));
+    }
+    return say(QT_TRANSLATE_NOOP("Status", "Planning: step %1 of %2, place %3 is crossed"))
+        .arg(i + 1)
+        .arg(plan->steps.size())
+        .arg(QString::fromStdString(step.placeName));
+  }
+  return say(QT_TRANSLATE_NOOP("Status", "Planning: milestones in the borders"));
+}
 
 }  // namespace
 
@@ -20,9 +39,11 @@ QString statusText(const SessionSnapshot& snapshot) {
       return say(
           QT_TRANSLATE_NOOP("Status", "Ready. Press Start (F5), or take the object with the keys over the view."));
     case SessionState::Planning:
-      return snapshot.contactMode
-                 ? say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"))
-                 : say(QT_TRANSLATE_NOOP("Status", "Planning: two trees grow"));
+      if (snapshot.contactMode) {
+        return say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"));
+      }
+      return isMultiLayer(snapshot.plannerId) ? layersText(snapshot.coarsePlan)
+                                              : say(QT_TRANSLATE_NOOP("Status", "Planning: two trees grow"));
     case SessionState::Paused: return say(QT_TRANSLATE_NOOP("Status", "Paused"));
     case SessionState::Solved:
       return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));

@@ -55,6 +55,33 @@ TEST_F(EnvironmentWindow, APlaceIsForbiddenWhileTheRunGoesOn) {
                                 "wait solved 20000\nexpect-way P1,P7,P2,P5,P3\n")));
 }
 
+TEST_F(EnvironmentWindow, TheStepThatIsHighlightedIsTheOneThatIsForbidden) {
+  // P9 goes from the plan: no other row takes its highlight, and what is selected is still P9.
+  const QString pentagon = kSource + QStringLiteral("/samples/shape-game/tight-pentagon.json");
+  expectGood(run(pentagon, QStringLiteral("select-strategy gts2\naction run.start\nsteps 2\nselect step 2\n"
+                                          "expect-step P9\naction place.forbid\nexpect-attribute forbidden yes\n"
+                                          "steps 2\nexpect-step -\naction edit.undo\nsteps 2\n"
+                                          "select step 2\nexpect-step P9\n")));
+  // Another selection leaves the step; a click on its row selects its place again.
+  expectGood(run(pentagon, QStringLiteral("select step 2\nexpect-step P9\nselect place P1\nexpect-step -\n"
+                                          "select step 2\nselect step 2\naction place.forbid\n"
+                                          "select place P9\nexpect-attribute forbidden yes\n")));
+}
+
+TEST_F(EnvironmentWindow, ARunsPlanIsShownOnlyWhereItBelongs) {
+  const QString teaching = QStringLiteral("teaching");
+  // By another strategy: what it would do, not what the first one did.
+  expectGood(run(teaching, QStringLiteral("select-strategy gts\naction run.start\nwait solved 20000\n"
+                                          "expect-plan tried\nselect-strategy gt\nexpect-plan preview\n"
+                                          "select-strategy gts\nexpect-plan tried\nselect-strategy birrt\n"
+                                          "expect-plan none\n")));
+  // On other places: its numbers would be those of others.
+  expectGood(run(QStringLiteral("environment-1"),
+                 QStringLiteral("select-strategy gts2\naction environment.build\naction run.start\nsteps 30\n"
+                                "expect-plan tried\nidentify watershed\nexpect-plan preview\n"
+                                "select step 1\nselect step 2\nidentify region-growing\nexpect-plan tried\n")));
+}
+
 TEST_F(EnvironmentWindow, AttributesOfOnesOwnAreKeptAndBadValuesRefused) {
   const QString scenario = copyOf(QStringLiteral("teaching"), QStringLiteral("scenario.json"));
   expectGood(run(scenario, QStringLiteral("define fragile bool place\nselect place P2\nattribute fragile yes\n"
@@ -117,6 +144,8 @@ TEST_F(EnvironmentWindow, AMilestoneIsDraggedPassedThroughAndUndoneInOneStep) {
   const QString drag = QStringLiteral("action run.start\nwait solved 20000\ndrag 408 315 422 290\n");
   EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action run.start\nwait solved 20000\n")), 1);
   EXPECT_EQ(milestonesAfter(drag + QStringLiteral("action edit.undo\n")), 0);
+  // The others of the run stay, to be taken next.
+  EXPECT_EQ(milestonesAfter(drag + QStringLiteral("drag 180 274 195 262\n")), 2);
   // Into the wall: refused, and nothing is changed.
   EXPECT_EQ(milestonesAfter(QStringLiteral("action run.start\nwait solved 20000\ndrag 408 315 345 340\n")), 0);
 }

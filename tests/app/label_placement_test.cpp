@@ -32,6 +32,13 @@ TEST(LabelPlacement, NoneLiesOnAnother) {
   }
 }
 
+TEST(LabelPlacement, ABoundOneIsWhereItBelongsOrLeftOut) {
+  const auto places = placeLabels({{boxAt(0, 0), false, true}, {boxAt(200, 0), false, true}, {boxAt(5, 0)}});
+  EXPECT_EQ(places[0], std::nullopt) << "the others choose first";
+  EXPECT_EQ(places[1], boxAt(200, 0));
+  EXPECT_EQ(places[2], boxAt(5, 0));
+}
+
 TEST(LabelPlacement, InACrowdTheStrongOnesStayWhereTheyAreAndSomeAreLeftOut) {
   std::vector<WantedLabel> labels(12, {boxAt(50, 50)});
   labels.back().strong = true;

@@ -33,6 +33,10 @@ expect_change() {
   fail "$3"
 }
 
+for option in --help --version; do
+  env -u DISPLAY "$glissade" $option >"$work/glissade.log" 2>&1 || fail "$option needs a display"
+done
+
 for _ in $(seq 50); do xdotool getdisplaygeometry >/dev/null 2>&1 && break; sleep 0.1; done
 picture empty
 "$glissade" "$source_dir/samples/environment-1/scenario.json" --size 1280x720 >"$work/glissade.log" 2>&1 &

@@ -2,7 +2,10 @@
 
 #include <QHeaderView>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "engine/planning/coarse/topological_planner.h"
 
 namespace glissade {
 namespace {
@@ -15,6 +18,37 @@ QString resultText(StepResult result) {
     case StepResult::Failed: return PlanPanel::tr("failed");
   }
   return {};
+}
+
+QString listed(const std::vector<std::string>& names) {
+  QStringList list;
+  for (const std::string& name : names) list << QString::fromStdString(name);
+  return list.join(QStringLiteral(", "));
+}
+
+QString noWayText(const CoarsePlan& plan) {
+  QStringList sentences{PlanPanel::tr("No way through the places.")};
+  if (!plan.forbidden.empty()) sentences << PlanPanel::tr("Forbidden: %1.").arg(listed(plan.forbidden));
+  if (!plan.tooDear.empty()) sentences << PlanPanel::tr("Of infinite cost: %1.").arg(listed(plan.tooDear));
+  if (sentences.size() == 1) sentences << PlanPanel::tr("None leads from start to goal.");
+  return sentences.join(QLatin1Char(' '));
+}
+
+bool solvedAsAWhole(const CoarsePlan& plan) {
+  return !plan.steps.empty() && plan.steps.back().place == TopologicalStep::kWholeWorkspace &&
+         plan.steps.back().result == StepResult::Solved;
+}
+
+/// The step of another plan that crosses the same place to the same border, or else the same place.
+std::optional<std::size_t> sameStep(const CoarsePlan& before, const TopologicalStep& step, const CoarsePlan& plan) {
+  if (!samePlaces(before.basis.environment, plan.basis.environment)) return std::nullopt;
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    if (plan.steps[i].place != step.place) continue;
+    if (plan.steps[i].border == step.border) return i;
+    if (!found) found = i;
+  }
+  return found;
 }
 
 }  // namespace
@@ -31,7 +65,9 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   for (int column = 0; column < 5; ++column) {
     steps_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
   }
-  steps_->header()->setStretchLastSection(true);
+  // Where room is short the planner's name is cut: a tool tip has it in full.
+  steps_->header()->setStretchLastSection(false);
+  steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   steps_->setMinimumSize(288, 64);
   why_->setWordWrap(true);
@@ -44,10 +80,11 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(why_);
   layout->addLayout(makeActionRow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
-    const auto step = currentStep();
-    why_->setText(step ? QString::fromStdString(plan_->steps[*step].why) : QString());
+    showWhy();
     emit stepChosen();
   });
+  // The row may be chosen already, and its place not selected any more.
+  connect(steps_, &QTreeWidget::itemPressed, this, [this] { emit stepChosen(); });
   setPlan(nullptr);
 }
 
@@ -58,29 +95,53 @@ std::optional<std::size_t> PlanPanel::currentStep() const {
   return index < plan_->steps.size() ? std::optional<std::size_t>(index) : std::nullopt;
 }
 
-void PlanPanel::setPlan(const CoarsePlanPtr& plan) {
+void PlanPanel::leaveStep() { steps_->clearSelection(); }
+
+void PlanPanel::setPlan(const CoarsePlanPtr& plan, const QString& whyNone) {
   if (plan == plan_ && plan != nullptr) return;
+  const auto step = currentStep();
+  const auto stays = step && plan ? sameStep(*plan_, plan_->steps[*step], *plan) : std::nullopt;
+  // Rows are used again: what is looked at goes with its step, unseen by those who listen for choices.
+  const QSignalBlocker quiet(steps_);
   plan_ = plan;
-  if (!plan_) {
-    steps_->clear();
-    why_->clear();
-    summary_->setText(tr("No coarse plan: choose strategy GT or GTS and start."));
-    return;
-  }
-  const QLocale locale;
-  if (plan_->attempt == 0) {
-    summary_->setText(tr("Coarse path of cost %1, not tried yet").arg(locale.toString(plan_->cost, 'f', 2)));
-  } else {
-    summary_->setText(tr("Coarse path %1, cost %2; random configurations: coarse %3, fine %4")
-                          .arg(plan_->attempt)
-                          .arg(locale.toString(plan_->cost, 'f', 2))
-                          .arg(locale.toString(static_cast<qulonglong>(plan_->coarseConfigurations)),
-                               locale.toString(static_cast<qulonglong>(plan_->fineConfigurations))));
-  }
-  while (steps_->topLevelItemCount() > static_cast<int>(plan_->steps.size())) {
+  const std::size_t rows = plan_ ? plan_->steps.size() : 0;
+  while (steps_->topLevelItemCount() > static_cast<int>(rows)) {
     delete steps_->takeTopLevelItem(steps_->topLevelItemCount() - 1);
   }
-  for (std::size_t i = 0; i < plan_->steps.size(); ++i) showStep(i);
+  for (std::size_t i = 0; i < rows; ++i) showStep(i);
+  if (stays != currentStep()) {
+    steps_->setCurrentItem(stays ? steps_->topLevelItem(static_cast<int>(*stays)) : nullptr);
+    if (!stays) steps_->clearSelection();
+  }
+  showWhy();
+  if (plan_) {
+    showSummary();
+  } else {
+    summary_->setText(whyNone.isEmpty() ? tr("No coarse plan: choose strategy GT or GTS and start.") : whyNone);
+  }
+}
+
+void PlanPanel::showSummary() {
+  const QLocale locale;
+  const QString cost = locale.toString(plan_->cost, 'f', 2);
+  const auto number = [&](std::uint64_t count) { return locale.toString(static_cast<qulonglong>(count)); };
+  QString summary;
+  if (solvedAsAWhole(*plan_)) {
+    summary = tr("Solved by the search of the whole workspace, after %1 coarse paths; random configurations: %2")
+                  .arg(number(plan_->attempt), number(plan_->coarseConfigurations + plan_->fineConfigurations));
+  } else if (plan_->nodes.empty()) {
+    summary = noWayText(*plan_);
+  } else if (plan_->attempt == 0) {
+    summary = tr("Coarse path of cost %1, not tried yet").arg(cost);
+  } else {
+    summary =
+        tr("Coarse path %1, cost %2; random configurations: coarse %3, fine %4")
+            .arg(number(plan_->attempt), cost, number(plan_->coarseConfigurations), number(plan_->fineConfigurations));
+  }
+  summary_->setText(summary);
+}
+
+void PlanPanel::showWhy() {
   const auto step = currentStep();
   why_->setText(step ? QString::fromStdString(plan_->steps[*step].why) : QString());
 }
@@ -89,7 +150,8 @@ void PlanPanel::showStep(std::size_t index) {
   const TopologicalStep& step = plan_->steps[index];
   QTreeWidgetItem* item = steps_->topLevelItem(static_cast<int>(index));
   if (item == nullptr) item = new QTreeWidgetItem(steps_);
-  item->setText(0, QString::fromStdString(step.placeName));
+  const bool whole = step.place == TopologicalStep::kWholeWorkspace;
+  item->setText(0, whole ? tr("everywhere") : QString::fromStdString(step.placeName));
   item->setText(1, QString::fromStdString(step.borderName));
   item->setText(2, (step.geometrical ? QStringLiteral("A*, ") : QString()) + QString::fromStdString(step.planner));
   item->setText(3, QLocale().toString(static_cast<qulonglong>(step.randomConfigurations)));

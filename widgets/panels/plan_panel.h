@@ -16,16 +16,22 @@ class PlanPanel final : public QWidget {
  public:
   explicit PlanPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  void setPlan(const CoarsePlanPtr& plan);
+  /// The step that was looked at stays so where the plan has it still. Null: none, with the reason where there is
+  /// one to tell.
+  void setPlan(const CoarsePlanPtr& plan, const QString& whyNone = {});
   /// The step that is looked at; nothing: none.
   std::optional<std::size_t> currentStep() const;
+  /// No step is looked at any more.
+  void leaveStep();
 
  signals:
-  /// A step was chosen, or none any more.
+  /// A step was chosen, perhaps the same again, or none any more.
   void stepChosen();
 
  private:
+  void showSummary();
   void showStep(std::size_t index);
+  void showWhy();
 
   CoarsePlanPtr plan_;
   QLabel* summary_;

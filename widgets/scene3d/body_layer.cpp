@@ -2,19 +2,36 @@
 
 #include <osg/PolygonOffset>
 
+#include <algorithm>
+
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
 namespace {
 
-float alphaOf(BodyStyle style) {
+/// A ghost of more edges fades, or it would be a solid blob that hides what it stands beside.
+constexpr double kPlainEdges = 400.0;
+constexpr double kLeastShown = 0.03;
+constexpr double kLeastFilled = 0.25;
+
+struct Opacity {
+  double surface;
+  double edges;
+};
+
+Opacity opacityOf(BodyStyle style, std::size_t edges) {
   switch (style) {
-    case BodyStyle::Solid: return 1.0F;
-    case BodyStyle::SeeThrough: return 0.38F;
-    case BodyStyle::Ghost: return 0.16F;
+    case BodyStyle::Solid: return {1.0, 1.0};
+    case BodyStyle::SeeThrough: return {0.38, 1.0};
+    case BodyStyle::Ghost: break;
   }
-  return 1.0F;
+  const double shown = kPlainEdges / std::max(kPlainEdges, static_cast<double>(edges));
+  return {0.16 * std::max(kLeastFilled, shown), std::max(kLeastShown, shown)};
+}
+
+osg::Vec4 faded(const osg::Vec4& colour, double by) {
+  return {colour.r(), colour.g(), colour.b(), colour.a() * static_cast<float>(by)};
 }
 
 }  // namespace
@@ -22,15 +39,18 @@ float alphaOf(BodyStyle style) {
 osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose& X_WB, const osg::Vec4& colour,
                                             BodyStyle style, const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
+  const std::vector<Vector3> lines = featureEdges(mesh);
+  const Opacity opacity = opacityOf(style, lines.size() / 2);
   osg::ref_ptr<osg::Geode> surface = new osg::Geode;
-  surface->addDrawable(makeSurface(mesh, osg::Vec4(colour.r(), colour.g(), colour.b(), alphaOf(style))));
+  surface->addDrawable(
+      makeSurface(mesh, osg::Vec4(colour.r(), colour.g(), colour.b(), static_cast<float>(opacity.surface))));
   // Edges lie on the surface: push the surface back so that they are not torn.
   surface->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
   if (style != BodyStyle::Solid) makeTransparent(*surface);
   osg::ref_ptr<osg::Geode> edges = new osg::Geode;
-  const osg::Vec4 edgeColour = style == BodyStyle::Ghost ? colour : palette.lines;
-  edges->addDrawable(
-      makeFeatureEdges(mesh, edgeColour, (style == BodyStyle::SeeThrough ? 1.0F : 1.5F) * palette.pixelScale));
+  const osg::Vec4 edgeColour = faded(style == BodyStyle::Ghost ? colour : palette.lines, opacity.edges);
+  const float width = (style == BodyStyle::SeeThrough ? 1.0F : 1.5F) * palette.pixelScale;
+  edges->addDrawable(makeLines(lines, LineKind::Segments, edgeColour, width));
   transform->addChild(surface);
   transform->addChild(edges);
   return transform;

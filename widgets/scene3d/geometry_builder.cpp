@@ -49,7 +49,7 @@ osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec
   return geometry;
 }
 
-osg::ref_ptr<osg::Geometry> makeFeatureEdges(const TriangleMesh& input, const osg::Vec4& colour, float width) {
+std::vector<Vector3> featureEdges(const TriangleMesh& input) {
   const TriangleMesh mesh = welded(input);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vector3>> facesOf;
   for (const TriangleIndices& triangle : mesh.triangles) {
@@ -65,7 +65,7 @@ osg::ref_ptr<osg::Geometry> makeFeatureEdges(const TriangleMesh& input, const os
     points.push_back(mesh.vertices[edge.first]);
     points.push_back(mesh.vertices[edge.second]);
   }
-  return makeLines(points, LineKind::Segments, colour, width);
+  return points;
 }
 
 osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,

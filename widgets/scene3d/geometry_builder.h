@@ -12,9 +12,9 @@ namespace glissade {
 /// Flat-shaded triangles of a mesh; one colour for all of it.
 osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour);
 
-/// The edges that a draughtsman would draw: open ones, and those whose faces meet at more than 30
-/// degrees.
-osg::ref_ptr<osg::Geometry> makeFeatureEdges(const TriangleMesh& mesh, const osg::Vec4& colour, float width);
+/// The edges that a draughtsman would draw, as segment ends: open ones, and those whose faces meet at more than
+/// 30 degrees.
+std::vector<Vector3> featureEdges(const TriangleMesh& mesh);
 
 /// A set of separate line segments, or a polyline.
 enum class LineKind { Segments, Strip };

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QFontMetrics>
+#include <QLocale>
 #include <QPainter>
 
 #include <cmath>
@@ -19,6 +20,13 @@ std::optional<QPointF> project(const CameraController& camera, const Vector3& p_
   if (p_V.z() > -camera.nearPlane()) return std::nullopt;
   const double scale = size.height() / (2.0 * std::tan(camera.verticalFieldOfView() / 2.0));
   return QPointF(size.width() / 2.0 - p_V.x() / p_V.z() * scale, size.height() / 2.0 + p_V.y() / p_V.z() * scale);
+}
+
+constexpr int kDigits = 3;
+constexpr double kSmall = 0.85;  ///< of the usual size
+
+QString textOf(const SceneLabel& label) {
+  return label.number ? QLocale().toString(*label.number, 'g', kDigits) : QString::fromStdString(label.text);
 }
 
 }  // namespace
@@ -42,7 +50,7 @@ void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
     const auto at = project(view_.camera(), label.p_W, size());
     if (!at) continue;
     labels.push_back(label);
-    wanted.push_back({boxOf(label, *at), label.strong});
+    wanted.push_back({boxOf(label, *at), label.strong, label.small});
   }
   const auto places = placeLabels(wanted);
   QPainter painter(this);
@@ -52,8 +60,14 @@ void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
+QFont LabelOverlay::fontOf(const SceneLabel& label) const {
+  QFont smaller = font();
+  if (label.small) smaller.setPointSizeF(kSmall * smaller.pointSizeF());
+  return smaller;
+}
+
 QRectF LabelOverlay::boxOf(const SceneLabel& label, const QPointF& at) const {
-  QRectF box = QFontMetrics(font()).boundingRect(QString::fromStdString(label.text));
+  QRectF box = QFontMetrics(fontOf(label)).boundingRect(textOf(label));
   box.adjust(-5, -2, 5, 2);
   box.moveCenter(at + QPointF(0, label.below ? box.height() : 0));
   return box;
@@ -66,7 +80,8 @@ void LabelOverlay::paint(QPainter& painter, const SceneLabel& label, const QRect
   painter.setBrush(ground);
   painter.drawRoundedRect(box, 4, 4);
   painter.setPen(palette().color(label.strong ? QPalette::HighlightedText : QPalette::Text));
-  painter.drawText(box, Qt::AlignCenter, QString::fromStdString(label.text));
+  painter.setFont(fontOf(label));
+  painter.drawText(box, Qt::AlignCenter, textOf(label));
 }
 
 }  // namespace glissade

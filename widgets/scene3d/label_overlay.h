@@ -20,6 +20,7 @@ class LabelOverlay final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  QFont fontOf(const SceneLabel& label) const;
   /// Where a label wants to be whose point is drawn there.
   QRectF boxOf(const SceneLabel& label, const QPointF& at) const;
   void paint(QPainter& painter, const SceneLabel& label, const QRectF& box) const;

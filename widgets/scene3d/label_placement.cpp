@@ -14,6 +14,7 @@ class Placement {
  public:
   std::optional<QRectF> place(const WantedLabel& label) {
     for (const auto& [across, down] : kSteps) {
+      if (label.bound && (across != 0 || down != 0)) break;
       const QRectF box = label.box.translated(across * (label.box.width() + kGap), down * (label.box.height() + kGap));
       if (isFree(box)) return taken(box);
     }
@@ -38,9 +39,10 @@ class Placement {
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels) {
   Placement placement;
   std::vector<std::optional<QRectF>> places(labels.size());
-  for (const bool strong : {true, false}) {
+  const auto rank = [](const WantedLabel& label) { return label.strong ? 0 : label.bound ? 2 : 1; };
+  for (const int turn : {0, 1, 2}) {
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      if (labels[i].strong == strong) places[i] = placement.place(labels[i]);
+      if (rank(labels[i]) == turn) places[i] = placement.place(labels[i]);
     }
   }
   return places;

@@ -11,10 +11,12 @@ namespace glissade {
 struct WantedLabel {
   QRectF box;           ///< where it would like to be
   bool strong = false;  ///< drawn in any case
+  bool bound = false;   ///< only where it would like to be, or not at all
 };
 
 /// Where labels go so that none lies on another: each where it wants to be, or beside that by its own size. One
-/// for which there is no room is left out, unless it is strong. Strong ones choose first, then in their order.
+/// for which there is no room is left out, unless it is strong. Strong ones choose first, then in their order;
+/// bound ones last.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<WantedLabel>& labels);
 
 }  // namespace glissade

@@ -20,7 +20,11 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
 
   SceneView& view() override { return view_; }
   QWidget* widget() override { return this; }
-  void refresh() override { update(); }
+  /// What lies over an OpenGL widget is not painted with it.
+  void refresh() override {
+    update();
+    for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
+  }
   QImage picture() override { return grabFramebuffer(); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
@@ -40,7 +44,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   void moved(bool camera) {
     if (!camera) return;
     if (cameraMoved_) cameraMoved_();
-    update();
+    refresh();
   }
 
   SceneView view_;

@@ -7,9 +7,8 @@
 #include <osg/MatrixTransform>
 
 #include <array>
+#include <cmath>
 #include <functional>
-#include <iomanip>
-#include <sstream>
 
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
@@ -316,9 +315,12 @@ std::vector<SceneLabel> SceneView::labels() const {
   if (!layerVisible(SceneLayer::Graph) || !impl_->drawnPlan || !impl_->drawnPlan->graph) return labels;
   const TopologicalGraph& graph = *impl_->drawnPlan->graph;
   for (std::size_t i = 2; i < graph.nodes.size(); ++i) {
-    std::ostringstream cost;
-    cost << std::setprecision(3) << graph.nodes[i].cost;
-    if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, cost.str(), false, true});
+    if (graph.nodes[i].cost > 0.0) labels.push_back({graph.nodes[i].p_W, {}, false, true, graph.nodes[i].cost});
+  }
+  const auto p_W = [&](int node) { return graph.nodes[static_cast<std::size_t>(node)].p_W; };
+  for (const auto& edge : graph.edges) {
+    if (edge.from > edge.to || !std::isfinite(edge.cost)) continue;
+    labels.push_back({0.5 * (p_W(edge.from) + p_W(edge.to)), {}, false, false, edge.cost, true});
   }
   return labels;
 }

@@ -52,7 +52,9 @@ struct SceneLabel {
   Vector3 p_W;
   std::string text;
   bool strong = false;
-  bool below = false;  ///< written under the point, so that another text has room on it
+  bool below = false;                           ///< written under the point, so that another text has room on it
+  std::optional<double> number = std::nullopt;  ///< written instead of the text, as the user's language writes numbers
+  bool small = false;                           ///< written small, and only where there is room for it at its point
 };
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on

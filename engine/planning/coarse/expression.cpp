@@ -14,6 +14,7 @@ namespace glissade {
 struct Expression::Term {
   using Operation = std::function<RuleValue(const std::vector<RuleValue>&)>;
 
+  RuleType type = RuleType::Number;
   std::string name;     ///< of a variable; empty otherwise
   RuleValue constant;   ///< of a leaf without a name
   Operation operation;  ///< of an inner node
@@ -40,42 +41,76 @@ constexpr int kDeepest = 64;
 /// Longer texts are refused as well: a chain of operations is as deep a tree as it is long.
 constexpr std::size_t kLongest = 4096;
 
-double numberOf(const RuleValue& value) {
+/// What divides by zero has this value, and everything that is computed from it.
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Precondition: no text; the parser has seen to it.
+double numberOf(const RuleValue& value) { return std::get<double>(value); }
+
+bool isNoNumber(const RuleValue& value) {
   const double* number = std::get_if<double>(&value);
-  return number != nullptr && !std::isnan(*number) ? *number : 0.0;
+  return number != nullptr && std::isnan(*number);
 }
 
 TermPtr leaf(RuleValue constant) {
   auto term = std::make_shared<Term>();
+  term->type = std::holds_alternative<double>(constant) ? RuleType::Number : RuleType::Text;
   term->constant = std::move(constant);
   return term;
 }
 
-TermPtr variable(std::string name) {
+TermPtr variable(std::string name, RuleType type) {
   auto term = std::make_shared<Term>();
+  term->type = type;
   term->name = std::move(name);
   return term;
 }
 
-TermPtr inner(Term::Operation operation, std::vector<TermPtr> arguments) {
+TermPtr inner(Term::Operation operation, std::vector<TermPtr> arguments, RuleType type = RuleType::Number) {
   auto term = std::make_shared<Term>();
+  term->type = type;
   term->operation = std::move(operation);
   term->arguments = std::move(arguments);
   return term;
 }
 
+/// Infinite minus infinite, and the like, is 0.
+double orZero(double value) { return std::isnan(value) ? 0.0 : value; }
+
 Term::Operation onNumbers(double (*operation)(double, double)) {
-  return [operation](const Values& v) -> RuleValue { return operation(numberOf(v[0]), numberOf(v[1])); };
+  return [operation](const Values& v) -> RuleValue {
+    if (isNoNumber(v[0]) || isNoNumber(v[1])) return kNoNumber;
+    return orZero(operation(numberOf(v[0]), numberOf(v[1])));
+  };
+}
+
+Term::Operation onNumber(double (*operation)(double)) {
+  return [operation](const Values& v) -> RuleValue {
+    return isNoNumber(v[0]) ? kNoNumber : orZero(operation(numberOf(v[0])));
+  };
+}
+
+RuleValue quotient(const Values& v) {
+  return numberOf(v[1]) == 0.0 ? kNoNumber : onNumbers([](double a, double b) { return a / b; })(v);
+}
+
+RuleValue choice(const Values& v) {
+  if (isNoNumber(v[0])) return kNoNumber;
+  return numberOf(v[0]) != 0.0 ? v[1] : v[2];
 }
 
 /// Two values are the same when both are texts or both numbers, and equal.
 Term::Operation comparison(bool wantSame) {
-  return [wantSame](const Values& v) -> RuleValue { return (v[0] == v[1]) == wantSame ? 1.0 : 0.0; };
+  return [wantSame](const Values& v) -> RuleValue {
+    if (isNoNumber(v[0]) || isNoNumber(v[1])) return kNoNumber;
+    return (v[0] == v[1]) == wantSame ? 1.0 : 0.0;
+  };
 }
 
 double best(const Values& values, bool largest) {
   double result = numberOf(values.front());
   for (const RuleValue& value : values) {
+    if (isNoNumber(value)) return kNoNumber;
     result = largest ? std::max(result, numberOf(value)) : std::min(result, numberOf(value));
   }
   return result;
@@ -89,16 +124,13 @@ struct Function {
 
 std::map<std::string, Function> functions() {
   constexpr std::size_t kAny = 16;
-  const auto unary = [](double (*f)(double)) -> Term::Operation {
-    return [f](const Values& v) -> RuleValue { return f(numberOf(v[0])); };
-  };
   return {
       {"min", {1, kAny, [](const Values& v) -> RuleValue { return best(v, false); }}},
       {"max", {1, kAny, [](const Values& v) -> RuleValue { return best(v, true); }}},
-      {"abs", {1, 1, unary([](double x) { return std::abs(x); })}},
-      {"sqrt", {1, 1, unary([](double x) { return std::sqrt(std::max(0.0, x)); })}},
-      {"log2", {1, 1, unary([](double x) { return x > 0.0 ? std::log2(x) : 0.0; })}},
-      {"if", {3, 3, [](const Values& v) -> RuleValue { return numberOf(v[0]) != 0.0 ? v[1] : v[2]; }}},
+      {"abs", {1, 1, onNumber([](double x) { return std::abs(x); })}},
+      {"sqrt", {1, 1, onNumber([](double x) { return std::sqrt(std::max(0.0, x)); })}},
+      {"log2", {1, 1, onNumber([](double x) { return x > 0.0 ? std::log2(x) : 0.0; })}},
+      {"if", {3, 3, choice}},
   };
 }
 
@@ -110,18 +142,31 @@ struct SyntaxError {
 /// Recursive descent, one function a level of the grammar.
 class Parser {
  public:
-  Parser(const std::string& text, const std::function<bool(const std::string&)>& known)
-      : text_(text), known_(known), functions_(functions()) {}
+  Parser(const std::string& text, const NameTypes& typeOf) : text_(text), typeOf_(typeOf), functions_(functions()) {}
 
   TermPtr parse() {
-    TermPtr term = disjunction();
+    TermPtr term = number(&Parser::disjunction);
     skipSpaces();
     if (at_ < text_.size()) fail("'" + text_.substr(at_, 8) + "' was not expected");
     return term;
   }
 
  private:
+  using Level = TermPtr (Parser::*)();
+
   [[noreturn]] void fail(const std::string& reason) const { throw SyntaxError{at_, reason}; }
+
+  /// An operand where only a number means anything.
+  TermPtr number(Level level) {
+    skipSpaces();
+    const std::size_t begin = at_;
+    return numeric((this->*level)(), begin);
+  }
+  TermPtr numeric(TermPtr term, std::size_t begin) const {
+    if (term->type == RuleType::Number) return term;
+    throw SyntaxError{
+        begin, (term->name.empty() ? "a text" : "'" + term->name + "', a text,") + " stands where a number is needed"};
+  }
 
   void skipSpaces() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n')) ++at_;
@@ -143,64 +188,58 @@ class Parser {
     if (!takes(token)) fail("'" + token + "' is missing");
   }
 
-  TermPtr disjunction() {
-    TermPtr left = conjunction();
-    while (takes("or")) {
-      left =
-          inner(onNumbers([](double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; }), {left, conjunction()});
+  /// Operands of one level of the grammar, from left to right.
+  TermPtr chain(Level operand, const std::vector<std::pair<std::string, Term::Operation>>& operations) {
+    skipSpaces();
+    const std::size_t begin = at_;
+    TermPtr left = (this->*operand)();
+    for (;;) {
+      const auto found = std::find_if(operations.begin(), operations.end(),
+                                      [this](const auto& operation) { return takes(operation.first); });
+      if (found == operations.end()) return left;
+      left = inner(found->second, {numeric(left, begin), number(operand)});
     }
-    return left;
+  }
+
+  TermPtr disjunction() {
+    return chain(&Parser::conjunction,
+                 {{"or", onNumbers([](double a, double b) { return a != 0.0 || b != 0.0 ? 1.0 : 0.0; })}});
   }
   TermPtr conjunction() {
-    TermPtr left = negation();
-    while (takes("and")) {
-      left = inner(onNumbers([](double a, double b) { return a != 0.0 && b != 0.0 ? 1.0 : 0.0; }), {left, negation()});
-    }
-    return left;
+    return chain(&Parser::negation,
+                 {{"and", onNumbers([](double a, double b) { return a != 0.0 && b != 0.0 ? 1.0 : 0.0; })}});
   }
   TermPtr negation() {
     if (!takes("not")) return relation();
     const Nesting nesting(*this);
-    return inner([](const Values& v) -> RuleValue { return numberOf(v[0]) == 0.0 ? 1.0 : 0.0; }, {negation()});
+    return inner(onNumber([](double x) { return x == 0.0 ? 1.0 : 0.0; }), {number(&Parser::negation)});
   }
   TermPtr relation() {
+    skipSpaces();
+    const std::size_t begin = at_;
     TermPtr left = sum();
     if (takes("==")) return inner(comparison(true), {left, sum()});
     if (takes("!=")) return inner(comparison(false), {left, sum()});
-    if (takes("<=")) return inner(onNumbers([](double a, double b) { return a <= b ? 1.0 : 0.0; }), {left, sum()});
-    if (takes(">=")) return inner(onNumbers([](double a, double b) { return a >= b ? 1.0 : 0.0; }), {left, sum()});
-    if (takes("<")) return inner(onNumbers([](double a, double b) { return a < b ? 1.0 : 0.0; }), {left, sum()});
-    if (takes(">")) return inner(onNumbers([](double a, double b) { return a > b ? 1.0 : 0.0; }), {left, sum()});
+    const auto order = [&](double (*operation)(double, double)) {
+      return inner(onNumbers(operation), {numeric(left, begin), number(&Parser::sum)});
+    };
+    if (takes("<=")) return order([](double a, double b) { return a <= b ? 1.0 : 0.0; });
+    if (takes(">=")) return order([](double a, double b) { return a >= b ? 1.0 : 0.0; });
+    if (takes("<")) return order([](double a, double b) { return a < b ? 1.0 : 0.0; });
+    if (takes(">")) return order([](double a, double b) { return a > b ? 1.0 : 0.0; });
     return left;
   }
   TermPtr sum() {
-    TermPtr left = product();
-    for (;;) {
-      if (takes("+")) {
-        left = inner(onNumbers([](double a, double b) { return a + b; }), {left, product()});
-      } else if (takes("-")) {
-        left = inner(onNumbers([](double a, double b) { return a - b; }), {left, product()});
-      } else {
-        return left;
-      }
-    }
+    return chain(&Parser::product, {{"+", onNumbers([](double a, double b) { return a + b; })},
+                                    {"-", onNumbers([](double a, double b) { return a - b; })}});
   }
   TermPtr product() {
-    TermPtr left = unary();
-    for (;;) {
-      if (takes("*")) {
-        left = inner(onNumbers([](double a, double b) { return a * b; }), {left, unary()});
-      } else if (takes("/")) {
-        left = inner(onNumbers([](double a, double b) { return a / b; }), {left, unary()});
-      } else {
-        return left;
-      }
-    }
+    return chain(&Parser::unary, {{"*", onNumbers([](double a, double b) { return a * b; })}, {"/", quotient}});
   }
   TermPtr unary() {
     if (!takes("-")) return primary();
     const Nesting nesting(*this);
-    return inner([](const Values& v) -> RuleValue { return -numberOf(v[0]); }, {unary()});
+    return inner(onNumber([](double x) { return -x; }), {number(&Parser::unary)});
   }
   TermPtr primary() {
     const Nesting nesting(*this);
@@ -244,19 +283,23 @@ class Parser {
       at_ = end;
       return leaf(std::numeric_limits<double>::infinity());
     }
-    if (!known_(name)) fail("the name '" + name + "' is unknown");
+    const auto type = typeOf_(name);
+    if (!type) fail("the name '" + name + "' is unknown");
     at_ = end;
-    return variable(name);
+    return variable(name, *type);
   }
   TermPtr call(const std::string& name, const Function& function) {
     expect("(");
-    std::vector<TermPtr> arguments{disjunction()};
-    while (takes(",")) arguments.push_back(disjunction());
+    const bool chooses = name == "if";
+    std::vector<TermPtr> arguments{number(&Parser::disjunction)};
+    while (takes(",")) arguments.push_back(chooses ? disjunction() : number(&Parser::disjunction));
     expect(")");
     if (arguments.size() < function.least || arguments.size() > function.most) {
       fail("'" + name + "' has the wrong number of arguments");
     }
-    return inner(function.operation, std::move(arguments));
+    const bool text = std::any_of(arguments.begin(), arguments.end(),
+                                  [](const TermPtr& argument) { return argument->type == RuleType::Text; });
+    return inner(function.operation, std::move(arguments), text ? RuleType::Text : RuleType::Number);
   }
 
   /// Counts how deep the grammar has gone.
@@ -274,7 +317,7 @@ class Parser {
   };
 
   const std::string& text_;
-  const std::function<bool(const std::string&)>& known_;
+  const NameTypes& typeOf_;
   std::map<std::string, Function> functions_;
   std::size_t at_ = 0;
   int depth_ = 0;
@@ -282,13 +325,13 @@ class Parser {
 
 }  // namespace
 
-Result<Expression> Expression::parse(const std::string& text, const std::function<bool(const std::string&)>& known) {
+Result<Expression> Expression::parse(const std::string& text, const NameTypes& typeOf) {
   if (text.size() > kLongest) {
     return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(kLongest + 1), "the rule is too long",
                       "Use at most " + std::to_string(kLongest) + " characters."};
   }
   try {
-    return Expression(text, Parser(text, known).parse());
+    return Expression(text, Parser(text, typeOf).parse());
   } catch (const SyntaxError& error) {
     return Diagnostic{ErrorKind::MalformedInput, "", "column " + std::to_string(error.position + 1), error.reason,
                       "Correct the rule: " + (text.size() > 200 ? text.substr(0, 200) + "..." : text)};
@@ -296,5 +339,10 @@ Result<Expression> Expression::parse(const std::string& text, const std::functio
 }
 
 double Expression::number(const NameLookup& lookup) const { return numberOf(root_->value(lookup)); }
+
+bool Expression::holds(const NameLookup& lookup) const {
+  const RuleValue value = root_->value(lookup);
+  return !isNoNumber(value) && numberOf(value) != 0.0;
+}
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -12,7 +13,10 @@ namespace glissade {
 /// A value in a rule: booleans are the numbers 0 and 1.
 using RuleValue = std::variant<double, std::string>;
 
-/// Looks a name of a rule up: "distance", "place.complexity", "object.shape".
+enum class RuleType { Number, Text };
+/// What a name of a rule ("distance", "place.complexity", "object.shape") stands for; nothing: it is unknown.
+using NameTypes = std::function<std::optional<RuleType>(const std::string& name)>;
+/// The value of a known name.
 using NameLookup = std::function<RuleValue(const std::string& name)>;
 
 /// A small expression that a user can read and change, for the functions f and g of paper 2,
@@ -21,9 +25,9 @@ using NameLookup = std::function<RuleValue(const std::string& name)>;
 ///   min(a, b...), max(a, b...), abs(a), sqrt(a), log2(a), if(condition, a, b), infinite
 class Expression {
  public:
-  /// Syntax errors and names for which `known` is false are MalformedInput errors that tell the
+  /// Syntax errors, unknown names and texts where a number is needed are MalformedInput errors that tell the
   /// position in the text.
-  static Result<Expression> parse(const std::string& text, const std::function<bool(const std::string&)>& known);
+  static Result<Expression> parse(const std::string& text, const NameTypes& typeOf);
 
   Expression(const Expression&) = default;
   Expression(Expression&&) = default;
@@ -32,9 +36,10 @@ class Expression {
   ~Expression() = default;
 
   const std::string& text() const { return text_; }
-  /// A text where a number is needed counts as 0, as does what is not a number.
+  /// Not a number where the rule divides by zero. Infinite minus infinite, and zero times infinite, are 0.
   double number(const NameLookup& lookup) const;
-  bool holds(const NameLookup& lookup) const { return number(lookup) != 0.0; }
+  /// A condition that divides by zero does not hold.
+  bool holds(const NameLookup& lookup) const;
 
   struct Term;
 

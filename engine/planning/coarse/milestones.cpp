@@ -32,7 +32,9 @@ std::optional<Pose> editedMilestone(const TopologicalMap& map, int border, const
   return std::nullopt;
 }
 
-std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, int place, int border) {
+namespace {
+
+std::optional<Pose> fittedInPassage(const SceneKnowledge& knowledge, int place, int border) {
   const TopologicalMap& map = knowledge.environment->map;
   const auto p = static_cast<std::size_t>(place);
   const auto& crossing = knowledge.fits[p].crossing;
@@ -40,6 +42,18 @@ std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, int place, 
   const int axis = map.places[p].axis;
   const bool lower = borderOf(map, border).centre[axis] < map.places[p].box.center()[axis];
   return lower ? crossing->before : crossing->behind;
+}
+
+}  // namespace
+
+std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, const TopologicalStep& step,
+                                    const TopologicalStep* next) {
+  if (step.border < 0) return std::nullopt;
+  auto ahead = next != nullptr ? fittedInPassage(knowledge, next->place, step.border) : std::nullopt;
+  auto here = fittedInPassage(knowledge, step.place, step.border);
+  if (!ahead) return here;
+  const auto margin = [&](int place) { return knowledge.fits[static_cast<std::size_t>(place)].margin; };
+  return here && margin(step.place) < margin(next->place) ? here : ahead;
 }
 
 }  // namespace glissade

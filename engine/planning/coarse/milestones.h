@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/planning/coarse/coarse_plan.h"
 #include "engine/planning/coarse/scene_knowledge.h"
 
 namespace glissade {
@@ -22,8 +23,9 @@ class MilestoneSampler {
 std::optional<Pose> editedMilestone(const TopologicalMap& map, int border, const SemanticEdits& edits,
                                     CollisionQuery& query);
 
-/// The end of the straight crossing of a passage that lies on a border's side; nothing where the
-/// place is no passage, or has no straight crossing.
-std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, int place, int border);
+/// The milestone of a step where its place or the next one (null: none) is a passage with a straight crossing:
+/// that crossing's end on the border's side. Of two passages the tighter one has its way.
+std::optional<Pose> fittedMilestone(const SceneKnowledge& knowledge, const TopologicalStep& step,
+                                    const TopologicalStep* next);
 
 }  // namespace glissade

@@ -41,23 +41,29 @@ StrategyRules presetRules(std::string_view strategy) {
 
 namespace {
 
-/// Names of the form "<prefix>.<attribute>", and plain ones.
+/// Names of the form "<prefix>.<attribute>", and plain ones, which are numbers.
 class KnownNames {
  public:
   KnownNames(const AttributeTable& table, std::vector<std::string> plain, std::vector<std::string> placePrefixes)
       : table_(table), plain_(std::move(plain)), placePrefixes_(std::move(placePrefixes)) {}
 
-  bool operator()(const std::string& name) const {
+  std::optional<RuleType> operator()(const std::string& name) const {
     const std::size_t dot = name.find('.');
-    if (dot == std::string::npos) return std::find(plain_.begin(), plain_.end(), name) != plain_.end();
+    if (dot == std::string::npos) return has(plain_, name) ? std::make_optional(RuleType::Number) : std::nullopt;
     const std::string prefix = name.substr(0, dot);
-    const std::string attribute = name.substr(dot + 1);
-    if (prefix == "object") return table_.find(AttributeOwner::Body, attribute) != nullptr;
-    const bool place = std::find(placePrefixes_.begin(), placePrefixes_.end(), prefix) != placePrefixes_.end();
-    return place && table_.find(AttributeOwner::Place, attribute) != nullptr;
+    if (prefix != "object" && !has(placePrefixes_, prefix)) return std::nullopt;
+    const auto owner = prefix == "object" ? AttributeOwner::Body : AttributeOwner::Place;
+    const AttributeDefinition* attribute = table_.find(owner, name.substr(dot + 1));
+    if (attribute == nullptr) return std::nullopt;
+    const bool text = attribute->type == AttributeType::Text || attribute->type == AttributeType::Choice;
+    return text ? RuleType::Text : RuleType::Number;
   }
 
  private:
+  static bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
+
   const AttributeTable& table_;
   std::vector<std::string> plain_;
   std::vector<std::string> placePrefixes_;

@@ -1,8 +1,11 @@
 #include "engine/planning/coarse/topological_planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
+
+#include "engine/base/number_text.h"
 
 namespace glissade {
 namespace {
@@ -30,8 +33,18 @@ double numberOf(const SemanticModel& semantics, std::size_t place, const char* a
   return std::get<double>(semantics.ofPlace(place, attribute).value);
 }
 
-/// A negative cost would make Dijkstra wrong; a rule that gives one means "free of charge".
-double cost(double value) { return value > 0.0 ? value : 0.0; }
+/// What rounding may leave of a cost that is 0.
+constexpr double kRounding = 1e-9;
+
+/// The cost that a rule gives; a negative one would make Dijkstra wrong.
+Result<double> costBy(const Expression& rule, const char* pointer, const NameLookup& lookup, const std::string& where) {
+  const double value = rule.number(lookup);
+  if (value >= -kRounding) return std::max(0.0, value);
+  return Diagnostic{
+      ErrorKind::MalformedInput, "", pointer,
+      std::isnan(value) ? "divides by zero " + where : "gives the negative cost " + toText(value) + " " + where,
+      "A cost is 0 or more: correct the rule " + rule.text()};
+}
 
 }  // namespace
 
@@ -44,9 +57,9 @@ NameLookup placeLookup(const SemanticModel& semantics, std::size_t place, double
   };
 }
 
-TopologicalGraph makeTopologicalGraph(const TopologicalMap& map, const SemanticModel& semantics,
-                                      const ParsedRules& rules, const Vector3& start, const Vector3& goal,
-                                      const LearntCosts& learnt) {
+Result<TopologicalGraph> makeTopologicalGraph(const TopologicalMap& map, const SemanticModel& semantics,
+                                              const ParsedRules& rules, const Vector3& start, const Vector3& goal,
+                                              const LearntCosts& learnt) {
   const double size = map.grid.frame.side;
   TopologicalGraph graph;
   graph.nodes.push_back({-1, start, 0.0});
@@ -66,8 +79,12 @@ TopologicalGraph makeTopologicalGraph(const TopologicalMap& map, const SemanticM
       const int place = prefix == "a" ? border.placeA : border.placeB;
       return toRuleValue(semantics.ofPlace(static_cast<std::size_t>(place), attribute).value);
     };
+    const auto nameOf = [&](int place) { return semantics.placeName(static_cast<std::size_t>(place)); };
+    const auto cost =
+        costBy(rules.node, "/rules/node", lookup, "between " + nameOf(border.placeA) + " and " + nameOf(border.placeB));
+    if (!cost) return cost.error();
     const int node = static_cast<int>(graph.nodes.size());
-    graph.nodes.push_back({static_cast<int>(b), border.centre, cost(rules.node.number(lookup))});
+    graph.nodes.push_back({static_cast<int>(b), border.centre, *cost});
     attach(border.placeA, node);
     attach(border.placeB, node);
   }
@@ -79,7 +96,10 @@ TopologicalGraph makeTopologicalGraph(const TopologicalMap& map, const SemanticM
         if (to == from) continue;
         const double distance =
             (graph.nodes[static_cast<std::size_t>(from)].p_W - graph.nodes[static_cast<std::size_t>(to)].p_W).norm();
-        double edgeCost = cost(rules.edge.number(placeLookup(semantics, place, distance, size))) / preference;
+        const auto cost = costBy(rules.edge, "/rules/edge", placeLookup(semantics, place, distance, size),
+                                 "in place " + semantics.placeName(place));
+        if (!cost) return cost.error();
+        double edgeCost = *cost / preference;
         const auto raised =
             learnt.crossing.find({static_cast<int>(place), graph.nodes[static_cast<std::size_t>(to)].border});
         if (raised != learnt.crossing.end()) edgeCost += raised->second;
@@ -143,13 +163,29 @@ std::string borderName(const TopologicalMap& map, const SemanticModel& semantics
   return "B" + shortName(b.placeA) + "-" + shortName(b.placeB) + letter;
 }
 
+/// Why there is no way, as far as costs tell it.
+void nameWhatIsClosed(CoarsePlan& plan, const TopologicalMap& map, const SemanticModel& semantics) {
+  std::set<int> closed;
+  for (const TopologicalGraph::Edge& edge : plan.graph->edges) {
+    if (edge.cost == kInfinite) closed.insert(edge.place);
+  }
+  for (const int place : closed) {
+    const auto p = static_cast<std::size_t>(place);
+    (flagOf(semantics, p, "forbidden") ? plan.forbidden : plan.tooDear).push_back(semantics.placeName(p));
+  }
+  for (const TopologicalGraph::Node& node : plan.graph->nodes) {
+    if (node.cost == kInfinite) plan.tooDear.push_back(borderName(map, semantics, node.border));
+  }
+}
+
 }  // namespace
 
-CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
-                          const Vector3& start, const Vector3& goal, const LearntCosts& learnt) {
+Result<CoarsePlan> makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
+                                  const Vector3& start, const Vector3& goal, const LearntCosts& learnt) {
   CoarsePlan plan;
-  const auto graph =
-      std::make_shared<const TopologicalGraph>(makeTopologicalGraph(map, semantics, rules, start, goal, learnt));
+  auto made = makeTopologicalGraph(map, semantics, rules, start, goal, learnt);
+  if (!made) return made.error();
+  const auto graph = std::make_shared<const TopologicalGraph>(std::move(*made));
   plan.graph = graph;
   plan.nodes = cheapestPath(*graph);
   for (std::size_t i = 1; i < plan.nodes.size(); ++i) {
@@ -163,7 +199,17 @@ CoarsePlan makeCoarsePlan(const TopologicalMap& map, const SemanticModel& semant
     step.borderName = node.border < 0 ? "G" : borderName(map, semantics, node.border);
     plan.steps.push_back(std::move(step));
   }
+  if (plan.nodes.empty()) nameWhatIsClosed(plan, map, semantics);
   return plan;
+}
+
+bool samePlaces(const EnvironmentModelPtr& a, const EnvironmentModelPtr& b) {
+  if (a == b) return true;
+  const CellGrid& here = a->map.grid;
+  const CellGrid& there = b->map.grid;
+  return here.level == there.level && here.counts == there.counts && here.frame.side == there.frame.side &&
+         here.frame.origin == there.frame.origin && a->map.placeOf == b->map.placeOf &&
+         a->map.borders.size() == b->map.borders.size();
 }
 
 }  // namespace glissade

@@ -14,6 +14,19 @@ constexpr std::uint64_t kPublishEvery = 64;
 constexpr std::uint64_t kCautiousPairs = 3;
 /// The search of the whole workspace has a turn of at least this many random configurations.
 constexpr std::uint64_t kShortestTurn = 200;
+/// Its planner.
+constexpr const char* kWholePlanner = "contact-birrt";
+
+/// "the topological graph has no way from start to goal; forbidden: P4"
+std::string noWay(const CoarsePlan& plan) {
+  std::string reason = "the topological graph has no way from start to goal";
+  const auto add = [&](const char* what, const std::vector<std::string>& names) {
+    for (std::size_t i = 0; i < names.size(); ++i) reason += (i == 0 ? what : ", ") + names[i];
+  };
+  add("; forbidden: ", plan.forbidden);
+  add("; infinite by the rules: ", plan.tooDear);
+  return reason;
+}
 
 }  // namespace
 
@@ -106,12 +119,17 @@ void MultiLayerPlanner::planCoarsely() {
     }
     parsed_.emplace(std::move(*parsed));
   }
-  CoarsePlan next = makeCoarsePlan(knowledge_->environment->map, *semantics_, *parsed_, problem_.start.position,
-                                   goal_->position, learnt_);
-  next.attempt = plan_.attempt + 1;
-  next.coarseConfigurations = plan_.coarseConfigurations;
-  next.fineConfigurations = plan_.fineConfigurations;
-  plan_ = std::move(next);
+  auto next = makeCoarsePlan(knowledge_->environment->map, *semantics_, *parsed_, problem_.start.position,
+                             goal_->position, learnt_);
+  if (!next) {
+    failure_ = next.error();
+    return;
+  }
+  next->basis = {knowledge_->environment, edits_, rules_};
+  next->attempt = plan_.attempt + 1;
+  next->coarseConfigurations = plan_.coarseConfigurations;
+  next->fineConfigurations = plan_.fineConfigurations;
+  plan_ = std::move(*next);
   at_ = 0;
   local_.reset();
   milestoneSampler_.reset();
@@ -122,7 +140,7 @@ void MultiLayerPlanner::planCoarsely() {
     phase_ = Phase::LastResort;
     turn_ = 0;
   } else {
-    fail("the topological graph has no way from start to goal", "Check the places, or use strategy g.");
+    fail(noWay(plan_), "Check the places, or use strategy g.");
   }
   publish();
 }
@@ -134,13 +152,7 @@ std::optional<Pose> MultiLayerPlanner::knownMilestone(const TopologicalStep& ste
   if (edits_) {
     if (auto edited = editedMilestone(knowledge_->environment->map, step.border, *edits_, *query_)) return edited;
   }
-  if (!parsed_->fitted) return std::nullopt;
-  // Where a passage follows the other, the tighter one has its way.
-  auto ahead = next != nullptr ? fittedMilestone(*knowledge_, next->place, step.border) : std::nullopt;
-  auto here = fittedMilestone(*knowledge_, step.place, step.border);
-  if (!ahead) return here;
-  const auto margin = [&](int place) { return knowledge_->fits[static_cast<std::size_t>(place)].margin; };
-  return here && margin(step.place) < margin(next->place) ? here : ahead;
+  return parsed_->fitted ? fittedMilestone(*knowledge_, step, next) : std::nullopt;
 }
 
 /// One step of the milestones: taken where it is known, else one random configuration in the border.
@@ -181,19 +193,13 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
     step.from = at_ == 0 ? problem_.start : plan_.steps[at_ - 1].to;
     const auto known = crossed_.find({step.place, borderBefore(), step.border});
     if (known != crossed_.end()) {
-      step.points = known->second;
-      step.why = "crossed before";
+      show(known->second.choice);
+      step.why += "; crossed before";
+      step.points = known->second.points;
       stepSolved();
       return;
     }
-    const double distance = (step.to.position - step.from.position).norm();
-    choice_ = chooseFinePlanners(knowledge_->environment->map, *semantics_, *parsed_, step.place, distance);
-    // A passage is crossed straight where both milestones are the ends of its straight crossing.
-    const auto& crossing = knowledge_->fits[static_cast<std::size_t>(step.place)].crossing;
-    const auto isEnd = [&](const Pose& q) { return q == crossing->before || q == crossing->behind; };
-    if (parsed_->fitted && crossing && isEnd(step.from) && isEnd(step.to)) {
-      choice_ = {false, "linear", "a straight crossing fits, so linear"};
-    }
+    choice_ = chooseFor(step, *knowledge_, *semantics_, *parsed_);
     startLocalPlanner(host);
     return;
   }
@@ -206,7 +212,7 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
   plan_.fineConfigurations += spent;
   if (state == SubPlanner::State::Solved) {
     step.points = local_->planner().path()->points;
-    crossed_[{step.place, borderBefore(), step.border}] = step.points;
+    crossed_[{step.place, borderBefore(), step.border}] = {choice_, step.points};
     stepSolved();
   } else if (state == SubPlanner::State::Failed) {
     if (local_->planner().failure() && choice_.local != parsed_->fine.front().local) {
@@ -220,11 +226,16 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
   }
 }
 
+void MultiLayerPlanner::show(const FineChoice& choice) {
+  TopologicalStep& step = current();
+  step.planner = choice.local;
+  step.geometrical = choice.geometrical;
+  step.why = choice.why;
+}
+
 void MultiLayerPlanner::startLocalPlanner(PlannerHost& host) {
   TopologicalStep& step = current();
-  step.planner = choice_.local;
-  step.geometrical = choice_.geometrical;
-  step.why = choice_.why;
+  show(choice_);
   step.result = StepResult::Running;
   step.region = areaOf(*knowledge_, step.place, borderBefore(), step.border, choice_.geometrical, step.from, step.to,
                        problem_.world->objectRadius(), host.stopToken());
@@ -273,22 +284,45 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
   phase_ = Phase::LastResort;
 }
 
+/// The row of the search of the whole workspace, after the steps that it stands in for.
+TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
+  if (!plan_.steps.empty() && plan_.steps.back().place == TopologicalStep::kWholeWorkspace) return plan_.steps.back();
+  TopologicalStep step;
+  step.place = TopologicalStep::kWholeWorkspace;
+  step.placeName = "the whole workspace";
+  step.borderName = "G";
+  step.from = problem_.start;
+  step.to = *goal_;
+  step.planner = kWholePlanner;
+  step.why = "the whole workspace from start to goal: the last resort";
+  step.result = StepResult::Running;
+  step.randomConfigurations = whole_->randomConfigurations();
+  plan_.steps.push_back(std::move(step));
+  publish();
+  return plan_.steps.back();
+}
+
 /// The search of the whole workspace: by turns with the loop, then alone (turn_ is 0).
 void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
   if (!whole_) {
     Problem whole = problem_;
     whole.region.reset();
-    whole_ = std::make_unique<SubPlanner>(locals_.find("contact-birrt")->make(whole, seedOf("whole workspace")),
+    whole_ = std::make_unique<SubPlanner>(locals_.find(kWholePlanner)->make(whole, seedOf("whole workspace")),
                                           std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
+  TopologicalStep& step = wholeWorkspaceStep();
   const std::uint64_t before = whole_->randomConfigurations();
   const SubPlanner::State state = whole_->step(host, roadmap_);
   whole_->complete(roadmap_);
   authority_ = whole_->planner().authority();
   const std::uint64_t spent = whole_->randomConfigurations() - before;
+  step.randomConfigurations += spent;
   plan_.fineConfigurations += spent;
   if (state == SubPlanner::State::Solved) {
     path_ = *whole_->planner().path();
+    for (TopologicalStep& other : plan_.steps) other.points.clear();  // no part of the path
+    step.points = path_->points;
+    step.result = StepResult::Solved;
     publish();
   } else if (turn_ > 0) {
     turn_ -= std::min(turn_, std::max<std::uint64_t>(spent, 1));

@@ -45,9 +45,11 @@ class MultiLayerPlanner final : public Planner {
   std::optional<Pose> knownMilestone(const TopologicalStep& step, const TopologicalStep* next);
   void crossPlace(PlannerHost& host);
   void startLocalPlanner(PlannerHost& host);
+  void show(const FineChoice& choice);
   void stepSolved();
   void stepFailed(PlannerHost& host, const std::string& reason);
   void searchWorkspace(PlannerHost& host);
+  TopologicalStep& wholeWorkspaceStep();
   void deliver(PlannerHost& host);
   void fail(const std::string& reason, const std::string& advice);
   void publish();
@@ -79,10 +81,14 @@ class MultiLayerPlanner final : public Planner {
   std::uint64_t milestoneDraws_ = 0;
   FineChoice choice_;
   std::unique_ptr<SubPlanner> local_;
-  /// Trajectories of solved steps, by place and the borders at both ends.
-  std::map<std::array<int, 3>, std::vector<PathPoint>> crossed_;
-  std::unique_ptr<SubPlanner> whole_;  ///< the search of the whole workspace
-  std::uint64_t turn_ = 0;             ///< random configurations until the loop has its turn again
+  /// What solved a step, and how.
+  struct Crossing {
+    FineChoice choice;
+    std::vector<PathPoint> points;
+  };
+  std::map<std::array<int, 3>, Crossing> crossed_;  ///< by place and the borders at both ends
+  std::unique_ptr<SubPlanner> whole_;               ///< the search of the whole workspace
+  std::uint64_t turn_ = 0;                          ///< random configurations until the loop has its turn again
 
   Author authority_ = Author::Computer;
   SharedRoadmap roadmap_;

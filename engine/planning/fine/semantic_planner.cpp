@@ -11,6 +11,17 @@ std::string planners(const FineChoice& choice) {
 
 }  // namespace
 
+FineChoice chooseFor(const TopologicalStep& step, const SceneKnowledge& knowledge, const SemanticModel& semantics,
+                     const ParsedRules& rules) {
+  const auto& crossing = knowledge.fits[static_cast<std::size_t>(step.place)].crossing;
+  const auto isEnd = [&](const Pose& q) { return q == crossing->before || q == crossing->behind; };
+  if (rules.fitted && crossing && isEnd(step.from) && isEnd(step.to)) {
+    return {false, "linear", "a straight crossing fits, so linear"};
+  }
+  const double distance = (step.to.position - step.from.position).norm();
+  return chooseFinePlanners(knowledge.environment->map, semantics, rules, step.place, distance);
+}
+
 FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
                               int place, double distance) {
   const auto p = static_cast<std::size_t>(place);

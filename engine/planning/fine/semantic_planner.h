@@ -12,6 +12,11 @@ struct FineChoice {
   std::string why;
 };
 
+/// The choice for a step with its ends: the first rule that holds for its place decides, unless its two ends are
+/// those of a straight crossing and the rules want passages crossed as they fit best.
+FineChoice chooseFor(const TopologicalStep& step, const SceneKnowledge& knowledge, const SemanticModel& semantics,
+                     const ParsedRules& rules);
+
 /// The first rule that holds for the place decides.
 FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& semantics, const ParsedRules& rules,
                               int place, double distance);

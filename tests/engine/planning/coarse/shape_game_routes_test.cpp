@@ -1,4 +1,5 @@
 // Which holes fit, and which way the strategies take: paper 2, table 1 and sections 6.1 and 6.2.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -28,8 +29,8 @@ std::vector<std::string> route(const test::KnownGame& game, const std::string& s
   const auto rules = parseRules(presetRules(strategy), semantics.table(), locals);
   const Problem& problem = game.loaded.problem;
   const TopologicalGraph graph =
-      makeTopologicalGraph(game.knowledge->environment->map, semantics, *rules, problem.start.position,
-                           std::get<Pose>(problem.goal).position, learnt);
+      *makeTopologicalGraph(game.knowledge->environment->map, semantics, *rules, problem.start.position,
+                            std::get<Pose>(problem.goal).position, learnt);
   const std::vector<int> nodes = cheapestPath(graph);
   std::vector<std::string> names;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
@@ -172,6 +173,62 @@ TEST_F(EditedRoutes, WhatFailedCostsMore) {
   const Names names = route(known, "gt", edits, learnt);
   ASSERT_EQ(names.size(), 5U);
   EXPECT_NE(names[1], "P8");
+}
+
+/// The coarse plan of the circle by these rules, or why there is none.
+Result<CoarsePlan> planBy(const StrategyRules& rules, const SemanticEdits& edits) {
+  const test::KnownGame& known = game("tight", "circle");
+  const Problem& problem = known.loaded.problem;
+  const SemanticModel semantics = semanticsOf(problem, *known.knowledge, std::make_shared<const SemanticEdits>(edits));
+  const auto parsed = parseRules(rules, semantics.table(), idsOf(makeLocalPlannerRegistry()));
+  if (!parsed) return parsed.error();
+  return makeCoarsePlan(known.knowledge->environment->map, semantics, *parsed, problem.start.position,
+                        std::get<Pose>(problem.goal).position, {});
+}
+
+TEST(CoarsePlanByRules, ACostThatMeansNothingNamesTheRuleAndThePlace) {
+  const SemanticEdits& edits = *game("tight", "circle").loaded.problem.scene.edits;
+  const auto expectRefused = [&](const char* node, const char* edge, const char* rule, const char* reason) {
+    StrategyRules rules = presetRules("gts");
+    rules.node = node;
+    rules.edge = edge;
+    const auto plan = planBy(rules, edits);
+    ASSERT_FALSE(plan.ok()) << edge;
+    EXPECT_EQ(plan.error().kind, ErrorKind::MalformedInput);
+    EXPECT_EQ(plan.error().place, rule);
+    EXPECT_NE(plan.error().reason.find(reason), std::string::npos) << plan.error().reason;
+  };
+  expectRefused("0", "-distance", "/rules/edge", "gives the negative cost -");
+  expectRefused("0", "-distance", "/rules/edge", " in place P1");
+  expectRefused("0", "1 / (place.complexity - place.complexity)", "/rules/edge", "divides by zero in place P1");
+  expectRefused("1 - 2 * size", "distance", "/rules/node", "negative");
+  expectRefused("size / 0", "distance", "/rules/node", "divides by zero between P");
+  StrategyRules rounded = presetRules("gts");
+  rounded.edge = "distance + 0.1 + 0.2 - 0.3 - distance";
+  EXPECT_TRUE(planBy(rounded, edits).ok());
+}
+
+TEST(CoarsePlanByRules, WithoutAWayItNamesWhatIsClosed) {
+  SemanticEdits edits = *game("tight", "circle").loaded.problem.scene.edits;
+  StrategyRules rules = presetRules("gts");
+  rules.edge = "if(place.complexity > 2, infinite, distance)";
+  const auto plan = planBy(rules, edits);
+  ASSERT_TRUE(plan.ok()) << toString(plan.error());
+  EXPECT_TRUE(plan->nodes.empty());
+  EXPECT_TRUE(plan->forbidden.empty());
+  EXPECT_FALSE(plan->tooDear.empty());
+  for (PlaceEdit& place : edits.places) place.attributes["forbidden"] = true;
+  const auto model = game("tight", "circle").semantics();
+  const int hole = test::placeNamed(model, "P2");
+  PlaceEdit closed;
+  closed.at = game("tight", "circle").knowledge->environment->map.places[static_cast<std::size_t>(hole)].anchor;
+  closed.attributes["forbidden"] = true;
+  edits.places.push_back(closed);
+  const auto forbidden = planBy(presetRules("gts"), edits);
+  ASSERT_TRUE(forbidden.ok());
+  EXPECT_TRUE(forbidden->nodes.empty());
+  EXPECT_THAT(forbidden->forbidden, testing::Contains("P2"));
+  EXPECT_TRUE(forbidden->tooDear.empty());
 }
 
 }  // namespace
