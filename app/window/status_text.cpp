@@ -32,6 +32,10 @@ QString statusText(const SessionSnapshot& snapshot) {
   if (snapshot.problem) {
     QString text = QString::fromStdString(toString(*snapshot.problem));
     if (!text.isEmpty()) text[0] = text[0].toUpper();
+    if (snapshot.problem->kind == ErrorKind::InCollision) {
+      text +=
+          say(QT_TRANSLATE_NOOP("Status", " Or, where parts only touch: Assembly > Move the ends clear (Ctrl+Alt+5)."));
+    }
     return text;
   }
   switch (snapshot.state) {
