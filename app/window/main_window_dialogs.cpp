@@ -160,8 +160,8 @@ void MainWindow::keepJournals(const QString& folder) {
 
 QString MainWindow::offerJournal(const QString& file) {
   QMessageBox box(QMessageBox::Question, tr("A recording was left"),
-                  tr("Glissade ended unexpectedly during a run. Its recording is still there."), QMessageBox::NoButton,
-                  this);
+                  tr("Glissade ended unexpectedly with a recording that was not saved. It is still there."),
+                  QMessageBox::NoButton, this);
   const auto* saved = box.addButton(tr("&Save..."), QMessageBox::AcceptRole);
   const auto* discarded = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
   box.addButton(tr("&Later"), QMessageBox::RejectRole);

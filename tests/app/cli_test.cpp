@@ -148,6 +148,10 @@ TEST_F(Cli, APathThroughTheWallIsInvalid) {
   EXPECT_EQ(Json::parse(check.out)["certificate"]["body"], "wall");
 }
 
+TEST_F(Cli, OmplsOneTreeLeavesTheStart) {
+  EXPECT_EQ(run("plan " + sample("teaching") + " --strategy ompl-est --seed 2 --max-steps 10000").exitCode, 0);
+}
+
 TEST_F(Cli, LimitsHaveTheirExitCode) {
   const std::string closed = scenario([](Json& json) { json["bodies"][0]["geometry"]["box"] = {0.1, 9, 9}; });
   const Finished steps = run("plan " + closed + " --max-steps 50 --json");

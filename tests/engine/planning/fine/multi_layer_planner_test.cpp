@@ -45,6 +45,7 @@ TEST_P(SolvesTight, WithACertifiedPathAndFewRandomConfigurations) {
     for (const TopologicalStep& step : plan->steps) {
       EXPECT_EQ(step.result, StepResult::Solved) << step.placeName;
       EXPECT_FALSE(step.why.empty());
+      EXPECT_FALSE(step.planner.empty()) << step.placeName;
     }
     EXPECT_EQ(plan->coarseConfigurations + plan->fineConfigurations, planner->counts().randomConfigurations);
   }
@@ -100,6 +101,25 @@ class EditsWhileRunning : public testing::Test {
     planner.solve(host);
   }
 };
+
+TEST_F(EditsWhileRunning, WithoutAWayTheSearchOfTheWholeWorkspaceHasARowOfItsOwn) {
+  const auto planner = make(problem, "gts");
+  advance(*planner, 5);
+  SemanticEdits edits = *problem.scene.edits;
+  for (PlaceEdit& edit : edits.places) edit.attributes["forbidden"] = true;
+  host.edits = std::make_shared<const SemanticEdits>(edits);
+  advance(*planner, 4);
+  const CoarsePlanPtr plan = planner->coarsePlan();
+  EXPECT_TRUE(plan->nodes.empty());
+  EXPECT_FALSE(plan->forbidden.empty());
+  EXPECT_EQ(plan->basis.edits, host.edits);
+  ASSERT_EQ(plan->steps.size(), 1U);
+  const TopologicalStep& row = plan->steps.front();
+  EXPECT_EQ(row.place, TopologicalStep::kWholeWorkspace);
+  EXPECT_EQ(row.result, StepResult::Running);
+  EXPECT_EQ(row.planner, "contact-birrt");
+  EXPECT_FALSE(row.why.empty());
+}
 
 TEST_F(EditsWhileRunning, AForbiddenPlaceChangesTheCoarsePath) {
   const auto planner = make(problem, "gts");
