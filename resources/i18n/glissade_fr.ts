@@ -1167,6 +1167,26 @@
         <source>Failed</source>
         <translation>Échec</translation>
     </message>
+    <message>
+        <source>Planning: the places are found</source>
+        <translation>Planification : les lieux sont recherchés</translation>
+    </message>
+    <message>
+        <source>Planning: the whole workspace is searched</source>
+        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Planning: step %1 of %2, place %3 is crossed</source>
+        <translation>Planification : étape %1 sur %2, traversée du lieu %3</translation>
+    </message>
+    <message>
+        <source>Planning: milestones in the borders</source>
+        <translation>Planification : jalons dans les frontières</translation>
+    </message>
+    <message>
+        <source> Or, where parts only touch: Assembly &gt; Move the ends clear (Ctrl+Alt+5).</source>
+        <translation> Ou, si les pièces ne font que se toucher : Assemblage &gt; Dégager les extrémités (Ctrl+Alt+5).</translation>
+    </message>
 </context>
 <context>
     <name>glissade::AssemblyController</name>
@@ -2052,10 +2072,6 @@
         <translation>Un enregistrement est resté</translation>
     </message>
     <message>
-        <source>Glissade ended unexpectedly during a run. Its recording is still there.</source>
-        <translation>Glissade s&apos;est arrêté brusquement pendant un calcul. Son enregistrement est toujours là.</translation>
-    </message>
-    <message>
         <source>&amp;Save...</source>
         <translation>&amp;Enregistrer...</translation>
     </message>
@@ -2126,6 +2142,10 @@
     <message>
         <source>&amp;Assembly</source>
         <translation>&amp;Assemblage</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
+        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvé. Il est toujours là.</translation>
     </message>
 </context>
 <context>
@@ -2440,6 +2460,30 @@
     <message>
         <source>failed</source>
         <translation>échoué</translation>
+    </message>
+    <message>
+        <source>No way through the places.</source>
+        <translation>Aucun trajet à travers les lieux.</translation>
+    </message>
+    <message>
+        <source>Forbidden: %1.</source>
+        <translation>Interdits : %1.</translation>
+    </message>
+    <message>
+        <source>Of infinite cost: %1.</source>
+        <translation>De coût infini : %1.</translation>
+    </message>
+    <message>
+        <source>None leads from start to goal.</source>
+        <translation>Aucun ne mène du départ au but.</translation>
+    </message>
+    <message>
+        <source>Solved by the search of the whole workspace, after %1 coarse paths; random configurations: %2</source>
+        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 trajets grossiers ; configurations aléatoires : %2</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>partout</translation>
     </message>
 </context>
 <context>
