@@ -3,10 +3,8 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDialog>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLocale>
-#include <QMimeData>
 #include <QPainter>
 #include <QStatusBar>
 #include <QToolBar>
@@ -28,9 +26,6 @@
 #include "app/window/window_memory.h"
 #include "app/window/work_controller.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/scenario/asset_path.h"
-#include "engine/scenario/path_io.h"
-#include "engine/scenario/scenario_io.h"
 #include "widgets/panels/counts_panel.h"
 #include "widgets/panels/interaction_panel.h"
 #include "widgets/panels/path_panel.h"
@@ -250,21 +245,6 @@ void MainWindow::showTitle() {
   setWindowModified(isModified());
 }
 
-std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
-  if (!quiet && !mayDiscard()) return std::nullopt;
-  auto loaded = loadScenario(file.toStdString());
-  if (!loaded) {
-    if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
-    return loaded.error();
-  }
-  openLoaded(std::make_shared<const LoadedScenario>(std::move(*loaded)));
-  if (memory_) memory_->noteFile(file);
-  if (!quiet && !scenario_->warnings.empty()) {
-    showError(tr("The scenario was opened, with a warning"), scenario_->warnings.front());
-  }
-  return std::nullopt;
-}
-
 void MainWindow::openLoaded(const ScenarioPtr& scenario) {
   work_->cancel();
   scenario_ = scenario;
@@ -357,50 +337,6 @@ void MainWindow::restart(std::uint64_t seed) {
   bridge_->post(command::Start{});
 }
 
-std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
-  const std::string name = file.toStdString();
-  Scenario scenario = movedTo(name, scenario_->scenario, scenario_->file);
-  setSemanticEdits(environment_->document().edits(), scenario);
-  scenario.environment = environment_->options();
-  const SnapshotPtr live = bridge_->snapshot();  // not what a replay shows
-  scenario.planner = live->plannerId;
-  scenario.seed = live->seed;
-  for (const ParameterSpec& spec : parameterTable()) {
-    if (live->parameters[spec.id] != scenario_->parameters[spec.id]) {
-      scenario.parameters[spec.id] = live->parameters[spec.id];
-    }
-  }
-  const Outcome saved = saveScenario(scenario, name);
-  if (!saved) return saved.error();
-  auto now = std::make_shared<LoadedScenario>(*scenario_);
-  now->scenario = std::move(scenario);
-  now->file = name;
-  now->parameters = live->parameters;
-  scenario_ = std::move(now);
-  assembly_->show(scenario_);
-  if (memory_) memory_->noteFile(file);
-  environment_->document().undoStack().setClean();
-  showTitle();
-  return std::nullopt;
-}
-
-std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
-  if (!snapshot_ || !snapshot_->path) {
-    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
-  }
-  const std::string name = file.toStdString();
-  Outcome outcome = Done{};
-  if (file.endsWith(QLatin1String(".json"))) {
-    outcome = writePathJson(*snapshot_->path, *scenario_, {snapshot_->plannerId, snapshot_->seed}, name);
-  } else if (file.endsWith(QLatin1String(".path"))) {
-    outcome = writePathOmpl(*snapshot_->path, name);
-  } else {
-    outcome = writePathCsv(*snapshot_->path, *scenario_, name);
-  }
-  if (!outcome) return outcome.error();
-  return std::nullopt;
-}
-
 QImage MainWindow::picture() {
   QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);  // panels as they are going to be
   QPixmap whole = grab();
@@ -418,24 +354,6 @@ void MainWindow::setTheme(Theme theme) {
   scene_->refresh();
   const QSignalBlocker block((*actions_)["view.dark"]);
   (*actions_)["view.dark"]->setChecked(theme == Theme::Dark);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList parts;
-  for (const QUrl& url : event->mimeData()->urls()) {
-    if (isPartFile(url.toLocalFile().toStdString())) parts << url.toLocalFile();
-  }
-  if (parts.isEmpty()) {
-    openScenario(event->mimeData()->urls().front().toLocalFile());
-  } else if (scenario_) {
-    parts_->ask(PartsDialog::Purpose::AddParts, parts);
-  } else {
-    newScenario(parts);
-  }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -2479,7 +2479,7 @@
     </message>
     <message>
         <source>Solved by the search of the whole workspace, after %1 coarse paths; random configurations: %2</source>
-        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 trajets grossiers ; configurations aléatoires : %2</translation>
+        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 chemins grossiers ; configurations aléatoires : %2</translation>
     </message>
     <message>
         <source>everywhere</source>
