@@ -135,7 +135,7 @@ void AssemblyController::freeEnds() {
   // Twice what is required: the planner needs room to begin.
   const double clearance = 2.0 * snapshot_->parameters[ParameterId::RequiredClearance];
   Scenario after = document_.current();
-  QStringList told;
+  QStringList moved;
   for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
     const AssemblyItem item{end, {}};
     const auto before = poseOf(after, item);
@@ -150,14 +150,15 @@ void AssemblyController::freeEnds() {
     if (*clear == *before) continue;
     (void)place(item, *clear, after);
     const QString by = QLocale().toString(1000.0 * (clear->position - before->position).norm(), 'f', 3);
-    told << (end == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by) : tr("the goal went %1 mm").arg(by));
+    moved << (end == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by)
+                                               : tr("the goal went %1 mm").arg(by));
   }
-  if (told.isEmpty()) {
-    emit this->told(tr("Start and goal are clear of all bodies."));
+  if (moved.isEmpty()) {
+    emit told(tr("Start and goal are clear of all bodies."));
     return;
   }
   carryOut(document_.edit(tr("Clear start and goal"), std::move(after)));
-  emit this->told(tr("Clear of all bodies: %1").arg(told.join(QStringLiteral(", "))));
+  emit told(tr("Clear of all bodies: %1").arg(moved.join(QStringLiteral(", "))));
 }
 
 void AssemblyController::choose(const std::optional<AssemblyItem>& item) {

@@ -76,7 +76,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
 
   welcome_->setAlignment(Qt::AlignCenter);
   welcome_->setText(
-      tr("<h2>Glissade</h2><p>Open a scenario (Ctrl+O), or drop one here.</p>"
+      tr("<h2>Glissade</h2><p>Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.</p>"
          "<p>The folder <i>samples</i> holds the papers' environments.</p>"));
   auto* over = new QVBoxLayout(scene_->widget());
   over->addWidget(welcome_, 0, Qt::AlignCenter);
