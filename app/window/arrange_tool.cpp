@@ -1,7 +1,5 @@
 #include "app/window/arrange_tool.h"
 
-#include <QMouseEvent>
-
 #include <utility>
 
 #include "app/window/scene_ray.h"
@@ -40,9 +38,7 @@ std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, 
 
 }  // namespace
 
-ArrangeTool::ArrangeTool(SceneWidget& scene, QObject* parent) : QObject(parent), scene_(scene) {
-  scene_.widget()->installEventFilter(this);
-}
+ArrangeTool::ArrangeTool(SceneWidget& scene, QObject* parent) : DragTool(scene, parent) {}
 
 void ArrangeTool::setScenario(const ScenarioPtr& scenario) {
   scenario_ = scenario;
@@ -51,6 +47,8 @@ void ArrangeTool::setScenario(const ScenarioPtr& scenario) {
 
 void ArrangeTool::setOn(bool on) {
   on_ = on;
+  if (inHand_) draw(inHand_->before);
+  inHand_.reset();
   if (on) {
     scene_.widget()->setCursor(Qt::OpenHandCursor);
   } else {
@@ -58,25 +56,8 @@ void ArrangeTool::setOn(bool on) {
   }
 }
 
-bool ArrangeTool::eventFilter(QObject* watched, QEvent* event) {
-  const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
-                     event->type() == QEvent::MouseButtonRelease;
-  if (!mouse || !on_ || !scenario_) return QObject::eventFilter(watched, event);
-  const auto& pointer = static_cast<const QMouseEvent&>(*event);
-  if (event->type() == QEvent::MouseButtonPress) {
-    return pointer.button() == Qt::LeftButton && !pointer.modifiers().testFlag(Qt::ShiftModifier) &&
-           grip(pointer.localPos());
-  }
-  if (!inHand_) return QObject::eventFilter(watched, event);
-  if (event->type() == QEvent::MouseMove) {
-    follow(pointer.localPos(), pointer.modifiers().testFlag(Qt::ControlModifier));
-  } else if (pointer.button() == Qt::LeftButton) {
-    drop();
-  }
-  return true;
-}
-
 bool ArrangeTool::grip(const QPointF& position) {
+  if (!on_ || !scenario_) return false;
   const Ray ray = rayThrough(scene_, position);
   const auto grippable = [&](const AssemblyItem& item) { return selected_ && item == *selected_; };
   auto hit = hitOf(*scenario_, scene_.view(), ray, grippable);
@@ -84,21 +65,18 @@ bool ArrangeTool::grip(const QPointF& position) {
   if (!hit) return false;
   const Pose before = *poseOf(scenario_->scenario, hit->item);
   inHand_ = InHand{hit->item, before, PoseDrag(before, hit->p_W, scene_.view().camera().R_WV())};
-  last_ = position;
   scene_.widget()->setCursor(Qt::ClosedHandCursor);
   emit gripped(inHand_->item);
   return true;
 }
 
-void ArrangeTool::follow(const QPointF& position, bool turning) {
-  const QPointF moved = (position - last_) / std::max(1, scene_.widget()->height());
-  const Ray ray = rayThrough(scene_, position);
-  if (turning) {
-    inHand_->drag.turn(moved.x(), moved.y());
-  } else {
-    inHand_->drag.moveTo(ray);
-  }
-  last_ = position;
+void ArrangeTool::moveTo(const QPointF& position) {
+  inHand_->drag.moveTo(rayThrough(scene_, position));
+  draw(inHand_->drag.pose());
+}
+
+void ArrangeTool::turn(const QPointF& by) {
+  inHand_->drag.turn(by.x(), by.y());
   draw(inHand_->drag.pose());
 }
 

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <QObject>
-#include <QPointF>
-
+#include "app/window/drag_tool.h"
 #include "engine/scenario/assembly_edits.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/scene3d/pose_drag.h"
-#include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {
 
 /// While it is on, a person takes bodies, and the object's ghosts at its start and its goal, with the mouse:
-/// drag moves them in the plane of the view, Ctrl+drag turns them. Bodies and ghosts are only drawn elsewhere
+/// they move in the plane of the view, and turn about its axes. Bodies and ghosts are only drawn elsewhere
 /// until they are dropped.
-class ArrangeTool final : public QObject {
+class ArrangeTool final : public DragTool {
   Q_OBJECT
 
  public:
@@ -28,13 +25,12 @@ class ArrangeTool final : public QObject {
   void gripped(const glissade::AssemblyItem& item);
   void dropped(const glissade::AssemblyItem& item, const glissade::Pose& X_WB);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  bool grip(const QPointF& position);
-  void follow(const QPointF& position, bool turning);
-  void drop();
+  bool grip(const QPointF& position) override;
+  bool holds() const override { return inHand_.has_value(); }
+  void moveTo(const QPointF& position) override;
+  void turn(const QPointF& by) override;
+  void drop() override;
   void draw(const Pose& X_WB);
 
   struct InHand {
@@ -43,12 +39,10 @@ class ArrangeTool final : public QObject {
     PoseDrag drag;
   };
 
-  SceneWidget& scene_;
   ScenarioPtr scenario_;
   bool on_ = false;
   std::optional<AssemblyItem> selected_;
   std::optional<InHand> inHand_;
-  QPointF last_;
 };
 
 }  // namespace glissade

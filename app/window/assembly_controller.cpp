@@ -189,7 +189,7 @@ void AssemblyController::takeSelection() {
     chosen_.reset();
   }
   tool_.setSelected(chosen_);
-  scenePanel_->setSelection(semantics_.selection().bodies, chosen_);
+  scenePanel_->showSelection(semantics_.selection().bodies, chosen_);
   showPlacement();
   enableActions();
 }

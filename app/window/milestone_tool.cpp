@@ -1,7 +1,5 @@
 #include "app/window/milestone_tool.h"
 
-#include <QMouseEvent>
-
 #include "app/window/scene_ray.h"
 
 namespace glissade {
@@ -16,9 +14,7 @@ SamplingRegion regionOf(const TopologicalMap& map, const Border& border) {
 }  // namespace
 
 MilestoneTool::MilestoneTool(SemanticDocument& document, SceneWidget& scene, QObject* parent)
-    : QObject(parent), document_(document), scene_(scene) {
-  scene_.widget()->installEventFilter(this);
-}
+    : DragTool(scene, parent), document_(document) {}
 
 void MilestoneTool::setScenario(const ScenarioPtr& scenario) {
   scenario_ = scenario;
@@ -34,24 +30,6 @@ CoarsePlanPtr MilestoneTool::shownPlan() const {
   return shown;
 }
 
-bool MilestoneTool::eventFilter(QObject* watched, QEvent* event) {
-  const bool mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseMove ||
-                     event->type() == QEvent::MouseButtonRelease;
-  if (!mouse) return QObject::eventFilter(watched, event);
-  const auto& pointer = static_cast<const QMouseEvent&>(*event);
-  if (event->type() == QEvent::MouseButtonPress) {
-    return pointer.button() == Qt::LeftButton && !pointer.modifiers().testFlag(Qt::ShiftModifier) &&
-           grip(pointer.localPos());
-  }
-  if (!drag_) return QObject::eventFilter(watched, event);
-  if (event->type() == QEvent::MouseMove) {
-    follow(pointer.localPos(), pointer.modifiers().testFlag(Qt::ControlModifier));
-  } else if (pointer.button() == Qt::LeftButton) {
-    drop();
-  }
-  return true;
-}
-
 bool MilestoneTool::grip(const QPointF& position) {
   if (!plan_ || !document_.knowledge() || !scene_.view().layerVisible(SceneLayer::Milestones)) return false;
   const Ray ray = rayThrough(scene_, position);
@@ -59,21 +37,19 @@ bool MilestoneTool::grip(const QPointF& position) {
   drag_ = MilestoneDrag::grip(*plan_, scenario_->object.mesh, ray, body ? body->distance : 1e9,
                               scene_.view().camera().R_WV());
   gripped_ = plan_;
-  last_ = position;
   if (drag_) scene_.widget()->setCursor(Qt::ClosedHandCursor);
   return drag_.has_value();
 }
 
-void MilestoneTool::follow(const QPointF& position, bool turning) {
-  const TopologicalMap& map = document_.knowledge()->environment->map;
+void MilestoneTool::moveTo(const QPointF& position) {
+  const TopologicalMap& map = gripped_->basis.environment->map;
   const int border = gripped_->steps[drag_->step()].border;
-  if (turning) {
-    const QPointF moved = (position - last_) / std::max(1, scene_.widget()->height());
-    drag_->turn(moved.x(), moved.y());
-  } else {
-    drag_->moveTo(rayThrough(scene_, position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
-  }
-  last_ = position;
+  drag_->moveTo(rayThrough(scene_, position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
+  emit moving();
+}
+
+void MilestoneTool::turn(const QPointF& by) {
+  drag_->turn(by.x(), by.y());
   emit moving();
 }
 

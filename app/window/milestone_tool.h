@@ -1,18 +1,15 @@
 #pragma once
 
-#include <QObject>
-#include <QPointF>
-
+#include "app/window/drag_tool.h"
 #include "widgets/bridge/session_bridge.h"
 #include "widgets/model/semantic_document.h"
 #include "widgets/scene3d/milestone_drag.h"
-#include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {
 
 /// Lets a person take a shown milestone with the mouse: drag moves it inside its border, Ctrl+drag
 /// turns it. One drag is one undoable edit, made when the button goes up.
-class MilestoneTool final : public QObject {
+class MilestoneTool final : public DragTool {
   Q_OBJECT
 
  public:
@@ -28,21 +25,18 @@ class MilestoneTool final : public QObject {
   void moving();
   void refused(const glissade::Diagnostic& why);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
-  bool grip(const QPointF& position);
-  void follow(const QPointF& position, bool turning);
-  void drop();
+  bool grip(const QPointF& position) override;
+  bool holds() const override { return drag_.has_value(); }
+  void moveTo(const QPointF& position) override;
+  void turn(const QPointF& by) override;
+  void drop() override;
 
   SemanticDocument& document_;
-  SceneWidget& scene_;
   ScenarioPtr scenario_;
   CoarsePlanPtr plan_;
   CoarsePlanPtr gripped_;  ///< the plan that the milestone was taken from
   std::optional<MilestoneDrag> drag_;
-  QPointF last_;
 };
 
 }  // namespace glissade

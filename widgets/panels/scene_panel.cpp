@@ -95,7 +95,7 @@ void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
   viewport()->update();
 }
 
-void ScenePanel::setSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen) {
+void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen) {
   const QSignalBlocker block(this);
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
     const QVariant id = (*item)->data(0, kIdRole);

@@ -21,7 +21,7 @@ class ScenePanel final : public QTreeWidget {
   /// The obstacles, by id, whose boxes are not checked. Announces nothing.
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   /// What is selected: rigid bodies by id, or the start or the goal. Announces nothing.
-  void setSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
+  void showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen);
 
  signals:
   /// The user wants an obstacle to be shown, or not.
