@@ -14,7 +14,9 @@ Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp >"$work/xvfb.log" 2>&1 &
 server=$!
 trap 'kill $window $server 2>/dev/null; rm -rf "$work"' EXIT
 window=
-export DISPLAY=$display QT_QPA_PLATFORM=xcb XDG_RUNTIME_DIR=$work LIBGL_ALWAYS_SOFTWARE=1
+# What the user has left, as a recording to be saved, stays out of it.
+export XDG_CONFIG_HOME=$work XDG_DATA_HOME=$work XDG_RUNTIME_DIR=$work
+export DISPLAY=$display QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
 
 fail() {
   echo "failed: $1"
