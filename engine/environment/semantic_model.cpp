@@ -25,15 +25,12 @@ SemanticModel::SemanticModel(EnvironmentModelPtr environment, const std::vector<
     bodies_[body.id].computed["mobility"] = std::string(body.mobility == Mobility::Static ? "static" : "mobile");
   }
   bodies_[objectId_].computed["mobility"] = std::string("mobile");
-  for (std::size_t i = 0; i < edits.places.size(); ++i) {
-    const int place = boundPlace(map, edits.places[i].at);
-    if (place == kNoPlace) {
-      stray_.push_back(i);
-      continue;
-    }
+  for (const PlaceEdit& edit : edits.places) {
+    const int place = boundPlace(map, edit.at);
+    if (place == kNoPlace) continue;
     const auto p = static_cast<std::size_t>(place);
-    if (!edits.places[i].name.empty()) names_[p] = edits.places[i].name;
-    for (const auto& [name, value] : edits.places[i].attributes) places_[p].edited[name] = value;
+    if (!edit.name.empty()) names_[p] = edit.name;
+    for (const auto& [name, value] : edit.attributes) places_[p].edited[name] = value;
   }
   for (const auto& [id, attributes] : edits.bodies) {
     for (const auto& [name, value] : attributes) bodies_[id].edited[name] = value;

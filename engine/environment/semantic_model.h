@@ -18,8 +18,8 @@ struct ProvenValue {
 class SemanticModel {
  public:
   /// `compatibility` are the computed scores of the object, per place; empty: not computed.
-  /// Precondition: attributeTableOf(edits) succeeds. Edits of places that are nowhere are kept aside
-  /// (strayEdits).
+  /// Precondition: attributeTableOf(edits) succeeds. Edits of places that are nowhere count for
+  /// nothing (editWarnings() tells of them).
   SemanticModel(EnvironmentModelPtr environment, const std::vector<RigidBody>& bodies, std::string objectId,
                 const SemanticEdits& edits, const std::vector<double>& compatibility = {});
 
@@ -31,9 +31,6 @@ class SemanticModel {
   ProvenValue ofPlace(std::size_t place, const std::string& attribute) const;
   ProvenValue ofBody(const std::string& bodyId, const std::string& attribute) const;
   ProvenValue ofObject(const std::string& attribute) const { return ofBody(objectId_, attribute); }
-
-  /// Indices into the edits' places that lie in no place.
-  const std::vector<std::size_t>& strayEdits() const { return stray_; }
 
  private:
   struct Values {
@@ -47,7 +44,6 @@ class SemanticModel {
   std::vector<std::string> names_;
   std::vector<Values> places_;
   std::map<std::string, Values> bodies_;
-  std::vector<std::size_t> stray_;
 };
 
 /// Refuses edits with values of the wrong type or out of range, unknown attributes, and unknown
