@@ -26,11 +26,11 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
   return parts;
 }
 
-/// Millimetres that the start has gone; nothing where it cannot be moved clear.
-std::optional<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
+/// Millimetres that the start has gone.
+Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
-  const auto clear = freed(loaded.problem.world, start, 2.0 * loaded.parameters[ParameterId::RequiredClearance]);
-  if (!clear) return std::nullopt;
+  const auto clear = freed(loaded.problem.world, start, loaded.parameters[ParameterId::RequiredClearance]);
+  if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();
 }
@@ -46,12 +46,7 @@ int runNew(const NewOptions& options) {
   reportWarnings(loaded->warnings);
   if (options.clear) {
     const auto gone = clearStart(*loaded, *scenario);
-    if (!gone) {
-      return reportError(
-          {ErrorKind::InCollision, options.moving, "start", "there is no free place near by: the parts overlap too far",
-           "Check the parts and their unit."},
-          options.format);
-    }
+    if (!gone) return reportError(gone.error(), options.format);
     if (*gone > 0.0) std::cout << "start moved clear by " << *gone << " mm\n";
   }
   const Outcome saved = saveScenario(movedTo(options.output, std::move(*scenario), ""), options.output);

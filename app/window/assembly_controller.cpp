@@ -132,19 +132,18 @@ void AssemblyController::markSelected() {
 
 void AssemblyController::freeEnds() {
   const LoadedScenario& loaded = *document_.scenario();
-  // Twice what is required: the planner needs room to begin.
-  const double clearance = 2.0 * snapshot_->parameters[ParameterId::RequiredClearance];
+  const double required = snapshot_->parameters[ParameterId::RequiredClearance];
   Scenario after = document_.current();
   QStringList moved;
   for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
     const AssemblyItem item{end, {}};
     const auto before = poseOf(after, item);
     if (!before) continue;
-    const auto clear = freed(loaded.problem.world, *before, clearance);
+    const auto clear = freed(loaded.problem.world, *before, required);
     if (!clear) {
-      const char* const which = end == AssemblyItem::Kind::Start ? "start" : "goal";
-      emit failed({ErrorKind::InCollision, "", which, "there is no free place near by: the parts overlap too far",
-                   "Drag it to a free place (Assembly > Arrange with the mouse), or check the parts."});
+      Diagnostic why = clear.error();
+      why.place = end == AssemblyItem::Kind::Start ? "start" : "goal";
+      emit failed(why);
       return;
     }
     if (*clear == *before) continue;

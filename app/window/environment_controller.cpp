@@ -18,6 +18,18 @@ constexpr double kClickPixels = 4.0;
 /// How much shorter ways through a preferred place count.
 constexpr double kPreferred = 4.0;
 
+/// What is known of places and of how the object fits holds for both: rules, start and goal do not matter to it.
+bool isSameScene(const LoadedScenario& a, const LoadedScenario& b) {
+  const auto sameBody = [](const RigidBody& p, const RigidBody& q) {
+    return p.id == q.id && p.mesh == q.mesh && p.mobility == q.mobility && p.X_WB == q.X_WB;
+  };
+  const Box3& room = a.problem.bounds;
+  return std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), sameBody) &&
+         a.object.id == b.object.id && a.object.mesh->vertices == b.object.mesh->vertices &&
+         a.object.mesh->triangles == b.object.mesh->triangles && room.min() == b.problem.bounds.min() &&
+         room.max() == b.problem.bounds.max();
+}
+
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
   std::map<std::string, AttributeValue> mobility;
   for (const auto& [id, attributes] : edits.bodies) {
@@ -103,11 +115,16 @@ void EnvironmentController::open(const ScenarioPtr& scenario) {
 }
 
 void EnvironmentController::rearrange(const ScenarioPtr& scenario) {
-  const bool known = document_.knowledge() != nullptr;
+  const SceneKnowledgePtr known = document_.knowledge();
+  const bool same = isSameScene(*scenario_, *scenario);
   scenario_ = scenario;
   milestones_.setScenario(scenario);
   snapshot_.reset();
-  if (known || builder_.isBusy()) build(document_.knowledge());
+  if (builder_.isBusy() || (known && !same)) {
+    build(known);
+  } else if (known) {
+    bridge_.post(command::SetKnowledge{known});
+  }
   showEnvironment();
   showPlan();
 }

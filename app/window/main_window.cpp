@@ -269,11 +269,11 @@ void MainWindow::rearrange(const ScenarioPtr& scenario) {
   scene_->view().rearrange(scenario_);
   interaction_->setScenario(*scenario_);
   replay_->rearrange(scenario_);
+  bridge_->rearrange(scenario_);
   environment_->rearrange(scenario_);
   assembly_->show(scenario_);
   bodies_->rearrange(*scenario_);
   difficulty_->open(scenario_);
-  bridge_->rearrange(scenario_);
   publishOperatorFrame();
 }
 

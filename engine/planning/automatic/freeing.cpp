@@ -15,7 +15,8 @@ constexpr std::array<double, 3> kDemands{1.05, 1.5, 2.0};
 
 }  // namespace
 
-std::optional<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double clearance) {
+Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required) {
+  const double clearance = 2.0 * required;
   const auto query = world->makeQuery();
   if (query->clearAbove(q, clearance)) return q;
   ErodedWorlds eroded(world);
@@ -24,10 +25,11 @@ std::optional<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double 
     const auto erodedQuery = eroded.at(by)->makeQuery();
     for (const double demand : kDemands) {
       const auto found = retracted(*erodedQuery, q, demand * (by + clearance), world->objectRadius());
-      if (found && query->clearAbove(*found, clearance)) return found;
+      if (found && query->clearAbove(*found, clearance)) return *found;
     }
   }
-  return std::nullopt;
+  return Diagnostic{ErrorKind::InCollision, "", "", "there is no free place near by: the parts overlap too far",
+                    "Put the object elsewhere, or check the parts and their unit."};
 }
 
 }  // namespace glissade

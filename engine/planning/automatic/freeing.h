@@ -4,10 +4,11 @@
 
 namespace glissade {
 
-/// A configuration near by that keeps `clearance` (metres, above 0): parts of an assembly touch where CAD puts
+/// A configuration near by that keeps twice the required clearance (metres, above 0), so that a planner has room to
+/// begin: parts of an assembly touch where CAD puts
 /// them, and overlap by what rounding or a press fit leaves. The object is eroded until its contacts have
 /// directions, retracted (retraction.h), and asked as it is; the least erosion that leads there counts, up to
-/// a thirtieth of its radius. Nothing where none does. Deterministic.
-std::optional<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double clearance);
+/// a thirtieth of its radius. InCollision where none does. Deterministic.
+Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required);
 
 }  // namespace glissade
