@@ -110,6 +110,13 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        [](QPainter& p) {
          fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
        }},
+      {"path.first-blocked",
+       [](QPainter& p) {
+         p.drawLine(QPointF(1, 8), QPointF(6, 8));
+         p.fillRect(QRectF(7, 1.5, 2, 13), p.pen().color());
+         p.drawLine(QPointF(11, 5.5), QPointF(15, 10.5));
+         p.drawLine(QPointF(15, 5.5), QPointF(11, 10.5));
+       }},
       {"path.smooth",
        [](QPainter& p) {
          p.drawPolyline(QPolygonF({{2, 13}, {5, 4}, {9, 10}, {14, 3}}));

@@ -19,16 +19,15 @@
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/part_import.h"
+#include "app/window/path_controller.h"
 #include "app/window/replay_controller.h"
 #include "app/window/status_text.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
 #include "app/window/work_controller.h"
-#include "engine/planning/smoothing/shortcuts.h"
 #include "widgets/panels/counts_panel.h"
 #include "widgets/panels/interaction_panel.h"
-#include "widgets/panels/path_panel.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 
@@ -62,6 +61,7 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
   statusBar()->addWidget(status_, 1);
   work_ = new WorkController(*bridge_, *actions_, *statusBar());
   parts_ = new PartImport(assembly_->document(), *work_, this);
+  path_ = new PathController(*bridge_, *actions_, *scene_, this);
   difficulty_ = new DifficultyController(*actions_, *scene_, *work_, this);
   devices_->addIndicators(*statusBar());
   statusBar()->addPermanentWidget(elapsed_);
@@ -129,11 +129,10 @@ void MainWindow::connectPanels() {
   connect(interaction_, &InteractionPanel::commanded, bridge_, &SessionBridge::post);
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
-  connect(path_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
-    scene_->view().setPlaybackPose(pose);
-    scene_->refresh();
+  connect(path_, &PathController::found, this, [this] { (*actions_)["panel.path"]->trigger(); });
+  connect(path_, &PathController::failed, this, [this](const Diagnostic& why) {
+    if (!batch_) showError(tr("The path cannot be opened"), why);
   });
-  connect(path_, &PathPanel::playbackEnded, this, [this] { (*actions_)["path.play"]->setChecked(false); });
 }
 
 void MainWindow::connectActions() {
@@ -163,8 +162,6 @@ void MainWindow::connectActions() {
     bridge_->post(command::SetParameter{ParameterId::Tuning, tune ? 1.0 * kTunedAll : 0.0});
   });
   on("object.to-start", [this] { bridge_->post(command::SetDevicePose{scenario_->problem.start}); });
-  connect((*actions_)["path.play"], &QAction::toggled, path_, &PathPanel::setPlaying);
-  on("path.smooth", [this](bool smooth) { bridge_->post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
   on("strategy.rules", [this] { editRules(); });
   on("view.reset-layout", [this] { arrangePanels(); });
   on("help.shortcuts", [this] { showShortcuts(); });
@@ -284,9 +281,7 @@ void MainWindow::showSnapshot(const SnapshotPtr& snapshot) {
   interaction_->setSnapshot(*snapshot);
   interaction_->setDevice(bridge_->deviceId());
   counts_->setSnapshot(*snapshot, *scenario_);
-  const bool justSolved = snapshot->path && (!snapshot_ || snapshot_->path != snapshot->path);
-  if (justSolved && !snapshot->coarsePlan) (*actions_)["panel.path"]->trigger();
-  path_->setPath(snapshot->path, *scenario_);
+  path_->showSnapshot(snapshot, scenario_, !replay_->isActive());
   snapshot_ = snapshot;
   environment_->showSnapshot(snapshot);
   work_->showSnapshot(*snapshot);
@@ -312,9 +307,6 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   (*actions_)["run.tuning"]->setChecked(open && snapshot->parameters[ParameterId::Tuning] > 0.0);
   enable("strategy.rules", live && !running);
   enable("object.to-start", live);
-  enable("path.play", open && snapshot->path != nullptr);
-  enable("path.smooth", live && snapshot->path != nullptr && !snapshot->smoothing);
-  (*actions_)["path.smooth"]->setChecked(open && snapshot->smoothed);
   enable("file.save", open);
   enable("file.save-as", open);
   enable("file.export", open && snapshot->path != nullptr);

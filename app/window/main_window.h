@@ -22,7 +22,7 @@ class DifficultyController;
 class EnvironmentController;
 class InteractionPanel;
 class PartImport;
-class PathPanel;
+class PathController;
 class ReplayController;
 class StudyController;
 class WindowMemory;
@@ -53,6 +53,7 @@ class MainWindow final : public QMainWindow {
   AssemblyController& assembly() { return *assembly_; }
   PartImport& parts() { return *parts_; }
   DifficultyController& difficulty() { return *difficulty_; }
+  PathController& path() { return *path_; }
   WorkController& work() { return *work_; }
   /// Replays what was read from a file, and opens its scenario where another is open; says what is wrong
   /// in a dialog unless `quiet`, and returns it.
@@ -124,7 +125,7 @@ class MainWindow final : public QMainWindow {
   std::unique_ptr<SceneWidget> scene_;
   InteractionPanel* interaction_ = nullptr;
   CountsPanel* counts_ = nullptr;
-  PathPanel* path_ = nullptr;
+  PathController* path_ = nullptr;
   AssemblyController* assembly_ = nullptr;
   PartImport* parts_ = nullptr;
   BodyVisibility* bodies_ = nullptr;

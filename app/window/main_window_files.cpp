@@ -6,6 +6,7 @@
 #include "app/window/environment_controller.h"
 #include "app/window/main_window.h"
 #include "app/window/part_import.h"
+#include "app/window/path_controller.h"
 #include "app/window/window_memory.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_io.h"
@@ -81,8 +82,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
     if (isPartFile(url.toLocalFile().toStdString())) parts << url.toLocalFile();
   }
-  if (parts.isEmpty()) {
-    openScenario(event->mimeData()->urls().front().toLocalFile());
+  const QString first = event->mimeData()->urls().front().toLocalFile();
+  if (isPathFile(first.toStdString())) {
+    if (const auto why = path_->open(first)) showError(tr("The path cannot be opened"), *why);
+  } else if (parts.isEmpty()) {
+    openScenario(first);
   } else if (scenario_) {
     parts_->ask(PartsDialog::Purpose::AddParts, parts);
   } else {

@@ -11,9 +11,9 @@
 #include "app/window/difficulty_controller.h"
 #include "app/window/environment_controller.h"
 #include "app/window/main_window.h"
+#include "app/window/path_controller.h"
 #include "widgets/panels/counts_panel.h"
 #include "widgets/panels/interaction_panel.h"
-#include "widgets/panels/path_panel.h"
 
 namespace glissade {
 void MainWindow::addPanel(const QString& title, const char* id, QWidget* content, const char* action,
@@ -44,12 +44,11 @@ void MainWindow::addPanel(const QString& title, const char* id, QWidget* content
 void MainWindow::makePanels() {
   interaction_ = new InteractionPanel(*actions_, this);
   counts_ = new CountsPanel(this);
-  path_ = new PathPanel(*actions_, this);
   bodies_ = new BodyVisibility(*actions_, *scene_, *assembly_->scenePanel(), environment_->document(), this);
   addPanel(tr("Interaction"), "interaction", interaction_);
   addPanel(tr("Scene"), "scene-tree", assembly_->panel(), "panel.scene");
   addPanel(tr("Run"), "run", counts_, "panel.run");
-  addPanel(tr("Path"), "path", path_, "panel.path");
+  addPanel(tr("Path"), "path", path_->panel(), "panel.path");
   addPanel(tr("Semantics"), "semantics", environment_->semanticsPanel(), "panel.semantics", Scrolling::Own);
   addPanel(tr("Plan"), "plan", environment_->planPanel(), "panel.plan", Scrolling::Own);
   addPanel(tr("Difficulty"), "difficulty", difficulty_->panel(), "panel.difficulty", Scrolling::Own);

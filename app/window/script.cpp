@@ -16,6 +16,8 @@ const std::map<std::string, std::size_t>& argumentCounts() {
                                                          {"wait", 2},
                                                          {"expect", 1},
                                                          {"export", 1},
+                                                         {"open-path", 1},
+                                                         {"expect-path", 1},
                                                          {"screenshot", 1},
                                                          {"quit", 0},
                                                          {"open", 1},

@@ -15,6 +15,7 @@
 #include "app/window/device_script.h"
 #include "app/window/difficulty_script.h"
 #include "app/window/environment_script.h"
+#include "app/window/path_script.h"
 #include "app/window/replay_script.h"
 #include "app/window/study_script.h"
 #include "engine/base/number_text.h"
@@ -91,9 +92,8 @@ Outcome ScriptRunner::carryOut(const ScriptCommand& command) {
   if (const auto outcome = StudyScript(window_).carryOut(command)) {
     return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
-  if (command.name == "export") {
-    if (const auto why = window_.exportPath(first)) return *why;
-    return Done{};
+  if (const auto outcome = PathScript(window_).carryOut(command)) {
+    return *outcome ? Outcome(Done{}) : atLine(command, outcome->error());
   }
   if (!window_.picture().save(first)) return wrong(command, "the picture cannot be saved", "Check the folder.");
   return Done{};

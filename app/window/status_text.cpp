@@ -40,6 +40,9 @@ QString statusText(const SessionSnapshot& snapshot) {
   }
   switch (snapshot.state) {
     case SessionState::Idle:
+      if (snapshot.refused) {
+        return say(QT_TRANSLATE_NOOP("Status", "The path does not hold here: see Path. Start (F5) looks for another."));
+      }
       return say(
           QT_TRANSLATE_NOOP("Status", "Ready. Press Start (F5), or take the object with the keys over the view."));
     case SessionState::Planning:
@@ -50,6 +53,7 @@ QString statusText(const SessionSnapshot& snapshot) {
                                               : say(QT_TRANSLATE_NOOP("Status", "Planning: two trees grow"));
     case SessionState::Paused: return say(QT_TRANSLATE_NOOP("Status", "Paused"));
     case SessionState::Solved:
+      if (snapshot.run == 0) return say(QT_TRANSLATE_NOOP("Status", "The path holds: certified free of penetration"));
       return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));
     case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found stays shown"));
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));

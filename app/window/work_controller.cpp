@@ -35,7 +35,7 @@ void WorkController::begin(const Job& job) {
   task_.start(job.work, atOnce_);
   if (!task_.isBusy()) return;
   toTheEnd_ = job.toTheEnd;
-  smoothing_ = false;
+  pathWork_ = false;
   busy_->begin(job.what);
   enable();
 }
@@ -46,11 +46,14 @@ void WorkController::cancel() {
 }
 
 void WorkController::showSnapshot(const SessionSnapshot& snapshot) {
-  if (task_.isBusy() || (!snapshot.smoothing && !smoothing_)) return;
-  if (!smoothing_) busy_->begin(tr("Smoothing the path"));
-  smoothing_ = snapshot.smoothing.has_value();
-  if (smoothing_) {
-    busy_->setShare(*snapshot.smoothing);
+  if (task_.isBusy() || (!snapshot.pathWork && !pathWork_)) return;
+  if (!pathWork_) {
+    const bool smoothing = snapshot.pathWork->kind == PathWork::Kind::Smoothing;
+    busy_->begin(smoothing ? tr("Smoothing the path") : tr("Examining the path"));
+  }
+  pathWork_ = snapshot.pathWork.has_value();
+  if (pathWork_) {
+    busy_->setShare(snapshot.pathWork->share);
   } else {
     busy_->end();
   }
@@ -65,6 +68,6 @@ void WorkController::cancelAll() {
   }
 }
 
-void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || smoothing_); }
+void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || pathWork_); }
 
 }  // namespace glissade

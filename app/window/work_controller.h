@@ -27,7 +27,7 @@ class WorkController final : public QObject {
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
   /// Ends what need not be finished.
   void cancel();
-  /// Smoothing goes on in the session; it is shown and cancelled here like all else.
+  /// What is done with a path goes on in the session; it is shown and cancelled here like all else.
   void showSnapshot(const SessionSnapshot& snapshot);
 
  private:
@@ -47,7 +47,7 @@ class WorkController final : public QObject {
   BusyBar* busy_;
   BackgroundTask task_;
   bool atOnce_;
-  bool smoothing_ = false;
+  bool pathWork_ = false;
   bool toTheEnd_ = false;  ///< what is under way
   std::optional<Job> waiting_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "engine/collision/motion_certificate.h"
@@ -17,6 +19,12 @@ struct PathPoint {
 };
 
 std::vector<Pose> configurationsOf(const std::vector<PathPoint>& points);
+
+/// The run that a path comes from.
+struct PathProvenance {
+  std::string planner;  ///< its id; empty: unknown
+  std::uint64_t seed = 0;
+};
 
 /// A solution from start to goal: straight motions between consecutive points. Only ever delivered
 /// together with its certificate.

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 
 #include "engine/base/file.h"
@@ -13,6 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostBytes = 256U << 20;
+constexpr const char* kJsonFormat = "glissade-path";
 constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
 
 std::vector<std::string> split(const std::string& line, const char* separators) {
@@ -92,7 +94,7 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
   if (!document) return document.error();
   try {
     const JsonCursor root(*document, file, "");
-    if (root.at("format").text() != "glissade-path") root.at("format").fail("is not \"glissade-path\"");
+    if (root.at("format").text() != kJsonFormat) root.at("format").fail("is not \"glissade-path\"");
     if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
     const JsonCursor list = root.at("configurations");
     std::vector<PathPoint> points;
@@ -121,6 +123,14 @@ Result<std::vector<PathPoint>> readPath(const std::string& file) {
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);
   return TextPathReader(file).read(*text);
+}
+
+bool isPathFile(const std::string& file) {
+  const std::string ending = std::filesystem::path(file).extension().string();
+  if (ending != ".json") return ending == ".csv" || ending == ".path";
+  const auto text = readFile(file, kMostBytes);
+  const auto document = text ? parseJson(*text, file) : Result<JsonCursor::Json>(text.error());
+  return document && document->is_object() && document->value("format", JsonCursor::Json()) == kJsonFormat;
 }
 
 }  // namespace glissade

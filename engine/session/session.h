@@ -9,6 +9,7 @@
 
 #include "engine/operator/operator_input.h"
 #include "engine/operator/run_log.h"
+#include "engine/planning/path_examination.h"
 #include "engine/planning/planner.h"
 
 namespace glissade {
@@ -50,10 +51,21 @@ struct SetDevicePose {
 struct SmoothPath {
   int attempts;
 };  ///< once Solved: the path as planned with that many shortcuts tried; 0: as planned again
+struct ExaminePath {
+  std::vector<PathPoint> points;  ///< at least one
+  PathProvenance provenance;
+};  ///< before the first Start: a path from elsewhere. Solved where it holds here, else `refused` is there
 }  // namespace command
 using Command = std::variant<command::Start, command::Pause, command::Resume, command::Stop, command::SetSeed,
                              command::SetPlanner, command::SetParameter, command::SetSemantics, command::SetKnowledge,
-                             command::SetDevicePose, command::SmoothPath>;
+                             command::SetDevicePose, command::SmoothPath, command::ExaminePath>;
+
+/// What is done with a path, which takes its time; Stop ends it.
+struct PathWork {
+  enum class Kind { Smoothing, Examination };
+  Kind kind = Kind::Smoothing;
+  double share = 0.0;  ///< done
+};
 
 /// Everything the window shows, frozen at one moment; shared and never changed.
 struct SessionSnapshot {
@@ -75,10 +87,12 @@ struct SessionSnapshot {
   RoadmapChunks roadmap;
   PerAuthor<std::uint64_t> nodesByAuthor{};
   std::vector<RoadmapEdge> droppedEdges;
-  CoarsePlanPtr coarsePlan;            ///< of a multi-layer planner; null otherwise
-  std::shared_ptr<const Path> path;    ///< certified; null until solved
-  bool smoothed = false;               ///< `path` was shortened after it was planned
-  std::optional<double> smoothing;     ///< SmoothPath is under way: the share done; Stop ends it
+  CoarsePlanPtr coarsePlan;                        ///< of a multi-layer planner; null otherwise
+  std::shared_ptr<const Path> path;                ///< certified; null until solved
+  bool smoothed = false;                           ///< `path` was shortened after it was planned
+  std::shared_ptr<const PathExamination> refused;  ///< a path that was given and does not hold here; null: none
+  PathProvenance provenance;                       ///< of `path` or of the refused one
+  std::optional<PathWork> pathWork;                ///< under way
   RunLogParts log;                     ///< what shaped the run: at most a second old, and whole once it has ended
   std::string member;                  ///< of the automatic planner: whose turn it is, or who found the path
   std::optional<TuningReport> tuning;  ///< what has set itself; `parameters` stay the user's own

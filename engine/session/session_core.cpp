@@ -93,6 +93,8 @@ void SessionCore::carryOut(const Command& wanted, const WorkWatch& watch) {
     problem_.scene.knowledge = known->knowledge;
   } else if (const auto* smooth = std::get_if<command::SmoothPath>(&wanted)) {
     if (state_ == SessionState::Solved) smoothPath(smooth->attempts, watch);
+  } else if (const auto* given = std::get_if<command::ExaminePath>(&wanted)) {
+    if (run_ == 0) examine(*given, watch);
   }
 }
 
@@ -122,6 +124,8 @@ void SessionCore::startRun() {
   ++run_;
   trouble_.reset();
   path_.reset();
+  refused_.reset();
+  provenance_ = {plannerId_, seed_};
   planner_.reset();
   roadmap_.reset();
   const SceneDescription& scene = problem_.scene;
@@ -171,6 +175,17 @@ void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
   if (another && watch.stop.stopRequested()) return;
   path_ = std::make_shared<const Path>(std::move(path));
   smoothed_ = attempts > 0;
+}
+
+void SessionCore::examine(const command::ExaminePath& given, const WorkWatch& watch) {
+  PathExamination examination = examinePath(given.points, problem_, parameters_, watch);
+  if (!examination.complete) return;
+  const bool holds = examination.holds();
+  provenance_ = given.provenance;
+  smoothed_ = false;
+  planned_ = path_ = holds ? std::make_shared<const Path>(std::move(examination.path)) : nullptr;
+  refused_ = holds ? nullptr : std::make_shared<const PathExamination>(std::move(examination));
+  state_ = holds ? SessionState::Solved : SessionState::Idle;
 }
 
 void SessionCore::endRun(SessionState state) {
@@ -229,6 +244,8 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   snapshot.planningCpuSeconds = cpuSpent_;
   snapshot.path = path_;
   snapshot.smoothed = path_ && smoothed_;
+  snapshot.refused = refused_;
+  snapshot.provenance = provenance_;
   if (planner_) {
     roadmap_.update(*planner_);
     snapshot.counts = planner_->counts();

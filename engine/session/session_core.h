@@ -21,7 +21,7 @@ class SessionCore {
   ~SessionCore();
 
   /// Every command but SetDevicePose, which is the operator side's and does nothing here. `watch` is for
-  /// SmoothPath, which takes its time: stopped, the path stays as it was.
+  /// SmoothPath and ExaminePath, which take their time: stopped, all stays as it was.
   void carryOut(const Command& command, const WorkWatch& watch = {});
 
   SessionState state() const { return state_; }
@@ -62,6 +62,7 @@ class SessionCore {
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
   void smoothPath(int attempts, const WorkWatch& watch);
+  void examine(const command::ExaminePath& given, const WorkWatch& watch);
   void endRun(SessionState state);
   void fail(Diagnostic why);
   std::optional<Diagnostic> limitReached() const;
@@ -81,6 +82,8 @@ class SessionCore {
   std::shared_ptr<const Path> path_;     ///< delivered
   std::shared_ptr<const Path> planned_;  ///< the same before it was smoothed
   bool smoothed_ = false;                ///< path_ is not planned_
+  std::shared_ptr<const PathExamination> refused_;
+  PathProvenance provenance_;  ///< of path_ or refused_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
   double cpuSpent_ = 0.0;  ///< seconds

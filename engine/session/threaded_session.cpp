@@ -120,7 +120,9 @@ class Threaded final : public Session {
     for (const Command& command : commands) {
       const std::uint64_t runBefore = core_.run();
       if (std::holds_alternative<command::SmoothPath>(command)) {
-        smooth(command);
+        work(command, PathWork::Kind::Smoothing);
+      } else if (std::holds_alternative<command::ExaminePath>(command)) {
+        work(command, PathWork::Kind::Examination);
       } else {
         core_.carryOut(command);
       }
@@ -133,9 +135,9 @@ class Threaded final : public Session {
   }
 
   /// Publishes how far it is.
-  void smooth(const Command& command) {
-    const auto report = [this](double share) {
-      if (Clock::now() - lastPublication_ >= kPublishInterval) publishPlanning(share);
+  void work(const Command& command, PathWork::Kind kind) {
+    const auto report = [this, kind](double share) {
+      if (Clock::now() - lastPublication_ >= kPublishInterval) publishPlanning(PathWork{kind, share});
     };
     core_.carryOut(command, WorkWatch(freshStopToken(), report));
   }
@@ -166,10 +168,10 @@ class Threaded final : public Session {
     return !quit_ && commands_.empty();
   }
 
-  void publishPlanning(std::optional<double> smoothing = std::nullopt) {
+  void publishPlanning(std::optional<PathWork> work = std::nullopt) {
     SessionSnapshot next;
     core_.describe(next);
-    next.smoothing = smoothing;
+    next.pathWork = work;
     lastPublication_ = Clock::now();
     const std::lock_guard lock(mutex_);
     chunks_ = next.roadmap;

@@ -80,6 +80,41 @@ TEST_F(AssemblyWindow, AnEndThatTouchesIsMovedClearOfIt) {
                                                             "wait ended 40000\nexpect solved\n")));
 }
 
+TEST_F(AssemblyWindow, APathThatWasFoundIsProvedAgainWhereBodiesMoved) {
+  const QString found = folder.filePath(QStringLiteral("found.csv"));
+  const QString again = folder.filePath(QStringLiteral("again.csv"));
+  const QString picture = folder.filePath(QStringLiteral("blocked.png"));
+  expectGood(run(shapeGame, QStringLiteral("select-strategy contact-birrt\naction run.start\nwait ended 40000\n"
+                                           "expect-path certified\nexport %1\n"
+                                           "place O3 706,1015,1052 0,0,0\nexpect idle\nexpect-path O3\n"
+                                           "action panel.path\naction path.first-blocked\nscreenshot %2\n"
+                                           "place O3 1100,1500,1300 0,0,0\nexpect-path certified\n"
+                                           "place start 240,1100,2010 0,0,0\nexpect-path -\n"
+                                           "action edit.undo\nexpect-path certified\nexport %3\n"
+                                           "action assembly.swap\nexpect-path -\n"
+                                           "action run.start\nsteps 1\nexpect-path none\n")
+                                .arg(found, picture, again)));
+  const auto contentOf = [](const QString& name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  };
+  EXPECT_FALSE(contentOf(found).isEmpty());
+  EXPECT_EQ(contentOf(found), contentOf(again));
+  expectLike(picture, QStringLiteral("blocked"));
+}
+
+TEST_F(AssemblyWindow, APathIsReadFromAFile) {
+  const QString found = folder.filePath(QStringLiteral("found.csv"));
+  expectGood(run(shapeGame, QStringLiteral("select-strategy auto\naction run.start\nwait ended 40000\n"
+                                           "export %1\nopen-path %1\nexpect-path certified\n"
+                                           "place O3 240,1100,1800 0,0,0\nexpect-path O3\n")
+                                .arg(found)));
+  expectGood(run(QStringLiteral("teaching"), QStringLiteral("open-path %1\nexpect-path -\n").arg(found)));
+  expectRefused(QString(), QStringLiteral("open-path %1\n").arg(found), "there is no scenario");
+  expectRefused(shapeGame, QStringLiteral("open-path %1\n").arg(shapeGame), "glissade-path");
+  expectRefused(shapeGame, QStringLiteral("action run.start\nsteps 1\nopen-path %1\n").arg(found), "Stop the run");
+}
+
 TEST_F(AssemblyWindow, NothingIsArrangedWhileARunGoesOn) {
   expectGood(run(QStringLiteral("environment-2"), QStringLiteral("action assembly.arrange\naction run.start\nsteps 5\n"
                                                                  "expect planning\n")));

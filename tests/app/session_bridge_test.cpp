@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QThread>
 
+#include "engine/base/file.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -18,15 +19,19 @@ ScenarioPtr sample(const std::string& name) {
 
 ScenarioPtr slidingPlane() { return sample("sliding-plane"); }
 
-/// Lets time pass in either kind of session until the state is reached.
-bool reach(SessionBridge& bridge, SessionState state) {
+/// Lets time pass in either kind of session until the condition holds.
+bool reach(SessionBridge& bridge, const std::function<bool(const SessionSnapshot&)>& condition) {
   QElapsedTimer timer;
   timer.start();
-  while (bridge.snapshot()->state != state && timer.elapsed() < 30000) {
+  while (!condition(*bridge.snapshot()) && timer.elapsed() < 30000) {
     bridge.advance(20);
     QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
   }
-  return bridge.snapshot()->state == state;
+  return condition(*bridge.snapshot());
+}
+
+bool reach(SessionBridge& bridge, SessionState state) {
+  return reach(bridge, [state](const SessionSnapshot& now) { return now.state == state; });
 }
 
 class Bridge : public testing::TestWithParam<SessionClock> {};
@@ -81,6 +86,43 @@ TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
   EXPECT_EQ(now->device.q_device, other.start);
   // What fits itself to the object's size does so again.
   EXPECT_NEAR(now->parameters[ParameterId::GrowthStep], larger * before->parameters[ParameterId::GrowthStep], 1e-12);
+}
+
+TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
+  const ScenarioPtr before = slidingPlane();
+  const auto rearranged = [&](const Vector3& move) {
+    Scenario scenario = before->scenario;
+    scenario.bodies.front().pose.position += move;
+    auto loaded = realiseScenario(scenario, folderOf(before->file), before->file, before->geometry);
+    return std::make_shared<const LoadedScenario>(std::move(*loaded));
+  };
+  const auto settled = [](const SessionSnapshot& now) { return now.path || now.refused; };
+  SessionBridge bridge(GetParam());
+  bridge.open(before);
+  bridge.setDevice("expert");
+  bridge.post(command::Start{});
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  const std::vector<Pose> found = bridge.snapshot()->path->configurations();
+
+  bridge.rearrange(rearranged({0.0, 0.0, 0.2}));  // into the way
+  ASSERT_TRUE(reach(bridge, settled));
+  ASSERT_NE(bridge.snapshot()->refused, nullptr);
+  EXPECT_FALSE(bridge.snapshot()->refused->blocked.empty());
+  bridge.rearrange(rearranged({0.0, 0.0, -0.2}));
+  bridge.rearrange(before);  // at once: the examination of the last has hardly begun
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  EXPECT_EQ(bridge.snapshot()->path->configurations(), found);
+  bridge.setDevice("novice");
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  EXPECT_EQ(bridge.snapshot()->path->configurations(), found);
+
+  Scenario other = before->scenario;
+  other.object.id = "another";
+  auto another = realiseScenario(other, folderOf(before->file), before->file, before->geometry);
+  bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*another)));
+  bridge.post(command::SetSeed{5});
+  ASSERT_TRUE(reach(bridge, [](const SessionSnapshot& now) { return now.seed == 5; }));
+  EXPECT_FALSE(settled(*bridge.snapshot()));
 }
 
 TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {

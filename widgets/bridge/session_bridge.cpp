@@ -1,6 +1,7 @@
 #include "widgets/bridge/session_bridge.h"
 
 #include "engine/operator/device_registry.h"
+#include "engine/scenario/assembly_edits.h"
 
 namespace glissade {
 namespace {
@@ -29,6 +30,7 @@ SessionBridge::~SessionBridge() {
 void SessionBridge::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
   scene_ = scenario->problem.scene;
+  kept_.reset();
   restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
 }
 
@@ -48,9 +50,11 @@ ParameterValues carriedOver(const ParameterValues& values, double objectRadius) 
 }  // namespace
 
 void SessionBridge::rearrange(const ScenarioPtr& scenario) {
+  const SnapshotPtr last = session_->snapshot();
+  keepPath(*last);
+  if (!isSameObject(*scenario_, *scenario)) kept_.reset();
   scenario_ = scenario;
   scene_ = scenario->problem.scene;
-  const SnapshotPtr last = session_->snapshot();
   restart(carriedOver(last->parameters, scenario->problem.world->objectRadius()), last->seed, last->plannerId);
 }
 
@@ -58,8 +62,24 @@ void SessionBridge::setDevice(const std::string& deviceId) {
   if (deviceId == deviceId_ && !fixed_) return;
   deviceId_ = deviceId;
   if (!session_) return;
+  keepPath(*session_->snapshot());
+  restartAsItIs();
+}
+
+void SessionBridge::givePath(command::ExaminePath path) {
+  kept_ = std::move(path);
+  restartAsItIs();
+}
+
+void SessionBridge::restartAsItIs() {
   const SnapshotPtr last = session_->snapshot();
   restart(last->parameters, last->seed, last->plannerId);
+}
+
+/// One that is still being examined is kept already.
+void SessionBridge::keepPath(const SessionSnapshot& snapshot) {
+  const Path* path = snapshot.path ? snapshot.path.get() : snapshot.refused ? &snapshot.refused->path : nullptr;
+  if (path != nullptr && !fixed_) kept_ = {path->points, snapshot.provenance};
 }
 
 void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
@@ -69,6 +89,7 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
   begin({std::move(problem), parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
   session_->setOperatorFrame(frame_);
   emitSnapshot();
+  if (kept_) post(*kept_);
 }
 
 void SessionBridge::startFixed(const FixedRun& run) {
@@ -122,6 +143,7 @@ void SessionBridge::begin(SessionConfig config, SessionClock clock) {
 void SessionBridge::post(Command command) {
   if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) scene_.edits = semantics->edits;
   if (const auto* known = std::get_if<command::SetKnowledge>(&command)) scene_.knowledge = known->knowledge;
+  if (std::holds_alternative<command::Start>(command)) kept_.reset();
   if (session_) session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);

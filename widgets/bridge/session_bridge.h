@@ -39,11 +39,14 @@ class SessionBridge final : public QObject {
   /// A new session on this scenario; parameters and seed are the scenario's. The old session ends.
   void open(const ScenarioPtr& scenario);
   /// The same scenario with its bodies, its object or its ends elsewhere: ends a run; what has been set since it
-  /// was opened stays. The environment model is to be posted again.
+  /// was opened stays. A path that was there is examined in the new arrangement, unless another object moves. The
+  /// environment model is to be posted again.
   void rearrange(const ScenarioPtr& scenario);
   /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
-  /// planner, semantic edits and environment model stay as they were set.
+  /// planner, semantic edits, environment model and a path that was there stay.
   void setDevice(const std::string& deviceId);
+  /// Takes a path from elsewhere in place of the run's: it is examined.
+  void givePath(command::ExaminePath path);
   /// Who holds the object now; of a fixed run its own.
   const std::string& deviceId() const { return fixed_ ? fixedDeviceId_ : deviceId_; }
 
@@ -67,6 +70,8 @@ class SessionBridge final : public QObject {
 
  private:
   void restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner);
+  void restartAsItIs();
+  void keepPath(const SessionSnapshot& snapshot);
   void end();
   void begin(SessionConfig config, SessionClock clock);
   std::unique_ptr<OperatorDevice> makeDevice(const std::string& id, std::uint64_t seed);
@@ -80,8 +85,9 @@ class SessionBridge final : public QObject {
   HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   SnapshotPtr announced_;
-  LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
-  bool fixed_ = false;                   ///< session_ is a FixedRun
+  LockstepSession* lockstep_ = nullptr;       ///< session_, where it is one
+  std::optional<command::ExaminePath> kept_;  ///< what the next session is given; nothing once a run has begun
+  bool fixed_ = false;                        ///< session_ is a FixedRun
   std::string fixedDeviceId_;
   QTimer pace_;  ///< of a fixed run on screen
 };

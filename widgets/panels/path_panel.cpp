@@ -12,6 +12,42 @@ namespace {
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
+QString nameOf(int body, const LoadedScenario& scenario) {
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+}
+
+QString certificateText(const MotionCertificate& certificate, const LoadedScenario& scenario) {
+  const int body = certificate.nearest.body;
+  const QString what = body < 0 ? PathPanel::tr("nothing near")
+                                : PathPanel::tr("clearance %1 mm to %2")
+                                      .arg(number(certificate.minClearance * 1e3, 2), nameOf(body, scenario));
+  QString held = PathPanel::tr("proved %1 mm, required %2 mm")
+                     .arg(number(certificate.provedClearance * 1e3, 3), number(certificate.tolerance * 1e3, 3));
+  if (body < 0) held = PathPanel::tr("required %1 mm").arg(number(certificate.tolerance * 1e3, 3));
+  if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
+    held += QStringLiteral("; ") + PathPanel::tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
+  }
+  return QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
+}
+
+double shareOf(const BlockedEdge& blocked, const WaySlider& slider) { return slider.shareAt(blocked.edge, blocked.at); }
+
+QString refusalText(const PathExamination& refused, const WaySlider& slider, const LoadedScenario& scenario) {
+  QStringList why;
+  if (!refused.ends.start) why << PathPanel::tr("It does not begin at the start.");
+  if (!refused.ends.goal) why << PathPanel::tr("It does not end at the goal.");
+  if (!refused.blocked.empty()) {
+    const BlockedEdge& first = refused.blocked.front();
+    const int body = first.nearest.body;
+    why << PathPanel::tr("%1 of %2 edges are blocked, the first at %3 % by %4.")
+               .arg(refused.blocked.size())
+               .arg(std::max<std::size_t>(1, refused.path.points.size() - 1))
+               .arg(number(100.0 * shareOf(first, slider), 0),
+                    body < 0 ? PathPanel::tr("nothing near") : nameOf(body, scenario));
+  }
+  return QStringLiteral("<b>✗ %1</b><br>%2").arg(PathPanel::tr("This path does not hold here"), why.join("<br>"));
+}
+
 }  // namespace
 
 PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
@@ -25,7 +61,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   certificate_->setObjectName(QStringLiteral("certificate"));
   slider_->setAccessibleName(tr("Place on the path"));
   slider_->setToolTip(tr("Place on the path"));
-  auto* row = makeActionRow(actions, {"path.play", "path.smooth", "file.export"}, this);
+  auto* row = makeActionRow(actions, {"path.play", "path.first-blocked", "path.smooth", "file.export"}, this);
   for (int i = 0; i < row->count(); ++i) {
     if (auto* button = qobject_cast<QToolButton*>(row->itemAt(i)->widget())) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
@@ -50,43 +86,42 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   certificate_->setText(tr("No path yet."));
 }
 
-void PathPanel::setPath(const std::shared_ptr<const Path>& path, const LoadedScenario& scenario) {
-  if (path == path_) return;
+void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
+                        const LoadedScenario& scenario) {
+  if (path == path_ && refused == refused_) return;
   path_ = path;
+  refused_ = refused;
+  const Path* shown = path ? path.get() : refused ? &refused->path : nullptr;
   const Se3Metric metric = scenario.problem.metric();
-  slider_->setWay(path ? path->configurations() : std::vector<Pose>(), metric);
-  figures_->setVisible(path != nullptr);
-  sharesTitle_->setVisible(path != nullptr);
-  shares_->setVisible(path != nullptr);
-  if (!path) {
+  slider_->setWay(shown != nullptr ? shown->configurations() : std::vector<Pose>(), metric);
+  figures_->setVisible(shown != nullptr);
+  sharesTitle_->setVisible(shown != nullptr);
+  shares_->setVisible(shown != nullptr);
+  emit poseShown(std::nullopt);
+  if (path) certificate_->setText(certificateText(path->certificate, scenario));
+  if (refused) certificate_->setText(refusalText(*refused, *slider_, scenario));
+  if (shown != nullptr) {
+    showFigures(*shown, metric);
+  } else {
     certificate_->setText(tr("No path yet."));
-    emit poseShown(std::nullopt);
-    return;
   }
-  const MotionCertificate& certificate = path->certificate;
-  const int body = certificate.nearest.body;
-  const QString what = body < 0
-                           ? tr("nothing near")
-                           : tr("clearance %1 mm to %2")
-                                 .arg(number(certificate.minClearance * 1e3, 2),
-                                      QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name));
-  QString held = tr("proved %1 mm, required %2 mm")
-                     .arg(number(certificate.provedClearance * 1e3, 3), number(certificate.tolerance * 1e3, 3));
-  if (body < 0) held = tr("required %1 mm").arg(number(certificate.tolerance * 1e3, 3));
-  if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
-    held += QStringLiteral("; ") + tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
-  }
-  certificate_->setText(QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(tr("Certified free of penetration"), what, held));
+}
+
+void PathPanel::showFigures(const Path& path, const Se3Metric& metric) {
   figures_->setText(tr("%1 configurations, %2 m, %3°")
-                        .arg(path->points.size())
-                        .arg(number(path->length(), 2), number(path->rotation() * 180.0 / std::acos(-1.0), 0)));
-  const PerAuthor<double> lengths = path->lengthByAuthor(metric);
+                        .arg(path.points.size())
+                        .arg(number(path.length(), 2), number(path.rotation() * 180.0 / std::acos(-1.0), 0)));
+  const PerAuthor<double> lengths = path.lengthByAuthor(metric);
   PerAuthor<QString> percents;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     const double share = slider_->length() > 0.0 ? lengths[i] / slider_->length() : 0.0;
     percents[i] = number(100.0 * share, 0) + QStringLiteral(" %");
   }
   shares_->setShares(lengths, percents);
+}
+
+void PathPanel::showFirstBlocked() {
+  if (refused_ && !refused_->blocked.empty()) slider_->showAt(shareOf(refused_->blocked.front(), *slider_));
 }
 
 void PathPanel::setPlaying(bool playing) { slider_->setPlaying(playing); }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/planning/path.h"
+#include "engine/planning/path_examination.h"
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
@@ -13,16 +13,19 @@
 
 namespace glissade {
 
-/// The path found: its certificate and figures, and a slider that moves the object along it.
+/// The path found or given: its certificate or what is in its way, its figures, and a slider that moves the
+/// object along it.
 class PathPanel final : public QWidget {
   Q_OBJECT
 
  public:
   PathPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// Null: there is no path.
-  void setPath(const std::shared_ptr<const Path>& path, const LoadedScenario& scenario);
+  /// Both null: there is no path.
+  void setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
+               const LoadedScenario& scenario);
   void setPlaying(bool playing);
+  void showFirstBlocked();
 
  signals:
   /// The pose to show, or nothing when playback is over and the hand is shown again.
@@ -30,7 +33,10 @@ class PathPanel final : public QWidget {
   void playbackEnded();
 
  private:
+  void showFigures(const Path& path, const Se3Metric& metric);
+
   std::shared_ptr<const Path> path_;
+  std::shared_ptr<const PathExamination> refused_;
   QLabel* certificate_;
   QLabel* figures_;
   QWidget* sharesTitle_;

@@ -3,6 +3,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glissade {
 namespace {
@@ -19,7 +20,7 @@ WaySlider::WaySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setEnabled(false);
   timer_.setInterval(kTickMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &WaySlider::tick);
-  connect(this, &QSlider::valueChanged, this, &WaySlider::showAt);
+  connect(this, &QSlider::valueChanged, this, &WaySlider::showPosition);
 }
 
 void WaySlider::setWay(std::vector<Pose> way, const Se3Metric& metric) {
@@ -50,7 +51,20 @@ void WaySlider::tick() {
   if (value() == kPositions) setPlaying(false);
 }
 
-void WaySlider::showAt(int position) {
+double WaySlider::shareAt(std::size_t configuration, double at) const {
+  if (configuration + 1 >= arrival_.size() || length() <= 0.0) return 0.0;
+  const double from = arrival_[configuration];
+  return (from + at * (arrival_[configuration + 1] - from)) / length();
+}
+
+void WaySlider::showAt(double share) {
+  setPlaying(false);
+  const int position = static_cast<int>(std::lround(share * kPositions));
+  if (position == value()) showPosition(position);  // the slider would say nothing
+  setValue(position);
+}
+
+void WaySlider::showPosition(int position) {
   if (way_.size() < 2) return;
   const double s = arrival_.back() * position / kPositions;
   const auto after = std::upper_bound(arrival_.begin() + 1, arrival_.end() - 1, s);

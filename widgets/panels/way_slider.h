@@ -20,13 +20,16 @@ class WaySlider final : public QSlider {
   void setPlaying(bool playing);
   /// In the metric, metres.
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
+  /// The share of the whole way that lies before a place on the way from one configuration to the next.
+  double shareAt(std::size_t configuration, double at) const;
+  void showAt(double share);
 
  signals:
   void poseShown(const glissade::Pose& pose);
   void playbackEnded();
 
  private:
-  void showAt(int position);
+  void showPosition(int position);
   void tick();
 
   std::vector<Pose> way_;

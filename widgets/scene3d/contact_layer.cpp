@@ -2,6 +2,7 @@
 
 #include <osg/Depth>
 
+#include <array>
 #include <cmath>
 
 #include "widgets/model/author_colour.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr float kPointSize = 8.0F;
 constexpr float kPathWidth = 4.0F;
 constexpr std::size_t kGhosts = 7;
+constexpr float kFaded = 0.45F;
 /// Share of the contact disc that is drawn: all of it would hide the scene.
 constexpr double kDrawnDisc = 0.5;
 
@@ -67,6 +69,33 @@ osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, 
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const Pose& q = path.points[i * (path.points.size() - 1) / (count - 1)].q;
     group->addChild(makeBody(object, q, palette.path, BodyStyle::Ghost, palette));
+  }
+  return group;
+}
+
+osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const TriangleMesh& object,
+                                         const ScenePalette& palette) {
+  const std::vector<PathPoint>& points = refused.path.points;
+  std::vector<bool> isBlocked(points.size(), false);
+  for (const BlockedEdge& edge : refused.blocked) isBlocked[edge.edge] = true;
+  std::array<std::vector<Vector3>, 2> segments;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    auto& kind = segments[isBlocked[i - 1] ? 1 : 0];
+    kind.insert(kind.end(), {points[i - 1].q.position, points[i].q.position});
+  }
+  osg::ref_ptr<osg::Group> group = new osg::Group;
+  osg::ref_ptr<osg::Geode> lines = new osg::Geode;
+  const float width = kPathWidth * palette.pixelScale;
+  osg::Vec4 faded = palette.path;
+  faded.a() = kFaded;
+  if (!segments[0].empty()) lines->addDrawable(makeLines(segments[0], LineKind::Segments, faded, width));
+  if (!segments[1].empty()) lines->addDrawable(makeLines(segments[1], LineKind::Segments, palette.penetration, width));
+  group->addChild(lines);
+  for (std::size_t i = 0; i < std::min(kGhosts, refused.blocked.size()); ++i) {
+    const BlockedEdge& edge = refused.blocked[i * refused.blocked.size() / std::min(kGhosts, refused.blocked.size())];
+    const Pose& to = points[std::min(edge.edge + 1, points.size() - 1)].q;
+    const Pose q = interpolate(points[edge.edge].q, to, edge.at);
+    group->addChild(makeBody(object, q, palette.penetration, BodyStyle::Ghost, palette));
   }
   return group;
 }

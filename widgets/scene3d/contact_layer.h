@@ -17,4 +17,8 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
 osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette,
                                   bool byAuthor);
 
+/// A path that does not hold here: what is blocked of it, with the object in the way there; the rest fades.
+osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const TriangleMesh& object,
+                                         const ScenePalette& palette);
+
 }  // namespace glissade

@@ -34,6 +34,7 @@ struct SceneView::Impl {
   std::shared_ptr<const LoadedScenario> scenario;
   SnapshotPtr snapshot;
   std::shared_ptr<const Path> drawnPath;
+  std::shared_ptr<const PathExamination> drawnRefusal;
   bool pathByAuthor = false;
   std::optional<Pose> playback;
   EnvironmentPicture environment;
@@ -130,6 +131,7 @@ struct SceneView::Impl {
     }
     object = nullptr;
     drawnPath.reset();
+    drawnRefusal.reset();
     showEnvironment();
     showDifficulty();
     if (!scenario) return;
@@ -176,10 +178,12 @@ struct SceneView::Impl {
   }
 
   void showPath() {
-    if (snapshot->path == drawnPath) return;
+    if (snapshot->path == drawnPath && snapshot->refused == drawnRefusal) return;
     drawnPath = snapshot->path;
+    drawnRefusal = snapshot->refused;
     osg::Group& group = layer(SceneLayer::Path);
     group.removeChildren(0, group.getNumChildren());
+    if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, *scenario->object.mesh, palette));
     if (!drawnPath) return;
     group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette, pathByAuthor));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));

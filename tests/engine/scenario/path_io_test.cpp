@@ -88,5 +88,17 @@ TEST(ReadPath, NamesTheLineOfAFault) {
   EXPECT_TRUE(readPath(folder.write("crlf", "0 0 0 0 0 0 1\r\n  1\t0 0 0 0 0 1 \r\n")).ok());
 }
 
+TEST(IsPathFile, GoesByTheEndingAndOfJsonByTheFormat) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(isPathFile("a.csv"));
+  EXPECT_TRUE(isPathFile("a.path"));
+  EXPECT_FALSE(isPathFile("a.stl"));
+  EXPECT_FALSE(isPathFile(folder / "gone.json"));
+  EXPECT_TRUE(isPathFile(folder.write("path.json", "{\"format\": \"glissade-path\"}")));
+  EXPECT_FALSE(isPathFile(folder.write("scenario.json", "{\"format\": \"glissade-scenario\"}")));
+  EXPECT_FALSE(isPathFile(folder.write("list.json", "[1]")));
+  EXPECT_FALSE(isPathFile(folder.write("broken.json", "{")));
+}
+
 }  // namespace
 }  // namespace glissade

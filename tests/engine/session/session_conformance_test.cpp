@@ -229,6 +229,56 @@ TEST_P(SessionConformance, ThePathIsSmoothedAndGivenBackAsPlanned) {
   EXPECT_FALSE(session->snapshot()->smoothed);
 }
 
+TEST_P(SessionConformance, APathFromElsewhereIsTakenWhereItHolds) {
+  const Problem problem = windowProblem();
+  const auto first = make(sessionConfig(problem));
+  first->post(command::Start{});
+  ASSERT_TRUE(waitFor(*first, hasEnded));
+  const auto found = first->snapshot()->path;
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(first->snapshot()->provenance.planner, "contact-birrt");
+
+  const auto session = make(sessionConfig(problem));
+  session->post(command::ExaminePath{found->points, {"birrt", 77}});
+  ASSERT_TRUE(waitFor(*session, hasEnded));
+  SnapshotPtr snapshot = session->snapshot();
+  EXPECT_EQ(snapshot->state, SessionState::Solved);
+  EXPECT_EQ(snapshot->run, 0U);
+  EXPECT_TRUE(snapshot->log.empty());
+  EXPECT_EQ(snapshot->path->configurations(), found->configurations());
+  EXPECT_EQ(snapshot->path->certificate.status, CertificateStatus::Certified);
+  EXPECT_EQ(snapshot->provenance.planner, "birrt");
+  EXPECT_EQ(snapshot->provenance.seed, 77U);
+
+  session->post(command::SmoothPath{200});
+  ASSERT_TRUE(waitFor(*session, [&](const SessionSnapshot& s) { return s.smoothed; }));
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.run == 1 && hasEnded(s); }));
+  const auto own = session->snapshot()->path;
+  session->post(command::ExaminePath{{{problem.start, Author::Computer}}, {}});  // too late: a run has begun
+  session->post(command::SetSeed{5});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.seed == 5; }));
+  EXPECT_EQ(session->snapshot()->path, own);
+  EXPECT_EQ(session->snapshot()->refused, nullptr);
+}
+
+TEST_P(SessionConformance, APathFromElsewhereIsRefusedWhereItIsBlockedUntilARunBegins) {
+  const Problem problem = closedProblem();
+  const auto session = make(sessionConfig(problem));
+  const std::vector<PathPoint> straight{{problem.start, Author::Computer},
+                                        {std::get<Pose>(problem.goal), Author::Computer}};
+  session->post(command::ExaminePath{straight, {}});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.refused != nullptr; }));
+  const SnapshotPtr snapshot = session->snapshot();
+  EXPECT_EQ(snapshot->state, SessionState::Idle);
+  EXPECT_EQ(snapshot->path, nullptr);
+  ASSERT_EQ(snapshot->refused->blocked.size(), 1U);
+  EXPECT_EQ(snapshot->refused->blocked.front().nearest.body, 0);
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.run == 1; }));
+  EXPECT_EQ(session->snapshot()->refused, nullptr);
+}
+
 TEST(ThreadedSession, SmoothingTellsHowFarItIsAndAStopLeavesThePath) {
   const auto session = makeThreadedSession(sessionConfig(windowProblem()));
   session->post(command::Start{});
@@ -236,9 +286,9 @@ TEST(ThreadedSession, SmoothingTellsHowFarItIsAndAStopLeavesThePath) {
   const auto planned = session->snapshot()->path;
   ASSERT_NE(planned, nullptr);
   session->post(command::SmoothPath{100'000'000});
-  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.smoothing.has_value(); }));
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.pathWork.has_value(); }));
   session->post(command::Stop{});
-  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return !s.smoothing; }));
+  ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return !s.pathWork; }));
   EXPECT_EQ(session->snapshot()->path, planned);
   EXPECT_EQ(session->snapshot()->state, SessionState::Solved);
   EXPECT_FALSE(session->snapshot()->smoothed);

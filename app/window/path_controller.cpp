@@ -1,0 +1,86 @@
+#include "app/window/path_controller.h"
+
+#include <QFileDialog>
+
+#include <utility>
+
+#include "engine/planning/smoothing/shortcuts.h"
+#include "engine/scenario/path_io.h"
+
+namespace glissade {
+
+PathController::PathController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene,
+                               QWidget* window)
+    : QObject(window), bridge_(bridge), actions_(actions), panel_(new PathPanel(actions, window)) {
+  connect(panel_, &PathPanel::poseShown, this, [&scene](const std::optional<Pose>& pose) {
+    scene.view().setPlaybackPose(pose);
+    scene.refresh();
+  });
+  connect(panel_, &PathPanel::playbackEnded, this,
+          [this] { actions_[QStringLiteral("path.play")]->setChecked(false); });
+  connectActions();
+  enableActions(false);
+}
+
+void PathController::connectActions() {
+  connect(actions_[QStringLiteral("path.play")], &QAction::toggled, panel_, &PathPanel::setPlaying);
+  connect(actions_[QStringLiteral("path.smooth")], &QAction::triggered, this,
+          [this](bool smooth) { bridge_.post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
+  connect(actions_[QStringLiteral("path.first-blocked")], &QAction::triggered, panel_, &PathPanel::showFirstBlocked);
+  connect(actions_[QStringLiteral("file.open-path")], &QAction::triggered, this, &PathController::chooseFile);
+}
+
+void PathController::chooseFile() {
+  const QString file =
+      QFileDialog::getOpenFileName(qobject_cast<QWidget*>(parent()), tr("Open a path of this scenario"), QString(),
+                                   tr("Paths (*.csv *.json *.path);;All files (*)"));
+  if (file.isEmpty()) return;
+  if (const auto why = open(file)) emit failed(*why);
+}
+
+std::optional<Diagnostic> PathController::open(const QString& file) {
+  const std::string name = file.toStdString();
+  if (!bridge_.snapshot()) {
+    return Diagnostic{ErrorKind::Usage, name, "", "there is no scenario that the path could be of",
+                      "Open its scenario first."};
+  }
+  if (isRunning(*bridge_.snapshot())) {
+    return Diagnostic{ErrorKind::Usage, name, "", "a path is being looked for", "Stop the run first."};
+  }
+  auto points = readPath(name);
+  if (!points) return points.error();
+  bridge_.givePath({withUnitRotations(std::move(*points)), {}});
+  emit found();
+  return std::nullopt;
+}
+
+void PathController::showSnapshot(const SnapshotPtr& snapshot, const ScenarioPtr& scenario, bool live) {
+  const bool another = snapshot->path && (!snapshot_ || snapshot_->path != snapshot->path);
+  const bool ofRun = snapshot->run > 0;
+  snapshot_ = snapshot;
+  scenario_ = scenario;
+  panel_->setPath(snapshot->path, snapshot->refused, *scenario);
+  enableActions(live);
+  if (another && ofRun && !snapshot->coarsePlan) emit found();
+}
+
+std::string PathController::verdict() const {
+  if (snapshot_ && snapshot_->path) return "certified";
+  if (!snapshot_ || !snapshot_->refused) return "none";
+  const std::vector<BlockedEdge>& blocked = snapshot_->refused->blocked;
+  const int body = blocked.empty() ? -1 : blocked.front().nearest.body;
+  return body < 0 ? "-" : scenario_->obstacles[static_cast<std::size_t>(body)].id;
+}
+
+void PathController::enableActions(bool live) {
+  const bool open = snapshot_ != nullptr;
+  const bool path = open && snapshot_->path;
+  const bool refused = open && snapshot_->refused;
+  actions_[QStringLiteral("path.play")]->setEnabled(path || refused);
+  actions_[QStringLiteral("path.smooth")]->setEnabled(live && path && !snapshot_->pathWork);
+  actions_[QStringLiteral("path.smooth")]->setChecked(open && snapshot_->smoothed);
+  actions_[QStringLiteral("path.first-blocked")]->setEnabled(refused && !snapshot_->refused->blocked.empty());
+  actions_[QStringLiteral("file.open-path")]->setEnabled(live && !isRunning(*snapshot_));
+}
+
+}  // namespace glissade
