@@ -13,6 +13,10 @@ mkdir -m 700 "$home/runtime"
 export HOME=$home XDG_RUNTIME_DIR=$home/runtime XDG_CONFIG_HOME=$home/config XDG_CACHE_HOME=$home/cache
 export MESA_SHADER_CACHE_DISABLE=true QT_FONT_DPI=96 LC_ALL=C.UTF-8
 unset DISPLAY WAYLAND_DISPLAY
+# A language with a decimal comma, which the C library would follow.
+mkdir "$home/locale"
+localedef -i fr_FR -f UTF-8 "$home/locale/fr_FR.UTF-8"
+export LOCPATH=$home/locale
 
 passed=0
 failed=0
