@@ -83,6 +83,7 @@ void EnvironmentController::connectActions() {
   on("attribute.add", [this] { semantics_->addAttribute(); });
   on("attribute.rename", [this] { semantics_->renameAttribute(); });
   on("attribute.remove", [this] { semantics_->removeAttribute(); });
+  on("attribute.remove-strays", [this] { document_.removeStrays(); });
   on("place.forbid", [this] { toggleForbidden(); });
   on("place.prefer", [this] { togglePreferred(); });
   on("milestone.set", [this] { setMilestone(true); });

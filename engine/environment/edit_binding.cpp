@@ -81,6 +81,15 @@ std::vector<int> boundBorders(const TopologicalMap& map, const Vector3& at) {
   return holding;
 }
 
+SemanticEdits withoutStrays(const TopologicalMap& map, SemanticEdits edits) {
+  const auto isStrayPlace = [&](const PlaceEdit& edit) { return boundPlace(map, edit.at) == kNoPlace; };
+  const auto isStrayMilestone = [&](const MilestoneEdit& edit) { return boundBorders(map, edit.at).empty(); };
+  edits.places.erase(std::remove_if(edits.places.begin(), edits.places.end(), isStrayPlace), edits.places.end());
+  edits.milestones.erase(std::remove_if(edits.milestones.begin(), edits.milestones.end(), isStrayMilestone),
+                         edits.milestones.end());
+  return edits;
+}
+
 Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
   Warnings warnings;
   std::vector<int> bound;

@@ -15,6 +15,9 @@ int boundPlace(const TopologicalMap& map, const Vector3& at);
 /// long as it is no farther than half the width of the narrower of its places. Empty: none.
 std::vector<int> boundBorders(const TopologicalMap& map, const Vector3& at);
 
+/// The edits without those of places and milestones that count nowhere.
+SemanticEdits withoutStrays(const TopologicalMap& map, SemanticEdits edits);
+
 /// What of the edits counts nowhere, or elsewhere than where it is, and names and places that are given twice. Their
 /// places are JSON pointers into a scenario.
 Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits);

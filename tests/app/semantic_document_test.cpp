@@ -111,6 +111,20 @@ TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
   EXPECT_TRUE(document.warnings().empty());
 }
 
+TEST_F(SemanticDocumentTest, EditsThatCountNowhereAreRemovedAndComeBack) {
+  EXPECT_FALSE(document.hasStrays());
+  auto other = std::make_shared<LoadedScenario>(*scenario);
+  other->scenario.places.push_back({{50.0, 50.0, 50.0}, "Hall", {}});
+  document.rearrange(other);
+  ASSERT_TRUE(document.hasStrays());
+  ASSERT_FALSE(document.warnings().empty());
+  document.removeStrays();
+  EXPECT_FALSE(document.hasStrays());
+  EXPECT_TRUE(document.warnings().empty());
+  document.undoStack().undo();
+  EXPECT_TRUE(document.hasStrays());
+}
+
 TEST_F(SemanticDocumentTest, TwoEditsOfAPlaceAreTakenBackTogether) {
   Scenario twice = scenario->scenario;
   const Vector3 at = document.knowledge()->environment->map.places[0].anchor;

@@ -48,6 +48,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Rename the attribute of the current row, where it is your own"), false},
       {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move"), "",
        QT_TRANSLATE_NOOP("Actions", "Remove the attribute of the current row, where it is your own"), false},
+      {"attribute.remove-strays", QT_TRANSLATE_NOOP("Actions", "Remove edits that count n&owhere"), "",
+       QT_TRANSLATE_NOOP("Actions", "Forget what was said of places and borders that are not there any more"), false},
       {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid"), "Ctrl+B",
        QT_TRANSLATE_NOOP("Actions", "Let no path lead through the selected places, or allow it again"), false},
       {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer"), "Ctrl+Shift+B",

@@ -21,6 +21,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       tree_(new SemanticsTree(document, this)),
       attributes_(new AttributeView(document, this)),
       warning_(new QLabel(this)),
+      removeStrays_(new QToolButton(this)),
       refusal_(new QLabel(this)) {
   setFocusProxy(tree_);
   filter_->setPlaceholderText(tr("Filter by name or value"));
@@ -41,6 +42,9 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   warning_->setWordWrap(true);
   warning_->setObjectName(QStringLiteral("edit-warning"));
   warning_->hide();
+  removeStrays_->setDefaultAction(actions[QStringLiteral("attribute.remove-strays")]);
+  removeStrays_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  removeStrays_->hide();
   refusal_->setWordWrap(true);
   refusal_->setObjectName(QStringLiteral("refusal"));
   refusal_->hide();
@@ -65,6 +69,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   layout->addWidget(busy_);
   layout->addWidget(splitter, 1);
   layout->addWidget(warning_);
+  layout->addWidget(removeStrays_, 0, Qt::AlignRight);
   layout->addWidget(refusal_);
   connect(filter_, &QLineEdit::textChanged, tree_, &SemanticsTree::setFilter);
   connect(tree_, &SemanticsTree::refused, this, &SemanticsPanel::showRefusal);
@@ -90,12 +95,14 @@ void SemanticsPanel::enableActions() {
   const bool users = current != nullptr && !current->builtIn;
   actions_[QStringLiteral("attribute.rename")]->setEnabled(users);
   actions_[QStringLiteral("attribute.remove")]->setEnabled(users);
+  actions_[QStringLiteral("attribute.remove-strays")]->setEnabled(document_.hasStrays());
 }
 
 /// The first one; all of them where the pointer rests.
 void SemanticsPanel::showWarnings() {
   const Warnings& warnings = document_.warnings();
   warning_->setVisible(!warnings.empty());
+  removeStrays_->setVisible(document_.hasStrays());
   if (warnings.empty()) return;
   QStringList texts;
   for (const Diagnostic& warning : warnings) texts << QString::fromStdString(toString(warning));

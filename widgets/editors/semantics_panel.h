@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QToolButton>
 
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/editors/attribute_view.h"
@@ -42,7 +43,8 @@ class SemanticsPanel final : public QWidget {
   QProgressBar* busy_;
   SemanticsTree* tree_;
   AttributeView* attributes_;
-  QLabel* warning_;  ///< edits that count nowhere, as long as there are any
+  QLabel* warning_;
+  QToolButton* removeStrays_;  ///< edits that count nowhere, as long as there are any
   QLabel* refusal_;
 };
 

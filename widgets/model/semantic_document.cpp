@@ -254,6 +254,14 @@ Outcome SemanticDocument::removeDefinition(AttributeOwner owner, const std::stri
   return Done{};
 }
 
+bool SemanticDocument::hasStrays() const {
+  return knowledge_ && !(withoutStrays(knowledge_->environment->map, edits_) == edits_);
+}
+
+void SemanticDocument::removeStrays() {
+  if (knowledge_) push(tr("Remove edits that count nowhere"), withoutStrays(knowledge_->environment->map, edits_));
+}
+
 void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {
   const TopologicalMap& map = knowledge_->environment->map;
   const Border& where = map.borders[static_cast<std::size_t>(border)];

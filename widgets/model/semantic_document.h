@@ -74,6 +74,9 @@ class SemanticDocument final : public QObject {
   /// Both refuse where a rule of the scenario uses the attribute.
   Outcome renameDefinition(AttributeOwner owner, const std::string& from, const std::string& to);
   Outcome removeDefinition(AttributeOwner owner, const std::string& name);
+  /// There are edits that count nowhere.
+  bool hasStrays() const;
+  void removeStrays();
   /// Puts a milestone into a border, or (nothing) takes the user's away.
   void setMilestone(int border, const std::optional<Pose>& q);
 

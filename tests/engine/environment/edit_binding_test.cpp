@@ -63,5 +63,17 @@ TEST_F(EditBinding, WhatCountsNowhereOrElsewhereOrTwiceIsWarnedOfWithItsPlace) {
                                                        "/milestones/0"}));
 }
 
+TEST_F(EditBinding, StraysAreThoseThatCountNowhereAndNoOthers) {
+  SemanticEdits edits;
+  const MilestoneEdit milestone{map.borders.front().centre, Pose()};
+  edits.places = {{kFarAway, "Hall", {}}, {kLeft, "Hall", {}}, {kInTheWall, "", {{"forbidden", true}}}};
+  edits.milestones = {{kFarAway, Pose()}, milestone};
+  edits.bodies["gone"] = {{"fragile", true}};
+  SemanticEdits expected = edits;
+  expected.places.erase(expected.places.begin());
+  expected.milestones = {milestone};
+  EXPECT_TRUE(withoutStrays(map, edits) == expected);
+}
+
 }  // namespace
 }  // namespace glissade
