@@ -26,7 +26,10 @@ void PathController::connectActions() {
   connect(actions_[QStringLiteral("path.play")], &QAction::toggled, panel_, &PathPanel::setPlaying);
   connect(actions_[QStringLiteral("path.smooth")], &QAction::triggered, this,
           [this](bool smooth) { bridge_.post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
-  connect(actions_[QStringLiteral("path.first-blocked")], &QAction::triggered, panel_, &PathPanel::showFirstBlocked);
+  connect(actions_[QStringLiteral("path.first-blocked")], &QAction::triggered, this, [this] {
+    emit found();
+    panel_->showFirstBlocked();
+  });
   connect(actions_[QStringLiteral("file.open-path")], &QAction::triggered, this, &PathController::chooseFile);
 }
 
