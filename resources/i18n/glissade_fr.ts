@@ -795,6 +795,30 @@
         <source>Read how the strategy weighs places and chooses planners, and change it</source>
         <translation>Lire comment la stratégie pèse les lieux et choisit les planificateurs, et le changer</translation>
     </message>
+    <message>
+        <source>Open pa&amp;th...</source>
+        <translation>Ouvrir un c&amp;hemin...</translation>
+    </message>
+    <message>
+        <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
+        <translation>Lire un chemin de ce scénario, prouver qu’il tient ou voir où il est bloqué</translation>
+    </message>
+    <message>
+        <source>Remove edits that count n&amp;owhere</source>
+        <translation>Retirer les m&amp;odifications sans effet</translation>
+    </message>
+    <message>
+        <source>Forget what was said of places and borders that are not there any more</source>
+        <translation>Oublier ce qui a été dit de lieux et de frontières qui n’existent plus</translation>
+    </message>
+    <message>
+        <source>Where is it &amp;blocked?</source>
+        <translation>Où est-il &amp;bloqué ?</translation>
+    </message>
+    <message>
+        <source>Show the object at the first place where the path is blocked</source>
+        <translation>Montrer l’objet au premier endroit où le chemin est bloqué</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -1186,6 +1210,14 @@
     <message>
         <source> Or, where parts only touch: Assembly &gt; Move the ends clear (Ctrl+Alt+5).</source>
         <translation> Ou, si les pièces ne font que se toucher : Assemblage &gt; Dégager les extrémités (Ctrl+Alt+5).</translation>
+    </message>
+    <message>
+        <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
+        <translation>Le chemin ne tient pas ici : voir Chemin. Démarrer (F5) en cherche un autre.</translation>
+    </message>
+    <message>
+        <source>The path holds: certified free of penetration</source>
+        <translation>Le chemin tient : certifié sans pénétration</translation>
     </message>
 </context>
 <context>
@@ -2147,6 +2179,10 @@
         <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>The path cannot be opened</source>
+        <translation>Le chemin ne peut pas être ouvert</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>
@@ -2342,6 +2378,17 @@
     </message>
 </context>
 <context>
+    <name>glissade::PathController</name>
+    <message>
+        <source>Open a path of this scenario</source>
+        <translation>Ouvrir un chemin de ce scénario</translation>
+    </message>
+    <message>
+        <source>Paths (*.csv *.json *.path);;All files (*)</source>
+        <translation>Chemins (*.csv *.json *.path);;Tous les fichiers (*)</translation>
+    </message>
+</context>
+<context>
     <name>glissade::PathPanel</name>
     <message>
         <source>Place on the path</source>
@@ -2382,6 +2429,22 @@
     <message>
         <source>%1 of %2 edges slide</source>
         <translation>%1 segments sur %2 glissent</translation>
+    </message>
+    <message>
+        <source>It does not begin at the start.</source>
+        <translation>Il ne commence pas au départ.</translation>
+    </message>
+    <message>
+        <source>It does not end at the goal.</source>
+        <translation>Il ne finit pas au but.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
+        <translation>%1 arêtes sur %2 sont bloquées, la première à %3 % par %4.</translation>
+    </message>
+    <message>
+        <source>This path does not hold here</source>
+        <translation>Ce chemin ne tient pas ici</translation>
     </message>
 </context>
 <context>
@@ -2763,6 +2826,10 @@
         <source>Reset milestone</source>
         <translation>Rendre le jalon</translation>
     </message>
+    <message>
+        <source>Remove edits that count nowhere</source>
+        <translation>Retirer les modifications sans effet</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SemanticsPanel</name>
@@ -3000,6 +3067,10 @@
     <message>
         <source>Smoothing the path</source>
         <translation>Lissage du chemin</translation>
+    </message>
+    <message>
+        <source>Examining the path</source>
+        <translation>Examen du chemin</translation>
     </message>
 </context>
 </TS>
