@@ -549,11 +549,11 @@
     </message>
     <message>
         <source>&amp;Open study results...</source>
-        <translation>&amp;Ouvrir les résultats d’une étude...</translation>
+        <translation>&amp;Ouvrir les résultats d&apos;une étude...</translation>
     </message>
     <message>
         <source>Browse a study&apos;s tables and plots, and see its runs again</source>
-        <translation>Parcourir les tableaux et les courbes d’une étude, et revoir ses essais</translation>
+        <translation>Parcourir les tableaux et les courbes d&apos;une étude, et revoir ses essais</translation>
     </message>
     <message>
         <source>&amp;Report as PDF...</source>
@@ -561,7 +561,7 @@
     </message>
     <message>
         <source>Write the report of the study that is open as PDF</source>
-        <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
+        <translation>Écrire en PDF le rapport de l&apos;étude ouverte</translation>
     </message>
     <message>
         <source>S&amp;mooth the path</source>
@@ -801,7 +801,7 @@
     </message>
     <message>
         <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
-        <translation>Lire un chemin de ce scénario, prouver qu’il tient ou voir où il est bloqué</translation>
+        <translation>Lire un chemin de ce scénario, prouver qu&apos;il tient ou voir où il est bloqué</translation>
     </message>
     <message>
         <source>Remove edits that count n&amp;owhere</source>
@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>Forget what was said of places and borders that are not there any more</source>
-        <translation>Oublier ce qui a été dit de lieux et de frontières qui n’existent plus</translation>
+        <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
         <source>Where is it &amp;blocked?</source>
@@ -817,7 +817,7 @@
     </message>
     <message>
         <source>Show the object at the first place where the path is blocked</source>
-        <translation>Montrer l’objet au premier endroit où le chemin est bloqué</translation>
+        <translation>Montrer l&apos;objet au premier endroit où le chemin est bloqué</translation>
     </message>
 </context>
 <context>
@@ -2953,7 +2953,7 @@
     </message>
     <message>
         <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
-        <translation>Ouvrir le scénario avec la stratégie, l’opérateur, les paramètres et la graine de l’essai choisi, et le lancer</translation>
+        <translation>Ouvrir le scénario avec la stratégie, l&apos;opérateur, les paramètres et la graine de l&apos;essai choisi, et le lancer</translation>
     </message>
     <message>
         <source>%1 — study</source>
@@ -2993,7 +2993,7 @@
     </message>
     <message>
         <source>The study declares no findings.</source>
-        <translation>L’étude n’énonce pas de constats.</translation>
+        <translation>L&apos;étude n&apos;énonce pas de constats.</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -3004,11 +3004,11 @@
     <name>glissade::StudyController</name>
     <message>
         <source>Open the results of a study</source>
-        <translation>Ouvrir les résultats d’une étude</translation>
+        <translation>Ouvrir les résultats d&apos;une étude</translation>
     </message>
     <message>
         <source>The study cannot be opened</source>
-        <translation>L’étude ne peut pas être ouverte</translation>
+        <translation>L&apos;étude ne peut pas être ouverte</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -3024,13 +3024,13 @@
     </message>
     <message>
         <source>The run cannot be shown</source>
-        <translation>L’essai ne peut pas être montré</translation>
+        <translation>L&apos;essai ne peut pas être montré</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) of runs could not be read and are left out.</source>
         <translation>
-            <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
-            <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
+            <numerusform>%n fichier d&apos;essai n&apos;a pas pu être lu et est laissé de côté.</numerusform>
+            <numerusform>%n fichiers d&apos;essais n&apos;ont pas pu être lus et sont laissés de côté.</numerusform>
         </translation>
     </message>
     <message>
@@ -3039,11 +3039,11 @@
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
-        <translation>La graine %1 a fini comme dans l’étude : %2 nœuds.</translation>
+        <translation>La graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
     </message>
     <message>
         <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
-        <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
+        <translation>La graine %1 a fini autrement que dans l&apos;étude : avec %2 nœuds. Est-ce une autre version ?</translation>
     </message>
     <message>
         <source>Reading the study</source>
