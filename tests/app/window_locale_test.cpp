@@ -17,7 +17,7 @@ class WindowLocale : public WindowTest {
     return file.readAll();
   }
 
-  void planAndSave(const char* locale) {
+  void planAndSave(const char* locale, const QString& language) {
     qputenv("LC_ALL", locale);
     const QString files = folder.filePath(QLatin1String(locale));
     const RunResult outcome = run(QStringLiteral("sliding-plane"),
@@ -25,7 +25,8 @@ class WindowLocale : public WindowTest {
                                                  "wait solved 20000\nexport %1.csv\nexport %1.json\n"
                                                  "save %1.scenario.json\nopen %1.scenario.json\n"
                                                  "open-path %1.csv\nexpect-path certified\n")
-                                      .arg(files));
+                                      .arg(files),
+                                  {QStringLiteral("--language"), language});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   }
 };
@@ -34,8 +35,8 @@ TEST_F(WindowLocale, FilesAreTheSameInAnyLanguage) {
   constexpr const char* kFrench = "fr_FR.UTF-8";
   if (std::setlocale(LC_ALL, kFrench) == nullptr) GTEST_SKIP() << "the locale fr_FR.UTF-8 is not installed";
   std::setlocale(LC_ALL, "C");
-  planAndSave("C.UTF-8");
-  planAndSave(kFrench);
+  planAndSave("C.UTF-8", QStringLiteral("en"));
+  planAndSave(kFrench, QStringLiteral("fr"));
   for (const char* ending : {".csv", ".json", ".scenario.json"}) {
     EXPECT_FALSE(fileOf("C.UTF-8", QLatin1String(ending)).isEmpty()) << ending;
     EXPECT_EQ(fileOf("C.UTF-8", QLatin1String(ending)), fileOf(kFrench, QLatin1String(ending))) << ending;
