@@ -6,7 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/collision/independent_check.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {

@@ -16,6 +16,7 @@
 
 #include "app/window/assembly_controller.h"
 #include "app/window/environment_controller.h"
+#include "app/window/export_dialog.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/main_window.h"
 #include "app/window/part_import.h"
@@ -103,11 +104,9 @@ bool MainWindow::mayDiscard() {
 }
 
 void MainWindow::chooseExport() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Export the path"), QStringLiteral("path.csv"),
-                                   tr("Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)"));
-  if (file.isEmpty()) return;
-  if (const auto why = exportPath(file)) showError(tr("The path cannot be saved"), *why);
+  ExportDialog dialog(makePathExporterRegistry(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (const auto why = exportPath(dialog.selectedFiles().front())) showError(tr("The path cannot be saved"), *why);
 }
 
 std::optional<Diagnostic> MainWindow::openRecording(const Result<RunRecord>& record, const QString& file, bool quiet) {

@@ -8,7 +8,7 @@
 #include "app/window/part_import.h"
 #include "app/window/window_memory.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -59,16 +59,9 @@ std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
   if (!snapshot_ || !snapshot_->path) {
     return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
   }
-  const std::string name = file.toStdString();
-  Outcome outcome = Done{};
-  if (file.endsWith(QLatin1String(".json"))) {
-    outcome = writePathJson(*snapshot_->path, *scenario_, {snapshot_->plannerId, snapshot_->seed}, name);
-  } else if (file.endsWith(QLatin1String(".path"))) {
-    outcome = writePathOmpl(*snapshot_->path, name);
-  } else {
-    outcome = writePathCsv(*snapshot_->path, *scenario_, name);
-  }
-  if (!outcome) return outcome.error();
+  const Outcome written =
+      writePath(*snapshot_->path, *scenario_, {snapshot_->plannerId, snapshot_->seed}, file.toStdString());
+  if (!written) return written.error();
   return std::nullopt;
 }
 

@@ -24,7 +24,10 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"file.save-as", QT_TRANSLATE_NOOP("Actions", "Save &as..."), "Ctrl+Shift+S",
        QT_TRANSLATE_NOOP("Actions", "Save the scenario under another name"), false},
       {"file.export", QT_TRANSLATE_NOOP("Actions", "&Export path..."), "Ctrl+E",
-       QT_TRANSLATE_NOOP("Actions", "Save the certified path as CSV, JSON or OMPL columns"), false},
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Save the certified path as a table, with provenance, for OMPL, or as an animation for 3D viewers"),
+       false},
       {"file.save-recording", QT_TRANSLATE_NOOP("Actions", "Save &recording..."), "Ctrl+Alt+S",
        QT_TRANSLATE_NOOP("Actions", "Save what was done in the last run, to replay it bit by bit"), false},
       {"file.open-recording", QT_TRANSLATE_NOOP("Actions", "Open re&cording..."), "Ctrl+Alt+O",
@@ -71,8 +74,9 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"assembly.goal-out", QT_TRANSLATE_NOOP("Actions", "Goal &out"), "Ctrl+Alt+3",
        QT_TRANSLATE_NOOP("Actions", "The motion ends anywhere clear of the other bodies"), false},
       {"assembly.free-ends", QT_TRANSLATE_NOOP("Actions", "Move the ends &clear"), "Ctrl+Alt+5",
-       QT_TRANSLATE_NOOP("Actions", "Where the object touches or overlaps a body at its start or goal, move it clear by "
-                                    "the least that is found"),
+       QT_TRANSLATE_NOOP("Actions",
+                         "Where the object touches or overlaps a body at its start or goal, move it clear by "
+                         "the least that is found"),
        false},
       {"assembly.swap", QT_TRANSLATE_NOOP("Actions", "S&wap start and goal"), "Ctrl+Alt+4",
        QT_TRANSLATE_NOOP("Actions", "Mounting instead of removing, or the other way round"), false},
