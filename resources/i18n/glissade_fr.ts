@@ -16,10 +16,6 @@
         <translation>&amp;Exporter le chemin...</translation>
     </message>
     <message>
-        <source>Save the certified path as CSV, JSON or OMPL columns</source>
-        <translation>Enregistrer le chemin certifié en CSV, JSON ou colonnes OMPL</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
     </message>
@@ -795,6 +791,10 @@
         <source>Read how the strategy weighs places and chooses planners, and change it</source>
         <translation>Lire comment la stratégie pèse les lieux et choisit les planificateurs, et le changer</translation>
     </message>
+    <message>
+        <source>Save the certified path: as data, or as an animation for 3D viewers</source>
+        <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -967,6 +967,25 @@
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
         <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
+    </message>
+</context>
+<context>
+    <name>PathFormats</name>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>With provenance</source>
+        <translation>Avec provenance</translation>
+    </message>
+    <message>
+        <source>OMPL columns</source>
+        <translation>Colonnes OMPL</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
     </message>
 </context>
 <context>
@@ -1804,6 +1823,13 @@
     </message>
 </context>
 <context>
+    <name>glissade::ExportDialog</name>
+    <message>
+        <source>Export the path</source>
+        <translation>Exporter le chemin</translation>
+    </message>
+</context>
+<context>
     <name>glissade::InteractionPanel</name>
     <message>
         <source>Who holds the object</source>
@@ -1954,14 +1980,6 @@
     <message>
         <source>Scenarios (*.json *.cfg);;All files (*)</source>
         <translation>Scénarios (*.json *.cfg);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Export the path</source>
-        <translation>Exporter le chemin</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)</source>
-        <translation>Tableau (*.csv);;Avec provenance (*.json);;Colonnes OMPL (*.path)</translation>
     </message>
     <message>
         <source>The path cannot be saved</source>

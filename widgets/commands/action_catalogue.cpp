@@ -24,10 +24,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"file.save-as", QT_TRANSLATE_NOOP("Actions", "Save &as..."), "Ctrl+Shift+S",
        QT_TRANSLATE_NOOP("Actions", "Save the scenario under another name"), false},
       {"file.export", QT_TRANSLATE_NOOP("Actions", "&Export path..."), "Ctrl+E",
-       QT_TRANSLATE_NOOP(
-           "Actions",
-           "Save the certified path as a table, with provenance, for OMPL, or as an animation for 3D viewers"),
-       false},
+       QT_TRANSLATE_NOOP("Actions", "Save the certified path: as data, or as an animation for 3D viewers"), false},
       {"file.save-recording", QT_TRANSLATE_NOOP("Actions", "Save &recording..."), "Ctrl+Alt+S",
        QT_TRANSLATE_NOOP("Actions", "Save what was done in the last run, to replay it bit by bit"), false},
       {"file.open-recording", QT_TRANSLATE_NOOP("Actions", "Open re&cording..."), "Ctrl+Alt+O",
