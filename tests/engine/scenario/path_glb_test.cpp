@@ -105,6 +105,8 @@ TEST_F(PathGlb, PlaysThePathsOwnConfigurations) {
 }
 
 TEST_F(PathGlb, OurImporterFindsEveryVertexWhereItIsAtTheStart) {
+  scenario_.obstacles[0].X_WB = {{0.5, 1.0, 2.0}, fromRollPitchYaw(0.1, 0.2, 0.3)};
+  path_.points.front().q = {{-3.0, 0.5, 1.0}, fromRollPitchYaw(-0.3, 0.2, 0.1)};
   const std::string file = folder_.write("a.glb", bytes());
   const Result<ImportedMesh> imported = importMesh(file);
   ASSERT_TRUE(imported.ok()) << toString(imported.error());
