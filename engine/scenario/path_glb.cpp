@@ -15,7 +15,6 @@ namespace {
 using Json = GlbBuilder::Json;
 
 constexpr double kSeconds = 10.0;
-constexpr double kSeeThrough = 0.38;  ///< opacity of the obstacles, as in the window
 constexpr double kRoughness = 0.8;
 
 /// glTF's colours are linear, ours sRGB.
@@ -66,7 +65,7 @@ std::size_t addBodies(GlbBuilder& glb, const LoadedScenario& scenario, const Pos
   const double half = std::sqrt(0.5);
   const std::size_t root = glb.add("nodes", {{"name", "World"}, {"rotation", {-half, 0.0, 0.0, half}}});
   Json children = Json::array();
-  for (const RigidBody& body : scenario.obstacles) children.push_back(addBody(glb, body, kSeeThrough));
+  for (const RigidBody& body : scenario.obstacles) children.push_back(addBody(glb, body, kObstacleOpacity));
   RigidBody object = scenario.object;
   object.X_WB = start;
   children.push_back(addBody(glb, object, 1.0));
