@@ -7,7 +7,7 @@
 #include "engine/collision/independent_check.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/path_examination.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {

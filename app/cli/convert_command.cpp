@@ -5,15 +5,12 @@
 #include "engine/base/file.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
 namespace {
-
-bool endsWith(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 /// Whether a file says of itself that it is a scenario.
 bool saysScenario(const std::string& file) {
@@ -29,13 +26,18 @@ int finish(const Outcome& outcome, const ConvertOptions& options) {
 }
 
 int convertPath(const ConvertOptions& options) {
+  const auto exporter = pathExporterFor(options.output);
+  if (!exporter) return reportError(exporter.error(), options.format);
   auto points = readPath(options.input);
   if (!points) return reportError(points.error(), options.format);
   Path path;
   path.points = std::move(*points);
-  if (endsWith(options.output, ".path")) return finish(writePathOmpl(path, options.output), options);
+  if (!exporter->needsScenario) {
+    const LoadedScenario none;
+    return finish(exporter->write(path, none, {}, options.output), options);
+  }
   if (options.scenario.empty()) {
-    return reportError({ErrorKind::Usage, options.output, "", "this format holds clearances",
+    return reportError({ErrorKind::Usage, options.output, "", "this format holds more than the path",
                         "Name the scenario with --scenario, or write OMPL's format (.path)."},
                        options.format);
   }
@@ -43,10 +45,7 @@ int convertPath(const ConvertOptions& options) {
   if (!scenario) return reportError(scenario.error(), options.format);
   const auto query = scenario->problem.world->makeQuery();
   path.certificate = certifyPath(*query, path.points, scenario->parameters);
-  if (endsWith(options.output, ".json")) {
-    return finish(writePathJson(path, *scenario, {}, options.output), options);
-  }
-  return finish(writePathCsv(path, *scenario, options.output), options);
+  return finish(exporter->write(path, *scenario, {}, options.output), options);
 }
 
 int convertScenario(const ConvertOptions& options) {
@@ -59,8 +58,8 @@ int convertScenario(const ConvertOptions& options) {
 }  // namespace
 
 int runConvert(const ConvertOptions& options) {
-  return endsWith(options.input, ".cfg") || saysScenario(options.input) ? convertScenario(options)
-                                                                        : convertPath(options);
+  return endingOf(options.input) == "cfg" || saysScenario(options.input) ? convertScenario(options)
+                                                                         : convertPath(options);
 }
 
 }  // namespace glissade::cli

@@ -17,6 +17,7 @@
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
 #include "engine/base/number_text.h"
+#include "engine/scenario/path_exporter.h"
 
 namespace {
 
@@ -90,7 +91,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
   plan->add_flag("--difficulty", options.difficulty, "Where no path is found, say what stood in the way");
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
-  plan->add_option("--out", options.out, "Write the path: .csv, .json or OMPL's .path");
+  plan->add_option("--out", options.out, "Write the path: " + writablePathFormats());
   plan->add_option("--record", options.record, "Write a run record for replay");
   addFormat(*plan, options.format);
   return plan;
@@ -99,7 +100,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Certify any path independently");
   check->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  check->add_option("PATH", options.path, "Path: .csv, .json or OMPL's .path")->required();
+  check->add_option("PATH", options.path, "Path: " + readablePathFormats())->required();
   addLength(
       *check, std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
@@ -112,8 +113,8 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
 CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
   CLI::App* smooth = app.add_subcommand("smooth", "Shorten a certified path and keep it certified");
   smooth->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  smooth->add_option("PATH", options.input, "Path: .csv, .json or OMPL's .path")->required();
-  smooth->add_option("OUT", options.output, "Write the path: .csv, .json or OMPL's .path")->required();
+  smooth->add_option("PATH", options.input, "Path: " + readablePathFormats())->required();
+  smooth->add_option("OUT", options.output, "Write the path: " + writablePathFormats())->required();
   smooth->add_option("--attempts", options.attempts, "Shortcuts to try")
       ->check(CLI::Range(0, 1'000'000))
       ->capture_default_str();
@@ -132,9 +133,12 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
 
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   CLI::App* convert = app.add_subcommand("convert", "OMPL.app .cfg to a scenario, or a path to another format");
-  convert->add_option("IN", options.input, "What to read")->required();
-  convert->add_option("OUT", options.output, "What to write")->required();
-  convert->add_option("--scenario", options.scenario, "Scenario of the path, for its clearances");
+  convert->add_option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + readablePathFormats())
+      ->required();
+  convert->add_option("OUT", options.output, "What to write: a scenario (.json); or a path: " + writablePathFormats())
+      ->required();
+  convert->add_option("--scenario", options.scenario,
+                      "Scenario of the path, for formats that hold its clearances or bodies");
   return convert;
 }
 

@@ -6,6 +6,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_setup.h"
+#include "engine/scenario/path_exporter.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
@@ -33,9 +34,17 @@ void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
   if (knowledge) warnOfEdits(loaded, **knowledge);
 }
 
+/// Asked first, not after the whole search.
+Outcome knowsOutput(const PlanOptions& options) {
+  if (options.out.empty()) return Done{};
+  const auto exporter = pathExporterFor(options.out);
+  return exporter ? Outcome(Done{}) : exporter.error();
+}
+
 }  // namespace
 
 int runPlan(const PlanOptions& options) {
+  if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.format);
   const Interrupt interrupt;
   auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);

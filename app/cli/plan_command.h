@@ -15,7 +15,7 @@ struct PlanOptions {
   std::string operatorName = "none";         ///< none, novice, default, expert or replay:FILE
   std::map<ParameterId, double> parameters;  ///< what overrides the scenario's
   std::optional<std::uint64_t> seed;
-  std::string out;          ///< path file to write: .csv, .json or .path; empty: none
+  std::string out;          ///< path file to write, format by its ending; empty: none
   std::string record;       ///< run record to write; empty: none
   bool edges = false;       ///< certificates of every edge
   bool difficulty = false;  ///< where no path is found: what stood in the way

@@ -8,10 +8,9 @@
 #include <numeric>
 
 #include "app/cli/difficulty_report.h"
-#include "app/cli/path_output.h"
 #include "engine/base/file.h"
 #include "engine/scenario/author_names.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
 

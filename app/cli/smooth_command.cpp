@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
-#include "app/cli/path_output.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
@@ -21,6 +21,8 @@ double metricLength(const Path& path, const Problem& problem) {
 }  // namespace
 
 int runSmooth(const SmoothOptions& options) {
+  const auto exporter = pathExporterFor(options.output);
+  if (!exporter) return reportError(exporter.error(), options.format);
   const Interrupt interrupt;
   const auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
@@ -40,7 +42,7 @@ int runSmooth(const SmoothOptions& options) {
   }
   const Path shorter =
       withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());
-  const Outcome written = writePath(shorter, *loaded, {"smooth", options.seed}, options.output);
+  const Outcome written = exporter->write(shorter, *loaded, {"smooth", options.seed}, options.output);
   if (!written) return reportError(written.error(), options.format);
 
   const double before = metricLength(path, problem);

@@ -11,7 +11,7 @@ namespace glissade::cli {
 struct SmoothOptions {
   std::string scenario;
   std::string input;
-  std::string output;  ///< .csv, .json or .path
+  std::string output;  ///< format by its ending
   int attempts = kUsualShortcuts;
   std::uint64_t seed = 1;
   Format format = Format::Text;

@@ -131,7 +131,7 @@ void MainWindow::connectPanels() {
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
   connect(path_, &PathController::found, this, [this] { (*actions_)["panel.path"]->trigger(); });
   connect(path_, &PathController::failed, this, [this](const Diagnostic& why) {
-    if (!batch_) showError(tr("The path cannot be opened"), why);
+    if (!batch_) showError(tr("This cannot be done with the path"), why);
   });
 }
 
@@ -141,7 +141,6 @@ void MainWindow::connectActions() {
   };
   on("file.new", [this] { newScenario({}); });
   on("file.open", [this] { chooseScenario(); });
-  on("file.export", [this] { chooseExport(); });
   on("file.open-recording", [this] { chooseRecording(); });
   on("file.save-recording", [this] { chooseSaveRecording(); });
   on("file.save", [this] { save(); });
@@ -309,7 +308,6 @@ void MainWindow::enableActions(const SessionSnapshot* snapshot) {
   enable("object.to-start", live);
   enable("file.save", open);
   enable("file.save-as", open);
-  enable("file.export", open && snapshot->path != nullptr);
   (*actions_)["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
   assembly_->setState(live && !running, bridge_->snapshot());
 }

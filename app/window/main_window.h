@@ -65,8 +65,6 @@ class MainWindow final : public QMainWindow {
   /// Saves the scenario with edits, strategy, seed and parameters as they are; from then on it is that
   /// file's. Assets stay where they are and are named as seen from there. Nothing on success.
   std::optional<Diagnostic> saveScenarioAs(const QString& file);
-  /// Saves the path as its ending says; nothing on success.
-  std::optional<Diagnostic> exportPath(const QString& file);
   /// In a dialog.
   void showError(const QString& title, const Diagnostic& why);
   /// The whole window as a picture.
@@ -102,7 +100,6 @@ class MainWindow final : public QMainWindow {
   void publishOperatorFrame();
   void restart(std::uint64_t seed);
   void chooseScenario();
-  void chooseExport();
   void chooseRecording();
   void chooseSaveRecording();
   /// Where the user wants it; empty where he does not.

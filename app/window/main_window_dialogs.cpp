@@ -102,14 +102,6 @@ bool MainWindow::mayDiscard() {
   return answer == QMessageBox::Discard || !isModified();
 }
 
-void MainWindow::chooseExport() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Export the path"), QStringLiteral("path.csv"),
-                                   tr("Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)"));
-  if (file.isEmpty()) return;
-  if (const auto why = exportPath(file)) showError(tr("The path cannot be saved"), *why);
-}
-
 std::optional<Diagnostic> MainWindow::openRecording(const Result<RunRecord>& record, const QString& file, bool quiet) {
   const auto openOther = [this, quiet](const QString& scenario) { return openScenario(scenario, quiet); };
   const auto why = record ? replay_->open(*record, file, openOther) : std::optional<Diagnostic>(record.error());

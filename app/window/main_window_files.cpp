@@ -9,7 +9,7 @@
 #include "app/window/path_controller.h"
 #include "app/window/window_memory.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
@@ -56,23 +56,6 @@ std::optional<Diagnostic> MainWindow::saveScenarioAs(const QString& file) {
   return std::nullopt;
 }
 
-std::optional<Diagnostic> MainWindow::exportPath(const QString& file) {
-  if (!snapshot_ || !snapshot_->path) {
-    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
-  }
-  const std::string name = file.toStdString();
-  Outcome outcome = Done{};
-  if (file.endsWith(QLatin1String(".json"))) {
-    outcome = writePathJson(*snapshot_->path, *scenario_, {snapshot_->plannerId, snapshot_->seed}, name);
-  } else if (file.endsWith(QLatin1String(".path"))) {
-    outcome = writePathOmpl(*snapshot_->path, name);
-  } else {
-    outcome = writePathCsv(*snapshot_->path, *scenario_, name);
-  }
-  if (!outcome) return outcome.error();
-  return std::nullopt;
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
@@ -84,7 +67,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   }
   const QString first = event->mimeData()->urls().front().toLocalFile();
   if (isPathFile(first.toStdString())) {
-    if (const auto why = path_->open(first)) showError(tr("The path cannot be opened"), *why);
+    if (const auto why = path_->open(first)) showError(tr("This cannot be done with the path"), *why);
   } else if (parts.isEmpty()) {
     openScenario(first);
   } else if (scenario_) {

@@ -4,10 +4,26 @@
 
 #include <utility>
 
+#include "app/window/export_dialog.h"
 #include "engine/planning/smoothing/shortcuts.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
+#include "engine/scenario/path_reader.h"
 
 namespace glissade {
+namespace {
+
+/// "*.csv *.json"
+QString readablePatterns() {
+  QStringList patterns;
+  const PathExporterRegistry formats = makePathExporterRegistry();
+  for (const PathExporter& format : formats.entries()) {
+    if (!format.readBackError) continue;
+    for (const std::string& ending : format.endings) patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+  }
+  return patterns.join(QLatin1Char(' '));
+}
+
+}  // namespace
 
 PathController::PathController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene,
                                QWidget* window)
@@ -31,12 +47,13 @@ void PathController::connectActions() {
     panel_->showFirstBlocked();
   });
   connect(actions_[QStringLiteral("file.open-path")], &QAction::triggered, this, &PathController::chooseFile);
+  connect(actions_[QStringLiteral("file.export")], &QAction::triggered, this, &PathController::chooseExport);
 }
 
 void PathController::chooseFile() {
   const QString file =
       QFileDialog::getOpenFileName(qobject_cast<QWidget*>(parent()), tr("Open a path of this scenario"), QString(),
-                                   tr("Paths (*.csv *.json *.path);;All files (*)"));
+                                   tr("Paths (%1);;All files (*)").arg(readablePatterns()));
   if (file.isEmpty()) return;
   if (const auto why = open(file)) emit failed(*why);
 }
@@ -67,6 +84,21 @@ void PathController::showSnapshot(const SnapshotPtr& snapshot, const ScenarioPtr
   if (another && ofRun && !snapshot->coarsePlan) emit found();
 }
 
+void PathController::chooseExport() {
+  ExportDialog dialog(makePathExporterRegistry(), qobject_cast<QWidget*>(parent()));
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (const auto why = exportTo(dialog.selectedFiles().front())) emit failed(*why);
+}
+
+std::optional<Diagnostic> PathController::exportTo(const QString& file) {
+  if (!snapshot_ || !snapshot_->path) {
+    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
+  }
+  const Outcome written = writePath(*snapshot_->path, *scenario_, snapshot_->provenance, file.toStdString());
+  if (!written) return written.error();
+  return std::nullopt;
+}
+
 std::string PathController::verdict() const {
   if (snapshot_ && snapshot_->path) return "certified";
   if (!snapshot_ || !snapshot_->refused) return "none";
@@ -83,6 +115,7 @@ void PathController::enableActions(bool live) {
   actions_[QStringLiteral("path.smooth")]->setEnabled(live && path && !snapshot_->pathWork);
   actions_[QStringLiteral("path.smooth")]->setChecked(open && snapshot_->smoothed);
   actions_[QStringLiteral("path.first-blocked")]->setEnabled(refused && !snapshot_->refused->blocked.empty());
+  actions_[QStringLiteral("file.export")]->setEnabled(path);
   actions_[QStringLiteral("file.open-path")]->setEnabled(live && !isRunning(*snapshot_));
 }
 

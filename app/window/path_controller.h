@@ -10,7 +10,8 @@
 
 namespace glissade {
 
-/// The path that was found or given: shown, played, smoothed, and read from files. Part of the main window.
+/// The path that was found or given: shown, played, smoothed, read from files and written into them. Part of the
+/// main window.
 class PathController final : public QObject {
   Q_OBJECT
 
@@ -23,6 +24,8 @@ class PathController final : public QObject {
   /// Reads a path of the open scenario, which is then examined; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
 
+  /// Saves the path in the format of the file's ending; nothing on success.
+  std::optional<Diagnostic> exportTo(const QString& file);
   /// "none", "certified", or the id of the body that blocks it first ("-": its ends do not fit, or none is near).
   std::string verdict() const;
 
@@ -34,6 +37,7 @@ class PathController final : public QObject {
  private:
   void connectActions();
   void chooseFile();
+  void chooseExport();
   void enableActions(bool live);
 
   SessionBridge& bridge_;

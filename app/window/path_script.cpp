@@ -10,8 +10,9 @@ Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*
 }  // namespace
 
 std::optional<Outcome> PathScript::carryOut(const ScriptCommand& command) {
-  if (command.name == "export") return outcomeOf(window_.exportPath(QString::fromStdString(command.arguments[0])));
-  if (command.name == "open-path") return outcomeOf(window_.path().open(QString::fromStdString(command.arguments[0])));
+  const QString first = QString::fromStdString(command.arguments.empty() ? "" : command.arguments[0]);
+  if (command.name == "export") return outcomeOf(window_.path().exportTo(first));
+  if (command.name == "open-path") return outcomeOf(window_.path().open(first));
   if (command.name == "expect-path") return expect(command.arguments[0]);
   return std::nullopt;
 }

@@ -66,7 +66,7 @@ struct ScriptCommand {
 ///   expect-difficulty PART BODY  after difficulty.find: least, tightest or frontier names this body; "-": none
 ///   show-difficulty PART  chooses that row
 ///   screenshot FILE             the whole window as PNG
-///   export FILE                 the path, format by ending
+///   export FILE                 the path, in the format of the ending
 ///   quit
 ///
 /// Errors are MalformedInput naming file and line: unknown command, wrong number of words.

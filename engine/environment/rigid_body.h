@@ -14,6 +14,9 @@ enum class Mobility { Static, Mobile };
 /// sRGB, each 0...1.
 using Colour = std::array<double, 3>;
 
+/// Opacity that obstacles are shown with: what happens between and behind them matters.
+inline constexpr double kObstacleOpacity = 0.38;
+
 /// A named rigid body placed in the world.
 struct RigidBody {
   std::string id;    ///< stable, unique in the scenario

@@ -32,6 +32,12 @@ double radiusAboutOrigin(const TriangleMesh& mesh) {
   return std::sqrt(squared);
 }
 
+Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& triangle) {
+  const Vector3& corner = mesh.vertices[triangle[0]];
+  const Vector3 normal = (mesh.vertices[triangle[1]] - corner).cross(mesh.vertices[triangle[2]] - corner);
+  return normal.isZero(0.0) ? Vector3::UnitZ() : Vector3(normal.stableNormalized());
+}
+
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB) {
   TriangleMesh result = mesh;
   for (Vector3& vertex : result.vertices) vertex = X_AB * vertex;

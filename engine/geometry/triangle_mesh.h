@@ -27,6 +27,8 @@ Box3 boundingBox(const TriangleMesh& mesh);
 Box3 boundingBox(const TriangleMesh& mesh, const Pose& X_WB);
 /// Largest distance of a vertex from the frame's origin.
 double radiusAboutOrigin(const TriangleMesh& mesh);
+/// Unit normal of a triangle, to its outer side; z where it has no area.
+Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& triangle);
 /// The mesh with every vertex moved by X_AB.
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB);
 TriangleMesh scaled(const TriangleMesh& mesh, const Vector3& factors);

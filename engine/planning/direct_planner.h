@@ -15,8 +15,6 @@ class DirectPlanner : public Planner {
   const std::vector<std::uint32_t>& droppedEdges() const final { return dropped_; }
   const PlannerCounts& counts() const final { return counts_; }
   const Path* path() const final { return path_ ? &*path_ : nullptr; }
-  Author authority() const final { return Author::Computer; }
-  bool inContactMode() const final { return false; }
   std::optional<Diagnostic> failure() const final { return failure_; }
 
  protected:

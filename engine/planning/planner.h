@@ -71,10 +71,10 @@ class Planner {
   /// Brings nodes() and edges() up to date where a planner does so now and then only. Called when the
   /// run ends, so that what a run grows does not depend on when somebody looks at it.
   virtual void completeRoadmap() {}
-  /// Whose configuration was tried last.
-  virtual Author authority() const = 0;
+  /// Whose configuration was tried last; planners that know no operator leave these two as they are.
+  virtual Author authority() const { return Author::Computer; }
   /// Contact mode is on: contact samples are being shot.
-  virtual bool inContactMode() const = 0;
+  virtual bool inContactMode() const { return false; }
   /// Why going on is pointless; nothing while it is not. No path can come after it.
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
   /// What the coarse planning decided; null for planners without one.

@@ -8,7 +8,8 @@
 #include "engine/base/tolerances.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/json_reader.h"
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_exporter.h"
+#include "engine/scenario/path_reader.h"
 
 namespace glissade {
 namespace {
@@ -120,14 +121,19 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
 Result<std::vector<PathPoint>> readPath(const std::string& file) {
   const auto text = readFile(file, kMostBytes);
   if (!text) return text.error();
+  if (text->rfind("glTF", 0) == 0) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is an animation (GLB), which is there to be looked at",
+                      "Give the path as one of: " + readablePathFormats() + "."};
+  }
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (*text)[first] == '{') return readJsonPath(*text, file);
   return TextPathReader(file).read(*text);
 }
 
 bool isPathFile(const std::string& file) {
-  const std::string ending = std::filesystem::path(file).extension().string();
-  if (ending != ".json") return ending == ".csv" || ending == ".path";
+  const auto exporter = pathExporterFor(file);
+  if (!exporter || !exporter->readBackError) return false;
+  if (exporter->id != "json") return true;
   const auto text = readFile(file, kMostBytes);
   const auto document = text ? parseJson(*text, file) : Result<JsonCursor::Json>(text.error());
   return document && document->is_object() && document->value("format", JsonCursor::Json()) == kJsonFormat;

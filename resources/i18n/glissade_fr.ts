@@ -16,10 +16,6 @@
         <translation>&amp;Exporter le chemin...</translation>
     </message>
     <message>
-        <source>Save the certified path as CSV, JSON or OMPL columns</source>
-        <translation>Enregistrer le chemin certifié en CSV, JSON ou colonnes OMPL</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
     </message>
@@ -549,11 +545,11 @@
     </message>
     <message>
         <source>&amp;Open study results...</source>
-        <translation>&amp;Ouvrir les résultats d&apos;une étude...</translation>
+        <translation>&amp;Ouvrir les résultats d’une étude...</translation>
     </message>
     <message>
         <source>Browse a study&apos;s tables and plots, and see its runs again</source>
-        <translation>Parcourir les tableaux et les courbes d&apos;une étude, et revoir ses essais</translation>
+        <translation>Parcourir les tableaux et les courbes d’une étude, et revoir ses essais</translation>
     </message>
     <message>
         <source>&amp;Report as PDF...</source>
@@ -561,7 +557,7 @@
     </message>
     <message>
         <source>Write the report of the study that is open as PDF</source>
-        <translation>Écrire en PDF le rapport de l&apos;étude ouverte</translation>
+        <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
     </message>
     <message>
         <source>S&amp;mooth the path</source>
@@ -796,6 +792,10 @@
         <translation>Lire comment la stratégie pèse les lieux et choisit les planificateurs, et le changer</translation>
     </message>
     <message>
+        <source>Save the certified path: as data, or as an animation for 3D viewers</source>
+        <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
+    </message>
+    <message>
         <source>Open pa&amp;th...</source>
         <translation>Ouvrir un c&amp;hemin...</translation>
     </message>
@@ -991,6 +991,25 @@
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
         <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
+    </message>
+</context>
+<context>
+    <name>PathFormats</name>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>With provenance</source>
+        <translation>Avec provenance</translation>
+    </message>
+    <message>
+        <source>OMPL columns</source>
+        <translation>Colonnes OMPL</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
     </message>
 </context>
 <context>
@@ -1836,6 +1855,13 @@
     </message>
 </context>
 <context>
+    <name>glissade::ExportDialog</name>
+    <message>
+        <source>Export the path</source>
+        <translation>Exporter le chemin</translation>
+    </message>
+</context>
+<context>
     <name>glissade::InteractionPanel</name>
     <message>
         <source>Who holds the object</source>
@@ -1986,18 +2012,6 @@
     <message>
         <source>Scenarios (*.json *.cfg);;All files (*)</source>
         <translation>Scénarios (*.json *.cfg);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Export the path</source>
-        <translation>Exporter le chemin</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;With provenance (*.json);;OMPL columns (*.path)</source>
-        <translation>Tableau (*.csv);;Avec provenance (*.json);;Colonnes OMPL (*.path)</translation>
-    </message>
-    <message>
-        <source>The path cannot be saved</source>
-        <translation>Le chemin ne peut pas être enregistré</translation>
     </message>
     <message>
         <source>Keys and shortcuts</source>
@@ -2180,8 +2194,8 @@
         <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
     </message>
     <message>
-        <source>The path cannot be opened</source>
-        <translation>Le chemin ne peut pas être ouvert</translation>
+        <source>This cannot be done with the path</source>
+        <translation>C&apos;est impossible avec ce chemin</translation>
     </message>
 </context>
 <context>
@@ -2384,8 +2398,8 @@
         <translation>Ouvrir un chemin de ce scénario</translation>
     </message>
     <message>
-        <source>Paths (*.csv *.json *.path);;All files (*)</source>
-        <translation>Chemins (*.csv *.json *.path);;Tous les fichiers (*)</translation>
+        <source>Paths (%1);;All files (*)</source>
+        <translation>Chemins (%1);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -2953,7 +2967,7 @@
     </message>
     <message>
         <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
-        <translation>Ouvrir le scénario avec la stratégie, l&apos;opérateur, les paramètres et la graine de l&apos;essai choisi, et le lancer</translation>
+        <translation>Ouvrir le scénario avec la stratégie, l’opérateur, les paramètres et la graine de l’essai choisi, et le lancer</translation>
     </message>
     <message>
         <source>%1 — study</source>
@@ -2993,7 +3007,7 @@
     </message>
     <message>
         <source>The study declares no findings.</source>
-        <translation>L&apos;étude n&apos;énonce pas de constats.</translation>
+        <translation>L’étude n’énonce pas de constats.</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -3004,11 +3018,11 @@
     <name>glissade::StudyController</name>
     <message>
         <source>Open the results of a study</source>
-        <translation>Ouvrir les résultats d&apos;une étude</translation>
+        <translation>Ouvrir les résultats d’une étude</translation>
     </message>
     <message>
         <source>The study cannot be opened</source>
-        <translation>L&apos;étude ne peut pas être ouverte</translation>
+        <translation>L’étude ne peut pas être ouverte</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -3024,13 +3038,13 @@
     </message>
     <message>
         <source>The run cannot be shown</source>
-        <translation>L&apos;essai ne peut pas être montré</translation>
+        <translation>L’essai ne peut pas être montré</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) of runs could not be read and are left out.</source>
         <translation>
-            <numerusform>%n fichier d&apos;essai n&apos;a pas pu être lu et est laissé de côté.</numerusform>
-            <numerusform>%n fichiers d&apos;essais n&apos;ont pas pu être lus et sont laissés de côté.</numerusform>
+            <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
+            <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
         </translation>
     </message>
     <message>
@@ -3039,11 +3053,11 @@
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
-        <translation>La graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
+        <translation>La graine %1 a fini comme dans l’étude : %2 nœuds.</translation>
     </message>
     <message>
         <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
-        <translation>La graine %1 a fini autrement que dans l&apos;étude : avec %2 nœuds. Est-ce une autre version ?</translation>
+        <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
     </message>
     <message>
         <source>Reading the study</source>

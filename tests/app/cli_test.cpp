@@ -338,6 +338,42 @@ TEST_F(Cli, ConvertsPathsBackAndForth) {
   EXPECT_EQ(run("convert " + ompl + " " + csv).exitCode, 2) << "a CSV holds clearances: it needs the scenario";
 }
 
+TEST_F(Cli, WritesAnAnimationThatItDoesNotTakeForAPath) {
+  const std::string file = scenario([](Json&) {});
+  const std::string csv = (folder / "a.csv").string();
+  const std::string planned = (folder / "planned.glb").string();
+  const std::string converted = (folder / "converted.GLB").string();
+  ASSERT_EQ(run("plan " + file + " --seed 3 --out " + csv).exitCode, 0);
+  ASSERT_EQ(run("plan " + file + " --seed 3 --out " + planned).exitCode, 0);
+  EXPECT_EQ(read(planned).substr(0, 4), "glTF");
+  EXPECT_EQ(run("convert " + csv + " " + converted).exitCode, 2) << "it holds the bodies: it needs the scenario";
+  ASSERT_EQ(run("convert " + csv + " " + converted + " --scenario " + file).exitCode, 0);
+  EXPECT_EQ(read(converted).substr(0, 4), "glTF");
+  EXPECT_EQ(run("smooth " + file + " " + csv + " " + converted).exitCode, 0);
+  const Finished check = run("check " + file + " " + planned);
+  EXPECT_EQ(check.exitCode, 3);
+  EXPECT_NE(check.err.find("Table (.csv)"), std::string::npos) << check.err;
+}
+
+TEST_F(Cli, AnUnknownEndingIsRefusedBeforeAnythingIsDone) {
+  const std::string file = scenario([](Json&) {});
+  const std::string path = write("a.path", "-1 0 0 0 0 0 1\n-1 0 0.1 0 0 0 1\n");
+  const std::vector<std::string> commands{"plan " + file + " --out x.xyz", "plan gone.json --out x",
+                                          "smooth " + file + " " + path + " x.xyz", "convert " + path + " x.xyz"};
+  for (const std::string& command : commands) {
+    const Finished refused = run(command);
+    EXPECT_EQ(refused.exitCode, 2) << command;
+    EXPECT_EQ(refused.out, "") << command;
+    for (const char* ending : {".csv", ".json", ".path", ".glb"}) {
+      EXPECT_NE(refused.err.find(ending), std::string::npos) << command << ": " << refused.err;
+    }
+  }
+  for (const char* command : {"plan", "smooth", "convert"}) {
+    EXPECT_NE(run(std::string(command) + " --help").out.find(".glb"), std::string::npos) << command;
+  }
+  EXPECT_EQ(run("check --help").out.find(".glb"), std::string::npos) << "it cannot be read";
+}
+
 TEST_F(Cli, MakesAScenarioOfPartsAndTakesOneOut) {
   const glissade::test::TrayProduct product;
   const std::string made = (folder / "tray.json").string();

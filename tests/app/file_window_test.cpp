@@ -41,4 +41,20 @@ TEST_F(FileWindow, AfterSavingElsewhereTheNewFileIsTheOneThatIsSaved) {
   EXPECT_EQ(after.readAll(), untouched);
 }
 
+TEST_F(FileWindow, ThePathIsExportedInEveryFormatOfTheRegistryAndInNoOther) {
+  const QString solve = QStringLiteral("select-operator expert\naction run.start\nwait solved 20000\n");
+  QString exports;
+  for (const char* name : {"a.csv", "a.json", "a.path", "a.glb"}) {
+    exports += QStringLiteral("export %1\n").arg(folder.filePath(QLatin1String(name)));
+  }
+  expectGood(run(QStringLiteral("sliding-plane"), solve + exports));
+  EXPECT_TRUE(content(QStringLiteral("a.csv")).startsWith("index,"));
+  EXPECT_TRUE(content(QStringLiteral("a.json")).startsWith("{"));
+  EXPECT_TRUE(content(QStringLiteral("a.glb")).startsWith("glTF"));
+  const RunResult refused = run(QStringLiteral("sliding-plane"), solve + QStringLiteral("export a.xyz\n"));
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_TRUE(refused.errors.contains(QStringLiteral("OMPL columns (.path), Animation (.glb)")))
+      << refused.errors.toStdString();
+}
+
 }  // namespace

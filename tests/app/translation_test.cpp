@@ -4,6 +4,7 @@
 
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
+#include "engine/scenario/path_exporter.h"
 #include "widgets/panels/engine_texts.h"
 
 namespace glissade {
@@ -32,6 +33,8 @@ TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) 
   }
   const PlannerRegistry planners = makePlannerRegistry();
   for (const PlannerEntry& entry : planners.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+  const PathExporterRegistry exporters = makePathExporterRegistry();
+  for (const PathExporter& exporter : exporters.entries()) EXPECT_TRUE(listed(exporter.label)) << exporter.label;
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
 }

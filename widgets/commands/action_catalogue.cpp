@@ -24,7 +24,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"file.save-as", QT_TRANSLATE_NOOP("Actions", "Save &as..."), "Ctrl+Shift+S",
        QT_TRANSLATE_NOOP("Actions", "Save the scenario under another name"), false},
       {"file.export", QT_TRANSLATE_NOOP("Actions", "&Export path..."), "Ctrl+E",
-       QT_TRANSLATE_NOOP("Actions", "Save the certified path as CSV, JSON or OMPL columns"), false},
+       QT_TRANSLATE_NOOP("Actions", "Save the certified path: as data, or as an animation for 3D viewers"), false},
       {"file.open-path", QT_TRANSLATE_NOOP("Actions", "Open pa&th..."), "Ctrl+Alt+P",
        QT_TRANSLATE_NOOP("Actions", "Read a path of this scenario, and prove that it holds or see where it is blocked"),
        false},

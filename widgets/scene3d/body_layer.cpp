@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/environment/rigid_body.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
 
@@ -23,7 +24,7 @@ struct Opacity {
 Opacity opacityOf(BodyStyle style, std::size_t edges) {
   switch (style) {
     case BodyStyle::Solid: return {1.0, 1.0};
-    case BodyStyle::SeeThrough: return {0.38, 1.0};
+    case BodyStyle::SeeThrough: return {kObstacleOpacity, 1.0};
     case BodyStyle::Ghost: break;
   }
   const double shown = kPlainEdges / std::max(kPlainEdges, static_cast<double>(edges));

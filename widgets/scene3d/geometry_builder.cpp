@@ -24,10 +24,6 @@ void setOneColour(osg::Geometry& geometry, const osg::Vec4& colour) {
   geometry.setColorArray(colours, osg::Array::BIND_OVERALL);
 }
 
-Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& t) {
-  return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).normalized();
-}
-
 }  // namespace
 
 osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour) {

@@ -39,8 +39,6 @@ class AutomaticPlanner final : public Planner {
   const std::vector<std::uint32_t>& droppedEdges() const override { return roadmap_.droppedEdges; }
   const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
-  Author authority() const override { return Author::Computer; }
-  bool inContactMode() const override { return false; }
   std::optional<Diagnostic> failure() const override { return failure_; }
   std::string member() const override;
   double helpersCpuSeconds() const override { return team_ ? team_->helpersCpuSeconds() : 0.0; }

@@ -19,8 +19,6 @@ class DirectMotions final : public Planner {
   const std::vector<std::uint32_t>& droppedEdges() const override { return dropped_; }
   const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
-  Author authority() const override { return Author::Computer; }
-  bool inContactMode() const override { return false; }
   std::optional<Diagnostic> failure() const override { return failure_; }
 
   /// The ideas, in the order in which they are tried: configurations from start to goal.

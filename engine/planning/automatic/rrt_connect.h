@@ -45,8 +45,6 @@ class RrtConnect final : public Planner {
   const std::vector<std::uint32_t>& droppedEdges() const override { return roadmap_.droppedEdges(); }
   const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
-  Author authority() const override { return Author::Computer; }
-  bool inContactMode() const override { return false; }
 
  private:
   using Node = RoadmapGraph::Node;

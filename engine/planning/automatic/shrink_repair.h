@@ -37,8 +37,6 @@ class ShrinkRepair final : public Planner {
   const std::vector<std::uint32_t>& droppedEdges() const override { return own_.droppedEdges; }
   const PlannerCounts& counts() const override { return counts_; }
   const Path* path() const override { return path_ ? &*path_ : nullptr; }
-  Author authority() const override { return Author::Computer; }
-  bool inContactMode() const override { return false; }
   std::optional<Diagnostic> failure() const override { return failure_; }
   std::size_t stagesDone() const override { return level_; }
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "engine/scenario/path_io.h"
+#include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {

@@ -1,11 +1,11 @@
+#include "engine/scenario/path_text.h"
+
 #include <glissade/version.h>
 
-#include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/json_reader.h"
-#include "engine/scenario/path_io.h"
 
 namespace glissade {
 namespace {
@@ -23,9 +23,13 @@ std::string sevenColumns(const Pose& q, char separator) {
   return text;
 }
 
+BodyNames idsOf(const LoadedScenario& scenario) {
+  return [&scenario](int body) { return scenario.obstacles[static_cast<std::size_t>(body)].id; };
+}
+
 }  // namespace
 
-Outcome writePathCsv(const Path& path, const LoadedScenario& scenario, const std::string& file) {
+Result<std::string> pathAsCsv(const Path& path, const LoadedScenario& scenario, const PathProvenance&) {
   const auto query = scenario.problem.world->makeQuery();
   const Se3Metric metric = scenario.problem.metric();
   std::string text = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author\n";
@@ -37,34 +41,34 @@ Outcome writePathCsv(const Path& path, const LoadedScenario& scenario, const std
             toText(query->nearestObstacle(point.q).distance) + "," + (point.author == Author::Contact ? "1" : "0") +
             "," + authorName(point.author) + "\n";
   }
-  return writeFileAtomically(file, text);
+  return text;
 }
 
-Outcome writePathOmpl(const Path& path, const std::string& file) {
+Result<std::string> pathAsOmpl(const Path& path, const LoadedScenario&, const PathProvenance&) {
   std::string text;
   for (const PathPoint& point : path.points) text += sevenColumns(point.q, ' ') + "\n";
-  return writeFileAtomically(file, text);
+  return text;
 }
 
-Outcome writePathJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
-                      const std::string& file) {
-  Json json;
-  json["format"] = "glissade-path";
-  json["version"] = 1;
-  json["scenario"] = scenario.scenario.name;
-  json["planner"] = provenance.planner;
-  json["seed"] = provenance.seed;
-  json["program"] = std::string("Glissade ") + kVersion;
-  const BodyNames ids = [&](int body) { return scenario.obstacles[static_cast<std::size_t>(body)].id; };
-  json["certificate"] = certificateJson(path.certificate, ids);
-  json["certificate"]["edges"] = edgesJson(path.certificate, ids);
+Result<std::string> pathAsJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {
+  Json json{{"format", "glissade-path"}, {"version", 1}};
+  json.update(provenanceJson(path, scenario, provenance));
+  json["certificate"]["edges"] = edgesJson(path.certificate, idsOf(scenario));
   json["configurations"] = Json::array();
   for (const PathPoint& point : path.points) {
     Json configuration = toJson(point.q);
     configuration["author"] = authorName(point.author);
     json["configurations"].push_back(configuration);
   }
-  return writeFileAtomically(file, json.dump(2) + "\n");
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // names may come from files' names
+}
+
+Json provenanceJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {
+  return {{"scenario", scenario.scenario.name},
+          {"planner", provenance.planner},
+          {"seed", provenance.seed},
+          {"program", std::string("Glissade ") + kVersion},
+          {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
 }
 
 }  // namespace glissade

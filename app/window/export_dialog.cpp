@@ -1,0 +1,29 @@
+#include "app/window/export_dialog.h"
+
+#include <QCoreApplication>
+
+namespace glissade {
+
+ExportDialog::ExportDialog(const PathExporterRegistry& registry, QWidget* parent)
+    : QFileDialog(parent, tr("Export the path")) {
+  setAcceptMode(AcceptSave);
+  QStringList filters;
+  for (const PathExporter& exporter : registry.entries()) {
+    QStringList patterns;
+    for (const std::string& ending : exporter.endings)
+      patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+    const QString label = QCoreApplication::translate("PathFormats", exporter.label.c_str());
+    filters << QStringLiteral("%1 (%2)").arg(label, patterns.join(QLatin1Char(' ')));
+  }
+  setNameFilters(filters);
+  const auto takeEndingOf = [this, filters, entries = registry.entries()](const QString& filter) {
+    const int chosen = filters.indexOf(filter);
+    if (chosen < 0) return;
+    setDefaultSuffix(QString::fromStdString(entries[static_cast<std::size_t>(chosen)].endings.front()));
+  };
+  connect(this, &QFileDialog::filterSelected, this, takeEndingOf);
+  takeEndingOf(filters.front());
+  selectFile(QStringLiteral("path.") + defaultSuffix());
+}
+
+}  // namespace glissade

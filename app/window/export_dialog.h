@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QFileDialog>
+
+#include "engine/scenario/path_exporter.h"
+
+namespace glissade {
+
+/// Asks where to export the path. Has a filter for each format of the registry; a name without an ending
+/// gets that of the filter chosen.
+class ExportDialog : public QFileDialog {
+  Q_OBJECT
+ public:
+  /// Precondition: the registry has a format.
+  explicit ExportDialog(const PathExporterRegistry& registry, QWidget* parent = nullptr);
+};
+
+}  // namespace glissade

@@ -1,0 +1,85 @@
+#include "engine/scenario/path_exporter.h"
+
+#include <algorithm>
+
+#include "engine/base/file.h"
+#include "engine/scenario/path_glb.h"
+#include "engine/scenario/path_text.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kExact = 0.0;  // numbers are written so that they read back bit by bit
+
+template <class Choose>
+std::string inWords(const Choose& choose) {
+  std::string words;
+  const PathExporterRegistry registry = makePathExporterRegistry();
+  for (const PathExporter& exporter : registry.entries()) {
+    if (!choose(exporter)) continue;
+    std::string endings;
+    for (const std::string& ending : exporter.endings) endings += (endings.empty() ? "." : ", .") + ending;
+    words += (words.empty() ? "" : ", ") + exporter.label + " (" + endings + ")";
+  }
+  return words;
+}
+
+}  // namespace
+
+Outcome PathExporter::write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                            const std::string& file) const {
+  if (path.points.empty()) {
+    return Diagnostic{ErrorKind::Usage, file, "", "the path holds no configuration", "Give a path."};
+  }
+  const auto text = content(path, scenario, provenance);
+  if (!text) {
+    Diagnostic why = text.error();
+    why.file = file;
+    return why;
+  }
+  return writeFileAtomically(file, *text);
+}
+
+const PathExporter* PathExporterRegistry::find(std::string_view id) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.id == id; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+PathExporterRegistry makePathExporterRegistry() {
+  PathExporterRegistry registry;
+  registry.add({"csv", {"csv"}, "Table", true, kExact, pathAsCsv});
+  registry.add({"json", {"json"}, "With provenance", true, kExact, pathAsJson});
+  registry.add({"ompl", {"path"}, "OMPL columns", false, kExact, pathAsOmpl});
+  registry.add({"glb", {"glb"}, "Animation", true, std::nullopt, pathAsGlb});
+  return registry;
+}
+
+Result<PathExporter> pathExporterFor(const std::string& file) {
+  const std::string ending = endingOf(file);
+  const PathExporterRegistry registry = makePathExporterRegistry();
+  for (const PathExporter& exporter : registry.entries()) {
+    const auto& endings = exporter.endings;
+    if (std::find(endings.begin(), endings.end(), ending) != endings.end()) return exporter;
+  }
+  return Diagnostic{ErrorKind::Usage, file, "",
+                    ending.empty() ? "has no ending that says in which format the path is to be written"
+                                   : "paths are not written as '." + ending + "'",
+                    "Choose one of: " + writablePathFormats() + "."};
+}
+
+Outcome writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                  const std::string& file) {
+  const auto exporter = pathExporterFor(file);
+  if (!exporter) return exporter.error();
+  return exporter->write(path, scenario, provenance, file);
+}
+
+std::string writablePathFormats() {
+  return inWords([](const PathExporter&) { return true; });
+}
+
+std::string readablePathFormats() {
+  return inWords([](const PathExporter& exporter) { return exporter.readBackError.has_value(); });
+}
+
+}  // namespace glissade

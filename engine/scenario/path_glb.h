@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/scenario/path_exporter.h"
+
+namespace glissade {
+
+/// An animation for any viewer of glTF 2.0: one binary file with all bodies, each a node of its name, mesh
+/// (flat normals) and colour, obstacles see-through as in the window; the object's node moves along the
+/// path for ten seconds, at constant speed in the metric. See keyFramesOf for how exact that is.
+///
+/// Metres; a root node turns the world's z to glTF's y, so nodes and key frames below it are X_WB.
+/// Single precision: coordinates beyond it are an error. The scene's "extras" hold the provenance.
+Result<std::string> pathAsGlb(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance);
+
+}  // namespace glissade
