@@ -7,6 +7,7 @@
 #include "app/window/main_window.h"
 #include "app/window/part_import.h"
 #include "app/window/window_memory.h"
+#include "app/window/work_controller.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_io.h"
 #include "engine/scenario/scenario_io.h"
@@ -15,7 +16,18 @@ namespace glissade {
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
   if (!quiet && !mayDiscard()) return std::nullopt;
-  auto loaded = loadScenario(file.toStdString());
+  return takeScenario(loadScenario(file.toStdString()), file, quiet);
+}
+
+void MainWindow::openInBackground(const QString& file) {
+  if (!mayDiscard()) return;
+  work_->run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto loaded = std::make_shared<const Result<LoadedScenario>>(loadScenario(file.toStdString(), watch.stop));
+    return [this, loaded, file] { (void)takeScenario(*loaded, file, false); };
+  });
+}
+
+std::optional<Diagnostic> MainWindow::takeScenario(Result<LoadedScenario> loaded, const QString& file, bool quiet) {
   if (!loaded) {
     if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
     return loaded.error();
@@ -82,7 +94,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (isPartFile(url.toLocalFile().toStdString())) parts << url.toLocalFile();
   }
   if (parts.isEmpty()) {
-    openScenario(event->mimeData()->urls().front().toLocalFile());
+    openInBackground(event->mimeData()->urls().front().toLocalFile());
   } else if (scenario_) {
     parts_->ask(PartsDialog::Purpose::AddParts, parts);
   } else {
