@@ -39,12 +39,12 @@ class ImportMessage {
   std::size_t position_ = 0;
 };
 
-/// What the program makes of the file, behind a header of a kind that is no error, and not too large.
-/// Errors are MalformedInput with the file's name, or Interrupted.
+/// What a program made of a file: a header of a kind that is no error and not too large, and what follows.
 struct ImporterAnswer {
   import_protocol::Header header;
   ImportMessage message;
 };
+/// Lets the program read the file. Errors are MalformedInput with the file's name, or Interrupted.
 Result<ImporterAnswer> callImporter(const ImporterCall& call, const StopToken& stop = {});
 
 /// That the file, or what the program made of it, is not what it should be.

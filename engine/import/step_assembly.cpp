@@ -18,6 +18,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/base/utf8.h"
 #include "engine/import/import_protocol.h"
 
 namespace glissade {
@@ -35,8 +36,11 @@ std::string nameOf(const TDF_Label& label) {
   return text;
 }
 
-/// As one step of a path: without '/', control characters and blanks at its ends.
+/// As one step of a path: UTF-8 without '/', control characters and blanks at its ends.
 std::string asStep(std::string name) {
+  for (std::size_t at = 0; at < name.size(); at += std::max<std::size_t>(utf8LengthAt(name, at), 1)) {
+    if (utf8LengthAt(name, at) == 0) name[at] = '?';
+  }
   std::replace(name.begin(), name.end(), '/', '_');
   name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }),
              name.end());

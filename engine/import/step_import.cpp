@@ -6,6 +6,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
+#include "engine/base/utf8.h"
 #include "engine/import/importer_process.h"
 
 namespace glissade {
@@ -97,7 +98,8 @@ class Decoder {
     }
     const Shape& shape = shapes_[record.shape];
     StepPart part{std::string(record.pathBytes, ' '), shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
-    if (!answer_.message.take(part.path.data(), part.path.size()) || !paths_.insert(part.path).second) return broken();
+    if (!answer_.message.take(part.path.data(), part.path.size()) || !isUtf8(part.path)) return broken();
+    if (!paths_.insert(part.path).second) return broken();
     part.X_FP.position = kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
     const auto& [x, y, z, w] = record.orientation;
     part.X_FP.orientation = Quaternion(w, x, y, z).normalized();

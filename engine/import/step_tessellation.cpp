@@ -19,6 +19,8 @@ namespace glissade {
 namespace {
 
 constexpr double kMillimetre = 0.001;
+/// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
+constexpr double kAsked = 0.5;
 
 double usualDeflectionOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
@@ -58,7 +60,7 @@ StepTriangles tessellate(const TopoDS_Shape& shape, double deflection) {
   StepTriangles triangles;
   triangles.record.deflection = deflection > 0.0 ? deflection : usualDeflectionOf(shape);
   IMeshTools_Parameters parameters;
-  parameters.Deflection = triangles.record.deflection;
+  parameters.Deflection = kAsked * triangles.record.deflection;
   parameters.Angle = kStepAngle;
   parameters.InParallel = false;
   BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other

@@ -2732,6 +2732,10 @@
         <source>%1: drawn while the box is checked</source>
         <translation>%1 : dessiné tant que la case est cochée</translation>
     </message>
+    <message>
+        <source>Within about %1 mm of the part&apos;s surface</source>
+        <translation>À environ %1 mm près de la surface de la pièce</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SemanticDocument</name>

@@ -112,7 +112,7 @@ TEST(StepImport, DeflectionIsAThousandthOfTheDiagonalWithinLimitsUnlessSomebodyS
     before = mesh.triangles.size();
     for (const TriangleIndices& t : mesh.triangles) {
       const Vector3 centre = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-      ASSERT_NEAR(centre.norm(), 0.025, 1.5 * deflection);
+      ASSERT_NEAR(centre.norm(), 0.025, deflection);
     }
   }
 }
