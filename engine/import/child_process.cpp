@@ -29,7 +29,7 @@ bool collect(int fd, const StopToken& stop, std::size_t most, std::string& outpu
   std::array<char, 65536> buffer{};
   while (output.size() <= most && !stop.stopRequested()) {
     pollfd descriptor{fd, POLLIN, 0};
-    if (poll(&descriptor, 1, kLookMilliseconds) == 0) continue;
+    if (poll(&descriptor, 1, kLookMilliseconds) <= 0) continue;
     const ssize_t count = ::read(fd, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return count == 0;
