@@ -14,7 +14,7 @@ struct ScriptCommand {
   std::vector<std::string> arguments;
 };
 
-/// Parses a script. One command a line, '#' begins a comment:
+/// Parses a script. One command a line, a word that begins with '#' and what follows is a comment:
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
 ///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5 (taken back from the tuner
