@@ -22,7 +22,13 @@ Json toJson(const Pose& pose) {
 
 Json toJson(const Box3& box) { return {{"min", toJson(box.min())}, {"max", toJson(box.max())}}; }
 
-Json toJson(const RigidBody& body) {
+/// 0 where the mesh is what was given.
+double deflectionOf(const RigidBody& body, const LoadedScenario& loaded) {
+  const auto known = loaded.deflections.find(body.id);
+  return known == loaded.deflections.end() ? 0.0 : known->second;
+}
+
+Json toJson(const RigidBody& body, double deflection) {
   const MeshAudit result = audit(*body.mesh);
   return {{"id", body.id},
           {"name", body.name},
@@ -32,6 +38,7 @@ Json toJson(const RigidBody& body) {
           {"open_edges", result.openEdges},
           {"degenerate_triangles", result.degenerateTriangles},
           {"components", result.components},
+          {"deflection_m", deflection},
           {"volume_m3", result.closed() ? number(std::abs(result.volume)) : Json(nullptr)},
           {"box_W", toJson(boundingBox(*body.mesh, body.X_WB))}};
 }
@@ -44,12 +51,14 @@ Json toJson(const Asset& asset) {
           {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
 }
 
-void printBody(const RigidBody& body, const char* role) {
+void printBody(const RigidBody& body, double deflection, const char* role) {
   const MeshAudit result = audit(*body.mesh);
   const Vector3 size = result.box.sizes();
   std::cout << "  " << std::left << std::setw(24) << body.name << std::setw(8) << role << std::right << std::setw(8)
             << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
-            << " x " << size.y() << " x " << size.z() << " m\n";
+            << " x " << size.y() << " x " << size.z() << " m";
+  if (deflection > 0.0) std::cout << "  within " << 1000.0 * deflection << " mm of its surface";
+  std::cout << "\n";
 }
 
 void printText(const LoadedScenario& loaded) {
@@ -58,9 +67,9 @@ void printText(const LoadedScenario& loaded) {
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
   for (const RigidBody& body : loaded.obstacles) {
-    printBody(body, body.mobility == Mobility::Static ? "static" : "mobile");
+    printBody(body, deflectionOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile");
   }
-  printBody(loaded.object, "object");
+  printBody(loaded.object, deflectionOf(loaded.object, loaded), "object");
   const auto& min = loaded.problem.bounds.min();
   const auto& max = loaded.problem.bounds.max();
   std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
@@ -97,8 +106,8 @@ int runInfo(const InfoOptions& options) {
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
   report["bodies"] = Json::array();
-  for (const RigidBody& body : loaded->obstacles) report["bodies"].push_back(toJson(body));
-  report["object"] = toJson(loaded->object);
+  for (const RigidBody& body : loaded->obstacles) report["bodies"].push_back(toJson(body, deflectionOf(body, *loaded)));
+  report["object"] = toJson(loaded->object, deflectionOf(loaded->object, *loaded));
   report["object"]["radius_m"] = loaded->problem.world->objectRadius();
   report["workspace"] = toJson(loaded->problem.bounds);
   report["start"] = toJson(loaded->problem.start);

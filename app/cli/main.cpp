@@ -143,19 +143,33 @@ CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
 }
 
 CLI::App* addNew(CLI::App& app, NewOptions& options) {
-  CLI::App* make = app.add_subcommand("new", "A scenario of part files (meshes, URDF), one of which is to come out");
+  CLI::App* make =
+      app.add_subcommand("new", "A scenario of part files (meshes, STEP, URDF), one of which is to come out");
+  make->footer(
+      "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
+      "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
+      "one name are pin and pin#2.");
   make->add_option("OUT", options.output, "Scenario file to write")->required();
   make->add_option("--moves", options.moving, "The part that moves")->required();
   make->add_option("--static", options.statics, "Parts that stay where they are");
   make->add_option("--mobile", options.mobiles, "Parts that somebody could move");
   addLength(
       *make, "--unit", [&options](double unit) { options.unit = unit; },
-      "A unit of the files, as 1mm or 1m (default: 1m for Collada and glTF, 1mm for other meshes)");
+      "A unit of the files, as 1mm or 1m (default: 1m for Collada and glTF, 1mm for other meshes); STEP and URDF "
+      "files say it themselves");
   const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
   make->add_option_function<std::string>(
           "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
           "The files' axis that points up (default: y for Collada and glTF, z for other meshes)")
       ->check(CLI::IsMember(axes));
+  addLength(
+      *make, "--deflection",
+      [&options](double deflection) {
+        if (!(deflection > 0.0)) throw CLI::ValidationError("--deflection", "is not above zero");
+        options.deflection = deflection;
+      },
+      "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
+      "part's diagonal, from 0.01mm to 0.5mm)");
   make->add_flag("--clear", options.clear, "Move the start clear of what it touches, and say how far");
   return make;
 }

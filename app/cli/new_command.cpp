@@ -14,7 +14,8 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
   const auto add = [&](const std::string& file, PartRole role) {
     PartFile part = usualPart(file);
     part.role = role;
-    if (!isUrdfFile(file)) {
+    part.deflection = options.deflection;
+    if (!saysItsUnit(part.path)) {
       part.unit = options.unit.value_or(part.unit);
       part.up = options.up.value_or(part.up);
     }

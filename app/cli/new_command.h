@@ -11,12 +11,13 @@ namespace glissade::cli {
 
 struct NewOptions {
   std::string output;
-  std::string moving;
+  std::string moving;  ///< as usualPart() takes it, like those below
   std::vector<std::string> statics;
   std::vector<std::string> mobiles;
   std::optional<double> unit;  ///< metres per unit of the files; none: as files of their kind usually are
   std::optional<UpAxis> up;
-  bool clear = false;  ///< move the start clear of what it touches
+  double deflection = 0.0;  ///< of STEP files, metres; 0: by the size of each part
+  bool clear = false;       ///< move the start clear of what it touches
   Format format = Format::Text;
 };
 

@@ -60,7 +60,11 @@ Outcome AssemblyScript::takePart(PartsDialog::Purpose purpose, PartRole role, co
   Outcome outcome = Done{};
   const auto refused =
       QObject::connect(&window_.parts(), &PartImport::failed, [&outcome](const Diagnostic& why) { outcome = why; });
-  window_.parts().take(purpose, {{words[0], role, *unit, words[2] == "Y" ? UpAxis::Y : UpAxis::Z}});
+  PartFile part = usualPart(words[0]);
+  part.role = role;
+  part.unit = *unit;
+  part.up = words[2] == "Y" ? UpAxis::Y : UpAxis::Z;
+  window_.parts().take(purpose, {part});
   QObject::disconnect(refused);
   return outcome;
 }

@@ -38,6 +38,8 @@ class MainWindow final : public QMainWindow {
 
   /// Opens a scenario; says what is wrong in a dialog unless `quiet`, and returns it.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet = false);
+  /// The same without waiting for it: reading STEP files takes its time. Cancelled as all background work.
+  void openInBackground(const QString& file);
   void setTheme(Theme theme);
   /// Nobody is there to answer questions: scripts, screenshots.
   void setBatch(bool batch);
@@ -77,6 +79,7 @@ class MainWindow final : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  std::optional<Diagnostic> takeScenario(Result<LoadedScenario> loaded, const QString& file, bool quiet);
   void makePanels();
   void arrangePanels();
   void makeMenus();

@@ -29,7 +29,7 @@ namespace glissade {
 void MainWindow::chooseScenario() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open a scenario"), QString(),
                                                     tr("Scenarios (*.json *.cfg);;All files (*)"));
-  if (!file.isEmpty()) openScenario(file);
+  if (!file.isEmpty()) openInBackground(file);
 }
 
 void MainWindow::newScenario(const QStringList& partFiles) {
@@ -62,7 +62,7 @@ void MainWindow::fillRecent() {
     if (!file.exists()) shown = tr("%1 (not there)").arg(shown);
     QAction* action = recent_->addAction(number + shown);
     action->setEnabled(file.exists());
-    connect(action, &QAction::triggered, this, [this, path = files[i]] { openScenario(path); });
+    connect(action, &QAction::triggered, this, [this, path = files[i]] { openInBackground(path); });
   }
   if (files.isEmpty()) recent_->addAction(tr("No file yet"))->setEnabled(false);
   recent_->addSeparator();

@@ -8,6 +8,7 @@
 #include "app/window/part_import.h"
 #include "app/window/path_controller.h"
 #include "app/window/window_memory.h"
+#include "app/window/work_controller.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
@@ -16,7 +17,18 @@ namespace glissade {
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
   if (!quiet && !mayDiscard()) return std::nullopt;
-  auto loaded = loadScenario(file.toStdString());
+  return takeScenario(loadScenario(file.toStdString()), file, quiet);
+}
+
+void MainWindow::openInBackground(const QString& file) {
+  if (!mayDiscard()) return;
+  work_->run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto loaded = std::make_shared<const Result<LoadedScenario>>(loadScenario(file.toStdString(), watch.stop));
+    return [this, loaded, file] { (void)takeScenario(*loaded, file, false); };
+  });
+}
+
+std::optional<Diagnostic> MainWindow::takeScenario(Result<LoadedScenario> loaded, const QString& file, bool quiet) {
   if (!loaded) {
     if (!quiet) showError(tr("The scenario cannot be opened"), loaded.error());
     return loaded.error();
@@ -69,7 +81,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (isPathFile(first.toStdString())) {
     if (const auto why = path_->open(first)) showError(tr("This cannot be done with the path"), *why);
   } else if (parts.isEmpty()) {
-    openScenario(first);
+    openInBackground(first);
   } else if (scenario_) {
     parts_->ask(PartsDialog::Purpose::AddParts, parts);
   } else {

@@ -9,30 +9,31 @@ PartImport::PartImport(AssemblyDocument& document, WorkController& work, QWidget
 
 void PartImport::ask(PartsDialog::Purpose purpose, const QStringList& files) {
   PartsDialog dialog(purpose, files, false, window_);
-  if (dialog.exec() == QDialog::Accepted) take(purpose, dialog.parts());
+  if (dialog.exec() == QDialog::Accepted) take(purpose, dialog.parts(), dialog.read());
 }
 
-void PartImport::take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts) {
+void PartImport::take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts, const GeometryCache& read) {
   if (purpose == PartsDialog::Purpose::NewScenario) {
-    work_.run(tr("Reading the parts"), [this, parts](const WorkWatch&) { return makeScenario(parts); });
+    work_.run(tr("Reading the parts"), [=](const WorkWatch& watch) { return makeScenario(parts, read, watch.stop); });
     return;
   }
   const Scenario scenario = document_.current();
   const std::string file = document_.scenario()->file;
-  work_.run(tr("Reading the parts"), [=, known = document_.read()](const WorkWatch&) -> BackgroundTask::Delivery {
-    GeometryCache read = known;
-    const auto more = withParts(scenario, file, parts, &read);
+  work_.run(tr("Reading the parts"), [=, known = document_.read()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    GeometryCache all = known;
+    all.insert(read.begin(), read.end());
+    const auto more = withParts(scenario, file, parts, &all, watch.stop);
     if (!more) return [this, why = more.error()] { emit failed(why); };
-    return [this, parts, read] { add(parts, read); };
+    return [this, parts, all] { add(parts, all); };
   });
 }
 
 /// On the worker's thread.
-BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& parts) {
-  GeometryCache read;
-  auto scenario = scenarioOfParts(parts, &read);
+BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& parts, GeometryCache read,
+                                                  const StopToken& stop) {
+  auto scenario = scenarioOfParts(parts, &read, stop);
   if (!scenario) return [this, why = scenario.error()] { emit failed(why); };
-  auto loaded = realiseScenario(std::move(*scenario), ".", "", read);
+  auto loaded = realiseScenario(std::move(*scenario), ".", "", read, stop);
   if (!loaded) return [this, why = loaded.error()] { emit failed(why); };
   const ScenarioPtr made = std::make_shared<LoadedScenario>(std::move(*loaded));
   return [this, made] { emit this->made(made); };

@@ -18,7 +18,8 @@ class PartImport final : public QObject {
 
   /// Asks how these files, and others, are to be taken.
   void ask(PartsDialog::Purpose purpose, const QStringList& files = {});
-  void take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts);
+  /// What is in `read` is not read again.
+  void take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts, const GeometryCache& read = {});
 
  signals:
   /// A scenario that is saved nowhere yet.
@@ -26,7 +27,7 @@ class PartImport final : public QObject {
   void failed(const glissade::Diagnostic& why);
 
  private:
-  BackgroundTask::Delivery makeScenario(const std::vector<PartFile>& parts);
+  BackgroundTask::Delivery makeScenario(const std::vector<PartFile>& parts, GeometryCache read, const StopToken& stop);
   void add(const std::vector<PartFile>& parts, const GeometryCache& read);
 
   AssemblyDocument& document_;

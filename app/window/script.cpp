@@ -68,11 +68,11 @@ Result<std::vector<ScriptCommand>> parseScript(const std::string& text, const st
   std::istringstream stream(text);
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    std::istringstream words(line.substr(0, line.find('#')));
+    std::istringstream words(line);
     ScriptCommand command;
     command.line = number;
-    if (!(words >> command.name)) continue;
-    for (std::string word; words >> word;) command.arguments.push_back(word);
+    if (!(words >> command.name) || command.name.front() == '#') continue;
+    for (std::string word; words >> word && word.front() != '#';) command.arguments.push_back(word);
     const auto known = argumentCounts().find(command.name);
     const std::string place = "line " + std::to_string(number);
     if (known == argumentCounts().end()) {

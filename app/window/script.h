@@ -14,7 +14,7 @@ struct ScriptCommand {
   std::vector<std::string> arguments;
 };
 
-/// Parses a script. One command a line, '#' begins a comment:
+/// Parses a script. One command a line, a word that begins with '#' and what follows is a comment:
 ///
 ///   action ID                   an action of the catalogue, e.g. run.start
 ///   set PARAMETER VALUE         a parameter by its key, e.g. set alpha 0.5 (taken back from the tuner
@@ -37,8 +37,9 @@ struct ScriptCommand {
 ///   open FILE                   another scenario
 ///   save FILE                   the scenario with its edits
 ///   select KIND NAME            a place by its name, a body by its id, a step by its number
-///   new-scenario FILE UNIT UP   of this part, which moves: metres in a unit of the file, Y or Z
-///   add-part FILE ROLE UNIT UP  static or mobile
+///   new-scenario FILE UNIT UP   of this part, which moves: metres in a unit of the file, Y or Z; a part of a
+///                               STEP file as in asm.step:pin, with 1 and Z
+///   add-part FILE ROLE UNIT UP  static or mobile; of a STEP file all parts that are not there yet
 ///   place WHAT X,Y,Z ROLL,PITCH,YAW   a body by its id, "start", or "goal": millimetres, degrees
 ///   expect-place WHAT X,Y,Z     it is there, to a hundredth of a millimetre; "nowhere": there is none
 ///   show-body ID yes|no         whether an obstacle is drawn

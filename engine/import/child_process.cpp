@@ -16,20 +16,20 @@ extern char** environ;
 namespace glissade {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = StopToken::Clock;
 
 Diagnostic cannotStart(const std::string& program, int error) {
   return {ErrorKind::Internal, program, "", std::string("cannot be started: ") + std::strerror(error),
           "Reinstall the program: this part of it is missing."};
 }
 
-/// Reads until the end, the deadline or the size; true at the end.
-bool collect(int fd, Clock::time_point deadline, std::size_t most, std::string& output) {
+/// Reads until the end, a stop or the size; true at the end.
+bool collect(int fd, const StopToken& stop, std::size_t most, std::string& output) {
+  constexpr int kLookMilliseconds = 20;
   std::array<char, 65536> buffer{};
-  while (output.size() <= most) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+  while (output.size() <= most && !stop.stopRequested()) {
     pollfd descriptor{fd, POLLIN, 0};
-    if (left <= 0 || poll(&descriptor, 1, static_cast<int>(left)) == 0) return false;
+    if (poll(&descriptor, 1, kLookMilliseconds) <= 0) continue;
     const ssize_t count = ::read(fd, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return count == 0;
@@ -41,7 +41,8 @@ bool collect(int fd, Clock::time_point deadline, std::size_t most, std::string& 
 }  // namespace
 
 Result<ChildResult> runChild(const std::string& program, const std::vector<std::string>& arguments,
-                             const std::string& inputFile, std::chrono::milliseconds patience, std::size_t mostOutput) {
+                             const std::string& inputFile, std::chrono::milliseconds patience, std::size_t mostOutput,
+                             const StopToken& stop) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return cannotStart(program, errno);
 
@@ -64,7 +65,7 @@ Result<ChildResult> runChild(const std::string& program, const std::vector<std::
   }
 
   ChildResult result;
-  result.timedOut = !collect(pipe[0], Clock::now() + patience, mostOutput, result.output);
+  result.timedOut = !collect(pipe[0], stop.withDeadline(Clock::now() + patience), mostOutput, result.output);
   ::close(pipe[0]);
   if (result.timedOut) ::kill(pid, SIGKILL);
   int status = 0;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/utf8.h"
+
 namespace glissade {
 namespace {
 
@@ -13,27 +15,11 @@ Diagnostic malformed(const std::string& text, std::size_t position, const std::s
   return {ErrorKind::MalformedInput, file, "line " + std::to_string(line), reason, "Correct the file."};
 }
 
-/// Length of the UTF-8 character at a position; 0 where it is invalid.
-std::size_t characterLength(const std::string& text, std::size_t at) {
-  const auto lead = static_cast<unsigned char>(text[at]);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((static_cast<unsigned char>(text[at + i]) & 0xc0) != 0x80) return 0;
-  }
-  return length;
-}
-
 }  // namespace
 
 Result<XmlFacts> precheckXml(const std::string& text, const std::string& file) {
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = characterLength(text, at);
+    const std::size_t length = utf8LengthAt(text, at);
     if (length == 0 || text[at] == '\0') return malformed(text, at, file, "is not valid UTF-8 text");
     at += length;
   }

@@ -25,6 +25,7 @@ std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario&
 bool uses(const Geometry& geometry, const Asset& asset) {
   if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return mesh->asset == asset.id;
   if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return urdf->asset == asset.id;
+  if (const auto* step = std::get_if<StepGeometry>(&geometry)) return step->asset == asset.id;
   return false;
 }
 
@@ -42,9 +43,9 @@ const LoadedGeometry& geometryOf(const Geometry& geometry, const LoadedScenario&
   return *loaded.geometry.at(geometryKey(geometry, loaded.scenario, folderOf(loaded.file)));
 }
 
-/// From the frame of a mesh file to that of the object centred on its vertices.
-Pose toVertexMean(const Geometry& geometry, const LoadedScenario& loaded) {
-  return Pose::translation(geometryOf(geometry, loaded).vertexMean);
+/// From the frame of an object's geometry to that about its reference point.
+Pose toReferencePoint(const ObjectDescription& object, const LoadedScenario& loaded) {
+  return Pose::translation(referencePointOf(object, geometryOf(object.geometry, loaded)));
 }
 
 /// About the bodies, and the object where it starts.
@@ -102,11 +103,11 @@ Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scen
   if (body == scenario.bodies.end()) return noSuchBody(bodyId);
   const BodyDescription moving = *body;
   const ObjectDescription& was = scenario.object;
-  *body = {was.id, was.name, Mobility::Static, was.geometry, scenario.start, was.colour, was.attributes};
-  if (was.centreOnVertexMean) body->pose = scenario.start * inverse(toVertexMean(was.geometry, loaded));
-  const bool centred = std::holds_alternative<MeshGeometry>(moving.geometry);
-  scenario.start = centred ? moving.pose * toVertexMean(moving.geometry, loaded) : moving.pose;
-  scenario.object = {moving.id, moving.name, moving.geometry, centred, moving.colour, moving.attributes};
+  const Pose pose = scenario.start * inverse(toReferencePoint(was, loaded));
+  *body = {was.id, was.name, Mobility::Static, was.geometry, pose, was.colour, was.attributes};
+  scenario.object = {moving.id, moving.name, moving.geometry, false, Vector3::Zero(), moving.colour, moving.attributes};
+  chooseReferencePoint(scenario.object, geometryOf(moving.geometry, loaded));
+  scenario.start = moving.pose * toReferencePoint(scenario.object, loaded);
   scenario.goal = GoalOut{};
   scenario.wayPoints.clear();
   const double radius = radiusAboutOrigin(objectMesh(scenario.object, geometryOf(moving.geometry, loaded)));

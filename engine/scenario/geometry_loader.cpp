@@ -8,13 +8,13 @@
 #include "engine/base/number_text.h"
 #include "engine/geometry/primitives.h"
 #include "engine/import/mesh_import.h"
+#include "engine/import/step_import.h"
 #include "engine/import/urdf_import.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/step_parts.h"
 
 namespace glissade {
 namespace {
-
-constexpr std::size_t kMostBytes = 100U << 20;
 
 LoadedGeometry single(TriangleMesh mesh) {
   LoadedGeometry geometry;
@@ -43,6 +43,10 @@ std::string geometryKey(const Geometry& geometry, const Scenario& scenario, cons
   };
   if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return ofAsset("mesh", mesh->asset);
   if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return ofAsset("urdf", urdf->asset);
+  if (const auto* step = std::get_if<StepGeometry>(&geometry)) {
+    const double deflection = assetById(step->asset, scenario).deflection;
+    return ofAsset("step " + toText(deflection), step->asset) + (step->part.empty() ? "" : " : " + step->part);
+  }
   if (const auto* box = std::get_if<BoxGeometry>(&geometry)) {
     return "box " + toText(box->size.x()) + " " + toText(box->size.y()) + " " + toText(box->size.z());
   }
@@ -52,8 +56,13 @@ std::string geometryKey(const Geometry& geometry, const Scenario& scenario, cons
   return "sphere " + toText(std::get<SphereGeometry>(geometry).radius);
 }
 
-GeometryLoader::GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known)
-    : scenario_(scenario), folder_(std::move(folder)), file_(std::move(file)), known_(std::move(known)) {}
+GeometryLoader::GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known,
+                               StopToken stop)
+    : scenario_(scenario),
+      folder_(std::move(folder)),
+      file_(std::move(file)),
+      known_(std::move(known)),
+      stop_(std::move(stop)) {}
 
 Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   const std::string key = geometryKey(geometry, scenario_, folder_);
@@ -72,6 +81,9 @@ Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
 Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
   if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return readMesh(assetById(mesh->asset, scenario_));
   if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return readUrdf(assetById(urdf->asset, scenario_));
+  if (const auto* step = std::get_if<StepGeometry>(&geometry)) {
+    return step->part.empty() ? readStep(assetById(step->asset, scenario_)) : partOf(*step);
+  }
   if (const auto* box = std::get_if<BoxGeometry>(&geometry)) return single(makeBox(box->size));
   if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
     return single(makeCylinder(cylinder->radius, cylinder->length));
@@ -82,7 +94,7 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
 /// The file of an asset; warns where it is not the one that the scenario was saved with.
 Result<std::string> GeometryLoader::fileOf(const Asset& asset) {
   const std::string path = assetFile(asset, folder_);
-  const auto content = readFile(path, kMostBytes);
+  const auto content = readFile(path, kMostAssetBytes);
   if (!content) return content.error();
   if (!asset.sha256.empty() && sha256(*content) != asset.sha256) {
     warnings_.push_back({ErrorKind::MalformedInput, path, "", "has changed since the scenario was saved",
@@ -108,11 +120,7 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
 }
 
 Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
-  if (asset.unit != 1.0 || asset.up != UpAxis::Z) {
-    return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
-                      "has a unit or an up-axis, but a URDF file is always in metres and z up",
-                      "Leave out 'unit' and 'up_axis'."};
-  }
+  if (const Outcome sound = checkOwnUnit(asset, "URDF"); !sound) return sound.error();
   const auto path = fileOf(asset);
   if (!path) return path.error();
   auto links = importUrdf(*path, folderOf(*path));
@@ -125,11 +133,56 @@ Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
   return geometry;
 }
 
+Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
+  if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
+  const auto path = fileOf(asset);
+  if (!path) return path.error();
+  const auto parts = importStep(*path, asset.deflection, stop_);
+  if (!parts) return parts.error();
+  LoadedGeometry geometry;
+  for (const StepPart& part : *parts) {
+    const std::string name = parts->size() == 1 ? "" : part.path;
+    geometry.parts.push_back({name, part.mesh, part.X_FP, part.colour, part.deflection, part.facesWithoutMesh});
+  }
+  return geometry;
+}
+
+/// Of the file as a whole, which is read once.
+Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
+  const auto whole = load(StepGeometry{step.asset, ""});
+  if (!whole) return whole.error();
+  LoadedGeometry geometry;
+  for (const GeometryPart& part : (*whole)->parts) {
+    if (!isWithin(part.name, step.part)) continue;
+    geometry.parts.push_back(part);
+    geometry.parts.back().name = nameWithin(part.name, step.part);
+  }
+  if (!geometry.parts.empty()) return geometry;
+  return noSuchPart(assetFile(assetById(step.asset, scenario_), folder_), step.part, namesOf(**whole));
+}
+
+Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {
+  if (asset.unit == 1.0 && asset.up == UpAxis::Z) return Done{};
+  return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
+                    "has a unit or an up-axis, but a " + kind + " file says itself what its numbers mean, and is z up",
+                    "Leave out 'unit' and 'up_axis'."};
+}
+
+void chooseReferencePoint(ObjectDescription& object, const LoadedGeometry& geometry) {
+  object.centreOnVertexMean = std::holds_alternative<MeshGeometry>(object.geometry);
+  const bool step = std::holds_alternative<StepGeometry>(object.geometry);
+  object.referencePoint = step ? boxOf(geometry).center() : Vector3(Vector3::Zero());
+}
+
+Vector3 referencePointOf(const ObjectDescription& object, const LoadedGeometry& geometry) {
+  return object.centreOnVertexMean ? geometry.vertexMean : object.referencePoint;
+}
+
 TriangleMesh objectMesh(const ObjectDescription& object, const LoadedGeometry& geometry) {
   TriangleMesh mesh;
   for (const GeometryPart& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_BP));
-  if (object.centreOnVertexMean) mesh = transformed(mesh, Pose::translation(-geometry.vertexMean));
-  return mesh;
+  const Vector3 reference = referencePointOf(object, geometry);
+  return reference.isZero(0.0) ? mesh : transformed(mesh, Pose::translation(-reference));
 }
 
 Box3 boxOf(const LoadedGeometry& geometry) {

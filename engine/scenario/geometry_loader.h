@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/base/result.h"
+#include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -15,9 +16,10 @@ std::string geometryKey(const Geometry& geometry, const Scenario& scenario, cons
 class GeometryLoader {
  public:
   /// Assets are relative to `folder`; `file` is used in messages only. What is in `known` is not read again.
-  GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known);
+  GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known,
+                 StopToken stop = {});
 
-  /// Errors are MalformedInput with the file that they are in.
+  /// Errors are MalformedInput with the file that they are in, or Interrupted where it was stopped.
   Result<LoadedGeometryPtr> load(const Geometry& geometry);
 
   /// What was asked for.
@@ -30,14 +32,24 @@ class GeometryLoader {
   Result<std::string> fileOf(const Asset& asset);
   Result<LoadedGeometry> readMesh(const Asset& asset);
   Result<LoadedGeometry> readUrdf(const Asset& asset);
+  Result<LoadedGeometry> readStep(const Asset& asset);
+  Result<LoadedGeometry> partOf(const StepGeometry& step);
+  Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const Scenario& scenario_;
   std::string folder_;
   std::string file_;
   GeometryCache known_;
+  StopToken stop_;
   GeometryCache loaded_;
   Warnings warnings_;
 };
+
+/// Puts the reference point of an object where it turns best: a mesh file's into the mean of its vertices, a
+/// STEP part's into the middle of its box; elsewhere it is the origin.
+void chooseReferencePoint(ObjectDescription& object, const LoadedGeometry& geometry);
+/// In the geometry's frame.
+Vector3 referencePointOf(const ObjectDescription& object, const LoadedGeometry& geometry);
 
 /// The object as one mesh about its reference point.
 TriangleMesh objectMesh(const ObjectDescription& object, const LoadedGeometry& geometry);

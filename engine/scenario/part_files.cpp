@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
+#include <utility>
 
 #include "engine/base/file.h"
 #include "engine/import/mesh_import.h"
-#include "engine/scenario/asset_path.h"
+#include "engine/import/step_import.h"
 #include "engine/scenario/geometry_loader.h"
+#include "engine/scenario/part_adder.h"
+#include "engine/scenario/part_expansion.h"
 
 namespace glissade {
 namespace {
@@ -30,70 +32,15 @@ Outcome checkParts(const std::vector<PartFile>& parts) {
   return Done{};
 }
 
-std::string uniqueId(const std::string& stem, const std::set<std::string>& taken) {
-  std::string id = stem;
-  for (int number = 2; taken.count(id) > 0; ++number) id = stem + "-" + std::to_string(number);
-  return id;
+/// "product.step:pump/rotor" is a part of a STEP file, unless a file is called so.
+std::pair<std::string, std::string> splitPartName(const std::string& text) {
+  std::error_code noneThere;
+  for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
+    if (isStepFile(text.substr(0, at)) && !fs::exists(text, noneThere))
+      return {text.substr(0, at), text.substr(at + 1)};
+  }
+  return {text, ""};
 }
-
-std::set<std::string> assetIds(const Scenario& scenario) {
-  std::set<std::string> ids;
-  for (const Asset& asset : scenario.assets) ids.insert(asset.id);
-  return ids;
-}
-
-std::set<std::string> bodyIds(const Scenario& scenario) {
-  std::set<std::string> ids{scenario.object.id};
-  for (const BodyDescription& body : scenario.bodies) ids.insert(body.id);
-  return ids;
-}
-
-/// Adds files and bodies to a scenario that is saved as `file`, or nowhere yet.
-class PartAdder {
- public:
-  PartAdder(Scenario& scenario, const std::string& file)
-      : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {}
-
-  void addBody(const PartFile& part) {
-    BodyDescription body;
-    body.id = body.name = uniqueId(stemOf(part), bodyIds(scenario_));
-    body.mobility = part.role == PartRole::Mobile ? Mobility::Mobile : Mobility::Static;
-    body.geometry = geometryOf(part);
-    scenario_.bodies.push_back(std::move(body));
-  }
-
-  void setObject(const PartFile& part) {
-    ObjectDescription& object = scenario_.object;
-    object.id = object.name = stemOf(part);
-    object.geometry = geometryOf(part);
-    object.centreOnVertexMean = !isUrdfFile(part.path);
-  }
-
- private:
-  static std::string stemOf(const PartFile& part) { return fs::path(part.path).stem().string(); }
-
-  Geometry geometryOf(const PartFile& part) {
-    if (isUrdfFile(part.path)) return UrdfGeometry{assetOf(part)};
-    return MeshGeometry{assetOf(part)};
-  }
-
-  std::string assetOf(const PartFile& part) {
-    const auto same = std::find_if(scenario_.assets.begin(), scenario_.assets.end(), [&](const Asset& asset) {
-      std::error_code noneThere;
-      return asset.unit == part.unit && asset.up == part.up &&
-             fs::equivalent(assetFile(asset, folder_), part.path, noneThere);
-    });
-    if (same != scenario_.assets.end()) return same->id;
-    const std::string path = fs::absolute(part.path).lexically_normal().generic_string();
-    const std::string id = uniqueId(stemOf(part), assetIds(scenario_));
-    scenario_.assets.push_back({id, saved_ ? assetPathFrom(folder_, path) : path, "", part.unit, part.up});
-    return id;
-  }
-
-  Scenario& scenario_;
-  std::string folder_;
-  bool saved_;
-};
 
 /// Box of the bodies from the given one on.
 Result<Box3> boxOfBodies(GeometryLoader& loader, const Scenario& scenario, std::size_t first) {
@@ -110,20 +57,38 @@ Result<Box3> boxOfBodies(GeometryLoader& loader, const Scenario& scenario, std::
 
 bool isUrdfFile(const std::string& path) { return endingOf(path) == "urdf"; }
 
-bool isPartFile(const std::string& path) { return isUrdfFile(path) || isMeshFile(path); }
+bool saysItsUnit(const std::string& path) { return isUrdfFile(path) || isStepFile(path); }
 
-PartFile usualPart(const std::string& path) {
+bool isPartFile(const std::string& path) { return saysItsUnit(path) || isMeshFile(path); }
+
+PartFile usualPart(const std::string& text) {
+  const auto [path, part] = splitPartName(text);
   const std::string ending = endingOf(path);
-  if (ending == "urdf") return {path, PartRole::Static, 1.0, UpAxis::Z};
-  if (ending == "dae" || ending == "gltf" || ending == "glb") return {path, PartRole::Static, 1.0, UpAxis::Y};
-  return {path, PartRole::Static, 0.001, UpAxis::Z};
+  PartFile usual{path, PartRole::Static, 0.001, UpAxis::Z, part};
+  if (saysItsUnit(path)) usual.unit = 1.0;
+  if (ending == "dae" || ending == "gltf" || ending == "glb") {
+    usual.unit = 1.0;
+    usual.up = UpAxis::Y;
+  }
+  return usual;
 }
 
-Result<Box3> boxInFile(const std::string& path) {
+Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop) {
   Scenario scenario;
-  PartAdder(scenario, "").addBody({path, PartRole::Static, 1.0, UpAxis::Z});
-  GeometryLoader loader(scenario, ".", path, {});
-  return boxOfBodies(loader, scenario, 0);
+  PartAdder(scenario, "").addBody(part);
+  GeometryLoader loader(scenario, ".", part.path, read, stop);
+  auto geometry = loader.load(scenario.bodies.front().geometry);
+  if (geometry) read.merge(loader.loaded());
+  return geometry;
+}
+
+Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop) {
+  const auto geometry = readPart({path, PartRole::Static, 1.0, UpAxis::Z}, read, stop);
+  if (!geometry) return geometry.error();
+  if (!isStepFile(path)) return std::vector<MeasuredPart>{{"", boxOf(**geometry)}};
+  std::vector<MeasuredPart> parts;
+  for (const GeometryPart& part : (*geometry)->parts) parts.push_back({part.name, boundingBox(*part.mesh, part.X_BP)});
+  return parts;
 }
 
 Box3 roomAbout(const Box3& box, double radius) {
@@ -137,8 +102,12 @@ Box3 boxOfPart(const PartFile& part, const Box3& inFile) {
   return boundingBox(interpreted(corners, part.unit, part.up));
 }
 
-Result<Scenario> scenarioOfParts(const std::vector<PartFile>& parts, GeometryCache* read) {
-  if (const Outcome sound = checkParts(parts); !sound) return sound.error();
+Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCache* read, const StopToken& stop) {
+  if (const Outcome sound = checkParts(files); !sound) return sound.error();
+  GeometryCache known = read != nullptr ? *read : GeometryCache();
+  const auto entries = oneEntryEach(files, Scenario(), "", known, stop);
+  if (!entries) return entries.error();
+  const std::vector<PartFile>& parts = *entries;
   const auto moving = std::find_if(parts.begin(), parts.end(), moves);
   if (moving == parts.end()) return usage("", "no part moves", "Choose the part that moves.");
   if (const auto second = std::find_if(moving + 1, parts.end(), moves); second != parts.end()) {
@@ -150,14 +119,15 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& parts, GeometryCac
   for (const PartFile& part : parts) {
     if (!moves(part)) adder.addBody(part);
   }
-  GeometryLoader loader(scenario, ".", "", read != nullptr ? *read : GeometryCache());
+  GeometryLoader loader(scenario, ".", "", std::move(known), stop);
   const auto object = loader.load(scenario.object.geometry);
   if (!object) return object.error();
   const auto bodies = boxOfBodies(loader, scenario, 0);
   if (!bodies) return bodies.error();
   if (read != nullptr) read->merge(loader.loaded());
   scenario.name = scenario.object.name;
-  scenario.start = Pose::translation((*object)->vertexMean);
+  chooseReferencePoint(scenario.object, **object);
+  scenario.start = Pose::translation(referencePointOf(scenario.object, **object));
   scenario.goal = GoalOut{};
   scenario.workspace =
       roomAbout(bodies->merged(boxOf(**object)), radiusAboutOrigin(objectMesh(scenario.object, **object)));
@@ -165,16 +135,22 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& parts, GeometryCac
   return scenario;
 }
 
-Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, const std::vector<PartFile>& parts,
-                           GeometryCache* read) {
-  if (const Outcome sound = checkParts(parts); !sound) return sound.error();
-  if (const auto moving = std::find_if(parts.begin(), parts.end(), moves); moving != parts.end()) {
+Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, const std::vector<PartFile>& files,
+                           GeometryCache* read, const StopToken& stop) {
+  if (const Outcome sound = checkParts(files); !sound) return sound.error();
+  if (const auto moving = std::find_if(files.begin(), files.end(), moves); moving != files.end()) {
     return usage(moving->path, "cannot be what moves: the scenario has its object", "Make it static or mobile.");
+  }
+  GeometryCache known = read != nullptr ? *read : GeometryCache();
+  const auto parts = oneEntryEach(files, scenario, scenarioFile, known, stop);
+  if (!parts) return parts.error();
+  if (parts->empty()) {
+    return usage(files.front().path, "has no part that the scenario does not have", "Name the part to have it twice.");
   }
   const std::size_t before = scenario.bodies.size();
   PartAdder adder(scenario, scenarioFile);
-  for (const PartFile& part : parts) adder.addBody(part);
-  GeometryLoader loader(scenario, folderOf(scenarioFile), scenarioFile, read != nullptr ? *read : GeometryCache());
+  for (const PartFile& part : *parts) adder.addBody(part);
+  GeometryLoader loader(scenario, folderOf(scenarioFile), scenarioFile, std::move(known), stop);
   const auto added = boxOfBodies(loader, scenario, before);
   if (!added) return added.error();
   const auto object = loader.load(scenario.object.geometry);

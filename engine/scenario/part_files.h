@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -15,44 +16,61 @@ enum class PartRole { Moves, Static, Mobile };
 struct PartFile {
   std::string path;
   PartRole role = PartRole::Static;
-  double unit = 0.001;    ///< metres per unit of the file; 1 for URDF
-  UpAxis up = UpAxis::Z;  ///< Z for URDF
+  double unit = 0.001;      ///< metres per unit of the file; 1 where saysItsUnit()
+  UpAxis up = UpAxis::Z;    ///< Z where saysItsUnit()
+  std::string part{};       ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
+  double deflection = 0.0;  ///< as of Asset
 };
 
-/// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF in
-/// metres and z up, others in millimetres and z up.
-PartFile usualPart(const std::string& path);
+/// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF and STEP
+/// as they say, others in millimetres and z up. `text` names a file, or a part of a STEP file:
+/// "product.step:pin".
+PartFile usualPart(const std::string& text);
 
-/// Always in metres and z up, whatever a person says.
 bool isUrdfFile(const std::string& path);
 
-/// Whether the ending is one that parts have: of a mesh or a URDF file.
+/// URDF and STEP: the file says what its numbers mean, whatever a person says, and is z up.
+bool saysItsUnit(const std::string& path);
+
+/// Whether the ending is one that parts have: of a mesh, a STEP or a URDF file.
 bool isPartFile(const std::string& path);
 
-/// Bounding box of what a file holds, in its own units and axes. Errors: it cannot be read.
-Result<Box3> boxInFile(const std::string& path);
+/// What a part is made of. What is in `read` is not read again, and what is read comes into it. Errors: it
+/// cannot be read, or was stopped.
+Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop = {});
+
+/// One of the parts of a file, with its bounding box in the units and axes of the file (metres where
+/// saysItsUnit()).
+struct MeasuredPart {
+  std::string part;  ///< as of PartFile; empty where the file holds one
+  Box3 inFile;
+};
+/// The parts of a STEP file, or the one that another file is. `read` and errors as of readPart().
+Result<std::vector<MeasuredPart>> partsInFile(const std::string& path, GeometryCache& read, const StopToken& stop = {});
 
 /// Where the reference point of an object of this radius may be so that it can get clear of the box, and
 /// move there.
 Box3 roomAbout(const Box3& box, double radius);
 
-/// Where a part lies: metres, z up. `inFile` is boxInFile() of its path.
+/// Where a part lies: metres, z up. `inFile` is of partsInFile().
 Box3 boxOfPart(const PartFile& part, const Box3& inFile);
 
-/// A scenario of these parts, one of which moves: it is to come "out", from where it lies. Its reference
-/// point is the mean of its vertices (the origin of a URDF file); the workspace leaves room for "out" on
+/// A scenario of these parts, one of which moves: it is to come "out", from where it lies. A STEP file that
+/// moves does so as one; of others each part is a body of its own, unless another entry names it. The reference
+/// point is in the middle of the part (the origin of a URDF file); the workspace leaves room for "out" on
 /// every side. Reads all files, which takes its time; what is in `read` (may be null) is not read again, and what is
 /// read comes into it.
 ///
 /// Errors are Usage where not exactly one part moves, and those of the importers.
-Result<Scenario> scenarioOfParts(const std::vector<PartFile>& parts, GeometryCache* read = nullptr);
+Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCache* read = nullptr,
+                                 const StopToken& stop = {});
 
-/// The scenario with more bodies. Files that are assets already, taken the same way, are not listed
-/// again; where the goal is "out", the workspace grows so that it stays within reach. `scenarioFile` is
-/// where the scenario is saved, empty: nowhere yet.
+/// The scenario with more bodies: of a STEP file the parts that it does not have yet. Files that are assets already,
+/// taken the same way, are not listed again; where the goal is "out", the workspace grows so that it stays within
+/// reach. `scenarioFile` is where the scenario is saved, empty: nowhere yet.
 ///
 /// `read` as above. Errors are Usage where there is no part or one moves, and those of the importers.
-Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, const std::vector<PartFile>& parts,
-                           GeometryCache* read = nullptr);
+Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, const std::vector<PartFile>& files,
+                           GeometryCache* read = nullptr, const StopToken& stop = {});
 
 }  // namespace glissade

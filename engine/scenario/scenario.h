@@ -23,6 +23,7 @@ struct Asset {
   std::string sha256;  ///< of the content when the scenario was saved; empty: unknown
   double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
   UpAxis up = UpAxis::Z;
+  double deflection = 0.0;  ///< metres that triangles may be off a STEP surface; 0: by the size of each part
 };
 
 struct MeshGeometry {
@@ -31,6 +32,12 @@ struct MeshGeometry {
 /// All links (fixed joints) of a URDF file: bodies "<body id>/<link>", or the one compound object.
 struct UrdfGeometry {
   std::string asset;
+};
+/// A part of a STEP file where its assembly has it, an assembly in it ("pump" has "pump/rotor"), or (empty)
+/// all of it: bodies "<body id>/<part>" where it is several, or the one compound object.
+struct StepGeometry {
+  std::string asset;
+  std::string part;
 };
 struct BoxGeometry {
   Vector3 size;
@@ -42,7 +49,7 @@ struct CylinderGeometry {
 struct SphereGeometry {
   double radius;
 };
-using Geometry = std::variant<MeshGeometry, UrdfGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
+using Geometry = std::variant<MeshGeometry, UrdfGeometry, StepGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
 
 struct BodyDescription {
   std::string id;
@@ -60,6 +67,9 @@ struct ObjectDescription {
   Geometry geometry;
   /// OMPL.app moves the robot so that the mean of its imported vertices is the reference point.
   bool centreOnVertexMean = false;
+  /// Where else its reference point is, in the geometry's frame. Written down, because the triangles of a STEP
+  /// part are not the same everywhere.
+  Vector3 referencePoint = Vector3::Zero();
   std::optional<Colour> colour;
   Attributes attributes;
 };
@@ -94,10 +104,12 @@ void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario);
 
 /// One rigid part of what a geometry names, as read.
 struct GeometryPart {
-  std::string name;  ///< of the URDF link; empty where there is only one part
+  std::string name;  ///< of the URDF link or STEP part; empty where there is only one part
   MeshPtr mesh;      ///< in the part's frame P
   Pose X_BP;
   std::optional<Colour> colour;
+  double deflection = 0.0;           ///< metres that the mesh is off a STEP surface, about; else 0
+  std::size_t facesWithoutMesh = 0;  ///< of STEP, that are missing because they could not be tessellated
 };
 struct LoadedGeometry {
   std::vector<GeometryPart> parts;
@@ -111,9 +123,11 @@ using GeometryCache = std::map<std::string, LoadedGeometryPtr>;
 struct LoadedScenario {
   Scenario scenario;
   std::string file;                  ///< where it came from
-  std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links expanded
+  std::vector<RigidBody> obstacles;  ///< in the order of the scenario, URDF links and STEP parts expanded
   RigidBody object;                  ///< X_WB is the start
   GeometryCache geometry;            ///< what the bodies and the object are made of
+  /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
+  std::map<std::string, double> deflections;
   Problem problem;
   ParameterValues parameters{1.0};
   Warnings warnings;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -16,12 +17,13 @@ std::string writeScenario(const Scenario& scenario);
 
 /// Reads a scenario file or an OMPL.app .cfg (by its ending), imports all geometry, checks it, and
 /// builds the problem. Start and goal in collision are not errors here: a session says so at its start.
-Result<LoadedScenario> loadScenario(const std::string& file);
+/// Takes its time where a STEP file is read; Interrupted is the error where it was stopped.
+Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop = {});
 
 /// Loads geometry for a scenario value whose assets are relative to `folder`; what is in `known` (of a scenario
 /// loaded before) is not read again.
 Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
-                                       const GeometryCache& known = {});
+                                       const GeometryCache& known = {}, const StopToken& stop = {});
 
 /// SHA-256 of an asset's file as it is now. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);

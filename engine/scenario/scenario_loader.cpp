@@ -31,13 +31,37 @@ Mobility mobilityOf(const BodyDescription& description) {
   return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
 }
 
+std::string idOf(const std::string& bodyId, const GeometryPart& part) {
+  return part.name.empty() ? bodyId : bodyId + "/" + part.name;
+}
+
+/// What of a STEP file is not there is free space to the planner.
+void warnIfIncomplete(const LoadedGeometry& geometry, const std::string& id, const std::string& file,
+                      Warnings& warnings) {
+  for (const GeometryPart& part : geometry.parts) {
+    if (part.facesWithoutMesh == 0) continue;
+    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + idOf(id, part) + "'",
+                        "misses " + std::to_string(part.facesWithoutMesh) + " faces that could not be tessellated",
+                        "Do not trust paths near it; export it again, or as a mesh."});
+  }
+}
+
+/// `merged`: all parts are one rigid body.
+void noteDeflections(const LoadedGeometry& geometry, const std::string& bodyId, bool merged,
+                     std::map<std::string, double>& deflections) {
+  for (const GeometryPart& part : geometry.parts) {
+    if (part.deflection == 0.0) continue;
+    double& deflection = deflections[merged ? bodyId : idOf(bodyId, part)];
+    deflection = std::max(deflection, part.deflection);
+  }
+}
+
 std::vector<RigidBody> toBodies(const BodyDescription& description, const LoadedGeometry& geometry) {
   std::vector<RigidBody> bodies;
   for (const GeometryPart& part : geometry.parts) {
     RigidBody body;
-    const bool several = !part.name.empty();
-    body.id = several ? description.id + "/" + part.name : description.id;
-    body.name = several ? part.name : description.name;
+    body.id = idOf(description.id, part);
+    body.name = part.name.empty() ? description.name : part.name;
     body.mobility = mobilityOf(description);
     body.mesh = part.mesh;
     body.X_WB = normalized(description.pose) * part.X_BP;
@@ -48,7 +72,7 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, const Loaded
   return bodies;
 }
 
-Result<RigidBody> loadObject(const Scenario& scenario, GeometryLoader& loader) {
+Result<RigidBody> loadObject(const Scenario& scenario, const std::string& file, GeometryLoader& loader) {
   const auto loaded = loader.load(scenario.object.geometry);
   if (!loaded) return loaded.error();
   const LoadedGeometry& geometry = **loaded;
@@ -58,6 +82,7 @@ Result<RigidBody> loadObject(const Scenario& scenario, GeometryLoader& loader) {
   object.mobility = Mobility::Mobile;
   object.mesh = std::make_shared<const TriangleMesh>(objectMesh(scenario.object, geometry));
   object.X_WB = normalized(scenario.start);
+  warnIfIncomplete(geometry, object.id, file, loader.warnings());
   object.colour =
       scenario.object.colour ? *scenario.object.colour : geometry.parts.front().colour.value_or(kObjectColour);
   return object;
@@ -122,24 +147,27 @@ Result<Scenario> readScenario(const std::string& file) {
 
 }  // namespace
 
-Result<LoadedScenario> loadScenario(const std::string& file) {
+Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop) {
   auto scenario = readScenario(file);
   if (!scenario) return scenario.error();
-  return realiseScenario(std::move(*scenario), folderOf(file), file);
+  return realiseScenario(std::move(*scenario), folderOf(file), file, {}, stop);
 }
 
 Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
-                                       const GeometryCache& known) {
+                                       const GeometryCache& known, const StopToken& stop) {
   LoadedScenario loaded;
   loaded.file = file;
-  GeometryLoader loader(scenario, folder, file, known);
+  GeometryLoader loader(scenario, folder, file, known, stop);
   for (const BodyDescription& body : scenario.bodies) {
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
+    warnIfIncomplete(**geometry, body.id, file, loader.warnings());
+    noteDeflections(**geometry, body.id, false, loaded.deflections);
     for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
   }
-  auto object = loadObject(scenario, loader);
+  auto object = loadObject(scenario, file, loader);
   if (!object) return object.error();
+  noteDeflections(**loader.load(scenario.object.geometry), scenario.object.id, true, loaded.deflections);
   loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());
@@ -161,8 +189,7 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
 }
 
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile) {
-  constexpr std::size_t kMostBytes = 100U << 20;
-  const auto content = readFile(assetFile(asset, folderOf(scenarioFile)), kMostBytes);
+  const auto content = readFile(assetFile(asset, folderOf(scenarioFile)), kMostAssetBytes);
   if (!content) return content.error();
   return sha256(*content);
 }

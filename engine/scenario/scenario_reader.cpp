@@ -24,7 +24,7 @@ Colour readColour(const JsonCursor& at) {
 }
 
 Asset readAsset(const JsonCursor& at) {
-  at.allowOnly({"id", "path", "sha256", "unit", "up_axis"});
+  at.allowOnly({"id", "path", "sha256", "unit", "up_axis", "deflection"});
   Asset asset;
   asset.id = at.at("id").nonEmptyText();
   asset.path = at.at("path").nonEmptyText();
@@ -35,12 +35,13 @@ Asset readAsset(const JsonCursor& at) {
     if (axis != "y" && axis != "z") up->fail("is neither \"y\" nor \"z\"");
     asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
   }
+  if (const auto deflection = at.find("deflection")) asset.deflection = deflection->positiveNumber();
   return asset;
 }
 
-/// Exactly one of {"mesh": asset}, {"urdf": asset}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
+/// Exactly one of {"mesh": asset}, {"urdf": asset}, {"step": ...}, {"box": size}, {"cylinder": ...}, {"sphere": ...}.
 Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets) {
-  at.allowOnly({"mesh", "urdf", "box", "cylinder", "sphere"});
+  at.allowOnly({"mesh", "urdf", "step", "box", "cylinder", "sphere"});
   if (at.json().size() != 1) at.fail("does not name exactly one shape");
   const auto assetOf = [&](const JsonCursor& name) {
     const std::string id = name.text();
@@ -49,6 +50,10 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   };
   if (const auto mesh = at.find("mesh")) return MeshGeometry{assetOf(*mesh)};
   if (const auto urdf = at.find("urdf")) return UrdfGeometry{assetOf(*urdf)};
+  if (const auto step = at.find("step")) {
+    step->allowOnly({"asset", "part"});
+    return StepGeometry{assetOf(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : ""};
+  }
   if (const auto box = at.find("box")) {
     const Vector3 size = box->vector();
     if (size.minCoeff() <= 0.0) box->fail("has a size that is not above zero");
@@ -81,7 +86,7 @@ BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& asse
 }
 
 ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& assets) {
-  at.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "colour", "attributes"});
+  at.allowOnly({"id", "name", "geometry", "centre_on_vertex_mean", "reference_point", "colour", "attributes"});
   ObjectDescription object;
   object.id = at.at("id").nonEmptyText();
   object.name = at.has("name") ? at.at("name").text() : object.id;
@@ -90,6 +95,10 @@ ObjectDescription readObject(const JsonCursor& at, const std::set<std::string>& 
     object.centreOnVertexMean = centre->boolean();
     const bool mesh = std::holds_alternative<MeshGeometry>(object.geometry);
     if (object.centreOnVertexMean && !mesh) centre->fail("is for mesh files only");
+  }
+  if (const auto point = at.find("reference_point")) {
+    object.referencePoint = point->vector();
+    if (object.centreOnVertexMean) point->fail("is said twice: there is 'centre_on_vertex_mean'");
   }
   if (const auto colour = at.find("colour")) object.colour = readColour(*colour);
   object.attributes = readAttributes(at.find("attributes"));

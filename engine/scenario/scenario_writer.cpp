@@ -21,6 +21,7 @@ Json toJson(const Asset& asset) {
   if (!asset.sha256.empty()) json["sha256"] = asset.sha256;
   json["unit"] = asset.unit;
   json["up_axis"] = asset.up == UpAxis::Y ? "y" : "z";
+  if (asset.deflection > 0.0) json["deflection"] = asset.deflection;
   return json;
 }
 
@@ -30,6 +31,12 @@ Json toJson(const Geometry& geometry) {
                                },
                                [](const UrdfGeometry& urdf) -> Json {
                                  return {{"urdf", urdf.asset}};
+                               },
+                               [](const StepGeometry& step) -> Json {
+                                 Json json;
+                                 json["asset"] = step.asset;
+                                 if (!step.part.empty()) json["part"] = step.part;
+                                 return {{"step", json}};
                                },
                                [](const BoxGeometry& box) -> Json {
                                  return {{"box", glissade::toJson(box.size)}};
@@ -73,6 +80,7 @@ Json toJson(const ObjectDescription& object) {
   json["name"] = object.name;
   json["geometry"] = toJson(object.geometry);
   if (object.centreOnVertexMean) json["centre_on_vertex_mean"] = true;
+  if (!object.referencePoint.isZero(0.0)) json["reference_point"] = glissade::toJson(object.referencePoint);
   addAppearance(json, object.colour, object.attributes);
   return json;
 }

@@ -2197,6 +2197,10 @@
         <source>This cannot be done with the path</source>
         <translation>C&apos;est impossible avec ce chemin</translation>
     </message>
+    <message>
+        <source>Opening the scenario</source>
+        <translation>Ouverture du scénario</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>
@@ -2275,10 +2279,6 @@
         <translation>Ajouter des &amp;fichiers…</translation>
     </message>
     <message>
-        <source>Meshes (STL, OBJ, Collada, glTF) or URDF files</source>
-        <translation>Maillages (STL, OBJ, Collada, glTF) ou fichiers URDF</translation>
-    </message>
-    <message>
         <source>Takes the selected rows out of the list (Del)</source>
         <translation>Retire de la liste les lignes sélectionnées (Suppr)</translation>
     </message>
@@ -2305,14 +2305,6 @@
     <message>
         <source>Axis of %1 that points up</source>
         <translation>Axe de %1 qui pointe vers le haut</translation>
-    </message>
-    <message>
-        <source>A URDF file is always in metres, with Z up</source>
-        <translation>Un fichier URDF est toujours en mètres, Z vers le haut</translation>
-    </message>
-    <message>
-        <source>What the part is in the scenario</source>
-        <translation>Ce que la pièce est dans le scénario</translation>
     </message>
     <message>
         <source>Moves</source>
@@ -2367,10 +2359,6 @@
         <translation>Ajouter les fichiers de pièces</translation>
     </message>
     <message>
-        <source>Parts (*.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)</source>
-        <translation>Pièces (*.stl *.obj *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>cannot be read</source>
         <translation>illisible</translation>
     </message>
@@ -2387,8 +2375,24 @@
         <translation>Choisissez la pièce qui bouge.</translation>
     </message>
     <message>
-        <source>Select several rows to choose their unit or axis together.</source>
-        <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur unité ou leur axe.</translation>
+        <source>Meshes (STL, OBJ, Collada, glTF), STEP or URDF files</source>
+        <translation>Fichiers de maillages (STL, OBJ, Collada, glTF), STEP ou URDF</translation>
+    </message>
+    <message>
+        <source>The file says its unit itself; Z is up</source>
+        <translation>Le fichier indique lui-même son unité ; Z est vers le haut</translation>
+    </message>
+    <message>
+        <source>What the part is in the scenario; static or mobile: all selected rows together</source>
+        <translation>Ce que la pièce est dans le scénario ; fixe ou mobile : toutes les lignes sélectionnées ensemble</translation>
+    </message>
+    <message>
+        <source>Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)</source>
+        <translation>Pièces (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Select several rows to choose their role, unit or axis together.</source>
+        <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
     </message>
 </context>
 <context>
@@ -2804,6 +2808,10 @@
     <message>
         <source>%1: drawn while the box is checked</source>
         <translation>%1 : dessiné tant que la case est cochée</translation>
+    </message>
+    <message>
+        <source>Within about %1 mm of the part&apos;s surface</source>
+        <translation>À environ %1 mm près de la surface de la pièce</translation>
     </message>
 </context>
 <context>

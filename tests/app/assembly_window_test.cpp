@@ -1,6 +1,7 @@
 // Parts, bodies and the ends of the motion, arranged in the window as a person would.
 #include "tests/app/window_fixture.h"
 #include "tests/engine/support/part_fixture.h"
+#include "tests/engine/support/step_files.h"
 
 namespace {
 
@@ -36,6 +37,24 @@ TEST_F(AssemblyWindow, APartOfAProductIsTakenOutOfItFromItsFilesAlone) {
                                     "action edit.undo\nexpect-place tray 0,0,0\n")
                          .arg(QString::fromStdString(product.block), QString::fromStdString(product.tray), saved)));
   expectRefused(QString(), QStringLiteral("new-scenario gone.stl 0.001 Z\n"), "cannot be opened");
+}
+
+TEST_F(AssemblyWindow, APartIsTakenOutOfAProductInOneStepFile) {
+  const QString saved = folder.filePath(QStringLiteral("unit.json"));
+  const QString unit = QString::fromStdString(stepFile("unit.step"));
+  expectGood(run(QString(), QStringLiteral("new-scenario %1:pin 1 Z\n"
+                                           "add-part %1 static 1 Z\n"
+                                           "expect-place pin#2 0,0,0\nexpect-place start 0,0,10\n"
+                                           "action run.start\nwait ended 20000\nexpect solved\n"
+                                           "save %2\nopen %2\n"
+                                           "select body pump.housing\naction assembly.moves\n"
+                                           "expect-place start 300,0,20\nexpect-place pin 0,0,0\n"
+                                           "place pin#2 50,0,0 0,0,90\nexpect-place pin#2 50,0,0\n"
+                                           "action edit.undo\naction edit.undo\nexpect-place start 0,0,10\n"
+                                           "select body plate\naction assembly.remove\nexpect-place plate nowhere\n"
+                                           "action edit.undo\nexpect-place plate 0,0,0\n")
+                                .arg(unit, saved)));
+  expectRefused(QString(), QStringLiteral("new-scenario %1:pim 1 Z\n").arg(unit), "pin#2");
 }
 
 TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenThere) {

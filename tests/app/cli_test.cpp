@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "tests/engine/support/part_fixture.h"
+#include "tests/engine/support/step_files.h"
 
 namespace {
 
@@ -388,6 +389,26 @@ TEST_F(Cli, MakesAScenarioOfPartsAndTakesOneOut) {
   EXPECT_EQ(run("new " + made + " --moves gone.stl").exitCode, 3);
   EXPECT_EQ(run("new " + made).exitCode, 2);
   EXPECT_EQ(run("new " + made + parts + " --up x").exitCode, 2);
+}
+
+TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
+  const std::string made = (folder / "product.json").string();
+  const std::string path = (folder / "product.csv").string();
+  const std::string unit = glissade::test::stepFile("unit.step");
+  const Finished fresh = run("new " + made + " --moves " + unit + ":pin --static " + unit + " --deflection 0.1mm");
+  ASSERT_EQ(fresh.exitCode, 0) << fresh.err;
+  const Json info = Json::parse(run("info " + made + " --json").out);
+  ASSERT_EQ(info["bodies"].size(), 4U);
+  EXPECT_EQ(info["bodies"][1]["name"], "pin#2");
+  EXPECT_EQ(info["bodies"][1]["deflection_m"], 1e-4);
+  EXPECT_EQ(info["object"]["closed"], true);
+  EXPECT_NE(run("info " + made).out.find("within 0.1 mm"), std::string::npos);
+  ASSERT_EQ(run("plan " + made + " --out " + path).exitCode, 0);
+  EXPECT_EQ(run("check " + made + " " + path).exitCode, 0);
+  const Finished wrong = run("new " + made + " --moves " + unit + ":pim");
+  EXPECT_EQ(wrong.exitCode, 3);
+  EXPECT_NE(wrong.err.find("plate, pin, pin#2"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run("new " + made + " --moves " + unit + " --deflection 0").exitCode, 2);
 }
 
 TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tests/engine/support/part_fixture.h"
+#include "tests/engine/support/step_files.h"
 
 namespace glissade {
 namespace {
@@ -145,6 +146,47 @@ TEST_F(PartsPage, AUrdfFileIsInMetresWhateverIsSelected) {
   EXPECT_EQ(dialog.parts()[2].unit, 1.0);
   EXPECT_EQ(combo(dialog, 2, PartsDialog::kUnit).currentText(), QStringLiteral("m"));
   EXPECT_TRUE(scenarioOfParts(dialog.parts()));
+}
+
+TEST_F(PartsPage, EveryPartOfAStepFileIsARow) {
+  PartsDialog dialog(Purpose::NewScenario, {files()[0], text(test::stepFile("unit.step")), files()[1]}, true);
+  std::vector<std::string> names;
+  for (const PartFile& part : dialog.parts()) names.push_back(part.part);
+  EXPECT_EQ(names, (std::vector<std::string>{"", "plate", "pin", "pin#2", "pump/housing", "pump/Läufer", ""}));
+  EXPECT_EQ(table(dialog).item(5, PartsDialog::kPart)->text(), QStringLiteral("unit.step: pump/Läufer"));
+  EXPECT_EQ(roles(dialog)[5], kMoves) << "the smallest";
+  EXPECT_FALSE(combo(dialog, 1, PartsDialog::kUnit).isEnabled());
+  choose(dialog, 2, PartsDialog::kRole, "Moves");
+  table(dialog).selectAll();
+  choose(dialog, 0, PartsDialog::kUnit, "inch");
+  EXPECT_EQ(dialog.parts()[0].unit, 0.0254);
+  EXPECT_EQ(dialog.parts()[1].unit, 1.0);
+  EXPECT_TRUE(mayAccept(dialog));
+  table(dialog).clearSelection();
+  table(dialog).selectRow(1);
+  dialog.findChild<QPushButton*>(QStringLiteral("remove"))->click();
+  GeometryCache read = dialog.read();
+  const auto scenario = scenarioOfParts(dialog.parts(), &read);
+  ASSERT_TRUE(scenario) << toString(scenario.error());
+  EXPECT_EQ(scenario->object.id, "pin");
+  EXPECT_EQ(scenario->bodies.size(), 5U);
+}
+
+TEST_F(PartsPage, AStepFileOfOnePartIsOneRow) {
+  const PartsDialog dialog(Purpose::NewScenario, {text(test::stepFile("box.step"))}, true);
+  ASSERT_EQ(dialog.parts().size(), 1U);
+  EXPECT_EQ(dialog.parts()[0].part, "");
+  EXPECT_TRUE(mayAccept(dialog));
+}
+
+TEST_F(PartsPage, ARoleIsOfAllSelectedRows) {
+  PartsDialog dialog(Purpose::NewScenario, files() << pin(), true);
+  choose(dialog, 1, PartsDialog::kRole, "Moves");
+  table(dialog).setRangeSelected({0, 0, 2, PartsDialog::kSize}, true);
+  choose(dialog, 2, PartsDialog::kRole, "Mobile");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMobile, kMobile, kMobile}));
+  choose(dialog, 0, PartsDialog::kRole, "Moves");
+  EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kMoves, kMobile, kMobile})) << "one moves";
 }
 
 TEST_F(PartsPage, WhatCannotBeReadIsSaidAndHoldsUpTheRest) {

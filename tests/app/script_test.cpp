@@ -14,6 +14,13 @@ TEST(Script, ReadsCommandsAndSkipsCommentsAndEmptyLines) {
   EXPECT_EQ((*script)[1].line, 4);
 }
 
+TEST(Script, PartsOfOneNameAreNoComments) {
+  const auto script = parseScript("select body pin#2 #and a comment\n#quit\n", "a.script");
+  ASSERT_TRUE(script);
+  ASSERT_EQ(script->size(), 1U);
+  EXPECT_EQ((*script)[0].arguments, (std::vector<std::string>{"body", "pin#2"}));
+}
+
 TEST(Script, ErrorsNameFileAndLine) {
   for (const char* bad : {"action run.start\nexplode\n", "action run.start\nwait solved\n"}) {
     const auto script = parseScript(bad, "a.script");

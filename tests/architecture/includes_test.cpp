@@ -85,12 +85,26 @@ TEST(Architecture, TheEngineKnowsNeitherQtNorOsgNorTheWindow) {
 }
 
 TEST(Architecture, WindowAndWidgetsReachTheLibrariesOfTheEngineOnlyThroughIt) {
-  static const std::regex forbidden(R"(^(fcl|assimp|urdf_|urdf/|spnav|SDL))");
+  static const std::regex forbidden(R"(^(fcl|assimp|urdf_|urdf/|spnav|SDL)|\.hxx$)");
   for (const std::string folder : {"widgets", "app"}) {
     for (const Include& include : includesUnder(folder)) {
       EXPECT_FALSE(std::regex_search(include.what, forbidden)) << include.from << " includes " << include.what;
     }
   }
+}
+
+TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
+  const std::set<std::string> process{"engine/import/confined_step_import.cpp", "engine/import/step_assembly.cpp",
+                                      "engine/import/step_assembly.h", "engine/import/step_tessellation.cpp",
+                                      "engine/import/step_tessellation.h"};
+  static const std::regex openCascade(R"(\.hxx$)");
+  int seen = 0;
+  for (const Include& include : includesUnder("engine")) {
+    if (!std::regex_search(include.what, openCascade)) continue;
+    ++seen;
+    EXPECT_TRUE(process.count(include.from)) << include.from << " includes " << include.what;
+  }
+  EXPECT_GT(seen, 10);
 }
 
 TEST(Architecture, OnlyOneFileOfTheEngineKnowsSdl) {

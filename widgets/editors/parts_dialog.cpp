@@ -113,7 +113,7 @@ void PartsDialog::setUpTable() {
 QLayout* PartsDialog::makeFileButtons() {
   auto* add = new QPushButton(tr("Add &files…"), this);
   add->setObjectName(QStringLiteral("add-files"));
-  add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF) or URDF files"));
+  add->setToolTip(tr("Meshes (STL, OBJ, Collada, glTF), STEP or URDF files"));
   remove_->setObjectName(QStringLiteral("remove"));
   remove_->setEnabled(false);
   remove_->setToolTip(tr("Takes the selected rows out of the list (Del)"));
@@ -147,18 +147,21 @@ QLayout* PartsDialog::makeEnd() {
 }
 
 void PartsDialog::addFiles(const QStringList& files) {
-  for (const QString& file : files) addRow(QFileInfo(file).absoluteFilePath());
+  for (const QString& file : files) {
+    const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
+    if (rowOf(path) < 0) addRow(table_->rowCount(), usualPart(path));
+  }
   refresh();
   if (!measuring_.isBusy()) measureNext();
 }
 
-void PartsDialog::addRow(const QString& file) {
-  if (rowOf(file.toStdString()) >= 0) return;
-  const int row = table_->rowCount();
-  rows_.push_back({usualPart(file.toStdString()), std::nullopt});
+void PartsDialog::addRow(int row, const PartFile& part) {
+  rows_.insert(rows_.begin() + row, {part, std::nullopt});
   table_->insertRow(row);
   for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
-  const QString name = QFileInfo(file).fileName();
+  const QString file = QString::fromStdString(part.path);
+  QString name = QFileInfo(file).fileName();
+  if (!part.part.empty()) name += QStringLiteral(": ") + QString::fromStdString(part.part);
   table_->item(row, kPart)->setText(name);
   table_->item(row, kPart)->setToolTip(QDir::toNativeSeparators(file));
   QComboBox* role = makeRole(tr("Role of %1").arg(name));
@@ -167,15 +170,16 @@ void PartsDialog::addRow(const QString& file) {
   for (const auto& [column, combo] : {std::pair(kRole, role), std::pair(kUnit, unit), std::pair(kUp, up)}) {
     table_->setCellWidget(row, column, makeCell(combo));
   }
-  if (!isUrdfFile(file.toStdString())) return;
+  if (!saysItsUnit(part.path)) return;
   for (QComboBox* fixed : {unit, up}) {
     fixed->setEnabled(false);
-    fixed->setToolTip(tr("A URDF file is always in metres, with Z up"));
+    fixed->setToolTip(tr("The file says its unit itself; Z is up"));
   }
 }
 
 QComboBox* PartsDialog::makeRole(const QString& name) {
-  QComboBox* role = makeCombo("role", name, tr("What the part is in the scenario"));
+  QComboBox* role =
+      makeCombo("role", name, tr("What the part is in the scenario; static or mobile: all selected rows together"));
   const auto add = [role](const QString& label, PartRole value, const QString& tip) {
     role->addItem(label, static_cast<int>(value));
     role->setItemData(role->count() - 1, tip, Qt::ToolTipRole);
@@ -197,7 +201,9 @@ QComboBox* PartsDialog::makeUnit(const QString& name) {
   unit->addItem(tr("mm"), 0.001);
   unit->addItem(tr("inch"), 0.0254);
   connect(unit, QOverload<int>::of(&QComboBox::activated), this, [this, unit] {
-    for (const int i : rowsWith(rowOf(unit, kUnit))) rows_[i].part.unit = unit->currentData().toDouble();
+    for (const int i : rowsWith(rowOf(unit, kUnit))) {
+      if (!saysItsUnit(rows_[i].part.path)) rows_[i].part.unit = unit->currentData().toDouble();
+    }
     refresh();
   });
   return unit;
@@ -208,7 +214,9 @@ QComboBox* PartsDialog::makeUp(const QString& name) {
   up->addItem(QStringLiteral("Z"), static_cast<int>(UpAxis::Z));
   up->addItem(QStringLiteral("Y"), static_cast<int>(UpAxis::Y));
   connect(up, QOverload<int>::of(&QComboBox::activated), this, [this, up] {
-    for (const int i : rowsWith(rowOf(up, kUp))) rows_[i].part.up = static_cast<UpAxis>(up->currentData().toInt());
+    for (const int i : rowsWith(rowOf(up, kUp))) {
+      if (!saysItsUnit(rows_[i].part.path)) rows_[i].part.up = static_cast<UpAxis>(up->currentData().toInt());
+    }
     refresh();
   });
   return up;
@@ -217,35 +225,45 @@ QComboBox* PartsDialog::makeUp(const QString& name) {
 void PartsDialog::chooseFiles() {
   const QString folder =
       rows_.empty() ? QString() : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
-  addFiles(QFileDialog::getOpenFileNames(this, tr("Add the files of parts"), folder,
-                                         tr("Parts (*.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)")));
+  addFiles(QFileDialog::getOpenFileNames(
+      this, tr("Add the files of parts"), folder,
+      tr("Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)")));
 }
 
 void PartsDialog::removeSelected() {
   for (int row = table_->rowCount() - 1; row >= 0; --row) {
     if (!table_->selectionModel()->isRowSelected(row, QModelIndex())) continue;
-    table_->removeRow(row);
-    rows_.erase(rows_.begin() + row);
+    removeRow(row);
   }
   refresh();
 }
 
+void PartsDialog::removeRow(int row) {
+  table_->removeRow(row);
+  rows_.erase(rows_.begin() + row);
+}
+
+/// One part moves; the other roles are given to all selected rows together.
 void PartsDialog::chooseRole(int row, PartRole role) {
-  for (Row& other : rows_) {
-    if (role == PartRole::Moves && other.part.role == role) other.part.role = PartRole::Static;
+  if (role == PartRole::Moves) {
+    for (Row& other : rows_) {
+      if (other.part.role == role) other.part.role = PartRole::Static;
+    }
+    rows_[row].part.role = role;
+  } else {
+    for (const int i : rowsWith(row)) rows_[i].part.role = role;
   }
-  rows_[row].part.role = role;
   roleChosen_ = true;
   refresh();
 }
 
-/// The row alone, or with the others selected where it is one of them; URDF files are what they are.
+/// The row alone, or with the others selected where it is one of them.
 std::vector<int> PartsDialog::rowsWith(int row) const {
   const QItemSelectionModel& selection = *table_->selectionModel();
   if (!selection.isRowSelected(row, QModelIndex())) return {row};
   std::vector<int> rows;
   for (int i = 0; i < table_->rowCount(); ++i) {
-    if (selection.isRowSelected(i, QModelIndex()) && !isUrdfFile(rows_[i].part.path)) rows.push_back(i);
+    if (selection.isRowSelected(i, QModelIndex())) rows.push_back(i);
   }
   return rows;
 }
@@ -265,15 +283,34 @@ int PartsDialog::rowOf(const std::string& path) const {
 void PartsDialog::measureNext() {
   const auto next = std::find_if(rows_.begin(), rows_.end(), [](const Row& row) { return !row.inFile; });
   if (next == rows_.end()) return;
-  const auto measure = [this, path = next->part.path](const WorkWatch&) -> BackgroundTask::Delivery {
-    const auto inFile = std::make_shared<const Result<Box3>>(boxInFile(path));
-    return [this, path, inFile] { setMeasured(path, *inFile); };
+  const auto measure = [this, path = next->part.path](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    GeometryCache read;
+    const auto measured =
+        std::make_shared<const Result<std::vector<MeasuredPart>>>(partsInFile(path, read, watch.stop));
+    return [this, path, measured, read] {
+      read_.insert(read.begin(), read.end());
+      setMeasured(path, *measured);
+    };
   };
   measuring_.start(measure, atOnce_);
 }
 
-void PartsDialog::setMeasured(const std::string& path, const Result<Box3>& inFile) {
-  if (const int row = rowOf(path); row >= 0) rows_[row].inFile = inFile;
+/// The row of the file becomes one a part.
+void PartsDialog::setMeasured(const std::string& path, const Result<std::vector<MeasuredPart>>& measured) {
+  const int row = rowOf(path);
+  if (row >= 0 && !measured) {
+    rows_[row].inFile = measured.error();
+  } else if (row >= 0 && measured->size() == 1) {
+    rows_[row].inFile = measured->front().inFile;
+  } else if (row >= 0) {
+    PartFile part = rows_[row].part;
+    removeRow(row);
+    for (std::size_t i = 0; i < measured->size(); ++i) {
+      part.part = (*measured)[i].part;
+      addRow(row + static_cast<int>(i), part);
+      rows_[row + static_cast<int>(i)].inFile = (*measured)[i].inFile;
+    }
+  }
   refresh();
   measureNext();
 }
@@ -343,7 +380,7 @@ QString PartsDialog::hint() const {
   }
   if (!isMeasured()) return tr("The files are being read.");
   if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
-  return rows_.size() > 1 ? tr("Select several rows to choose their unit or axis together.") : QString();
+  return rows_.size() > 1 ? tr("Select several rows to choose their role, unit or axis together.") : QString();
 }
 
 std::vector<PartFile> PartsDialog::parts() const {

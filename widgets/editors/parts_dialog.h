@@ -14,7 +14,7 @@
 namespace glissade {
 
 /// Asks how the files of a product's parts are to be taken, and which part moves. Files are measured in
-/// the background, so that a wrong unit is seen at once.
+/// the background, so that a wrong unit is seen at once; the parts of a STEP file become rows of their own.
 class PartsDialog final : public QDialog {
   Q_OBJECT
 
@@ -29,6 +29,8 @@ class PartsDialog final : public QDialog {
   void addFiles(const QStringList& files);
 
   std::vector<PartFile> parts() const;
+  /// What was read to measure them, and need not be read again.
+  const GeometryCache& read() const { return read_; }
   /// All files were read, and one part moves where one has to.
   bool isComplete() const;
 
@@ -41,19 +43,20 @@ class PartsDialog final : public QDialog {
   void setUpTable();
   QLayout* makeFileButtons();
   QLayout* makeEnd();
-  void addRow(const QString& file);
+  void addRow(int row, const PartFile& part);
   QComboBox* makeRole(const QString& name);
   QComboBox* makeUnit(const QString& name);
   QComboBox* makeUp(const QString& name);
   void chooseFiles();
   void removeSelected();
+  void removeRow(int row);
   void chooseRole(int row, PartRole role);
   std::vector<int> rowsWith(int row) const;
   int rowOf(const QObject* combo, Column column) const;
   int rowOf(const std::string& path) const;
 
   void measureNext();
-  void setMeasured(const std::string& path, const Result<Box3>& inFile);
+  void setMeasured(const std::string& path, const Result<std::vector<MeasuredPart>>& measured);
   bool isMeasured() const;
   bool hasMoving() const;
   void guessWhatMoves();
@@ -66,6 +69,7 @@ class PartsDialog final : public QDialog {
   bool atOnce_;
   bool roleChosen_ = false;
   std::vector<Row> rows_;  ///< as in the table
+  GeometryCache read_;
   QTableWidget* table_;
   QPushButton* remove_;
   QLabel* hint_;

@@ -83,6 +83,17 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
     item->setCheckState(0, Qt::Checked);
     item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));
   }
+  showDeflections(scenario);
+}
+
+/// How exactly the triangles of STEP parts stand for their surfaces.
+void ScenePanel::showDeflections(const LoadedScenario& scenario) {
+  for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
+    const auto known = scenario.deflections.find((*item)->data(0, kIdRole).toString().toStdString());
+    if (known == scenario.deflections.end()) continue;
+    const QString millimetres = QLocale().toString(1000.0 * known->second, 'g', 2);
+    (*item)->setToolTip(2, tr("Within about %1 mm of the part's surface").arg(millimetres));
+  }
 }
 
 void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {

@@ -35,6 +35,7 @@ class ScenePanel final : public QTreeWidget {
   static QTreeWidgetItem* addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind);
 
   QTreeWidgetItem* addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end);
+  void showDeflections(const LoadedScenario& scenario);
   void takeSelection();
 
   QTreeWidgetItem* obstacles_ = nullptr;

@@ -168,7 +168,8 @@ TEST(ScenarioOfParts, FilesThatCannotBeReadAreNamed) {
   constexpr ErrorKind kMalformed = ErrorKind::MalformedInput;
   expectRefused(with(partOf(product.folder / "gone.stl")), kMalformed, "gone.stl", "No such file");
   expectRefused(with(partOf(product.folder.write("a.stl", "solid a\nfacet"))), kMalformed, "a.stl", "endsolid");
-  expectRefused(with(partOf(product.folder.write("a.step", "ISO"))), kMalformed, "a.step", "kind");
+  expectRefused(with(partOf(product.folder.write("a.iges", "S"))), kMalformed, "a.iges", "kind");
+  expectRefused(with(partOf(product.folder.write("a.step", "ISO"))), kMalformed, "a.step", "not a STEP file");
   expectRefused(with(partOf(product.folder.write("point.obj", "v 1 2 3\nf 1 1 1\n"))), kMalformed, "point.obj",
                 "triangle");
   PartFile robot = partOf(product.folder.write("post.urdf", kUrdf));
@@ -244,8 +245,12 @@ TEST(PartFiles, AreTakenAsTheirKindUsuallyIs) {
     EXPECT_EQ(usualPart(collada).unit, 1.0) << collada;
     EXPECT_EQ(usualPart(collada).up, UpAxis::Y) << collada;
   }
-  EXPECT_EQ(usualPart("a.urdf").unit, 1.0);
-  EXPECT_EQ(usualPart("a.urdf").up, UpAxis::Z);
+  for (const char* own : {"a.urdf", "a.STEP", "b.stp"}) {
+    EXPECT_EQ(usualPart(own).unit, 1.0) << own;
+    EXPECT_EQ(usualPart(own).up, UpAxis::Z) << own;
+    EXPECT_TRUE(saysItsUnit(own) && isPartFile(own)) << own;
+  }
+  EXPECT_FALSE(saysItsUnit("a.stl"));
   EXPECT_TRUE(isUrdfFile("a.URDF"));
   EXPECT_FALSE(isUrdfFile("urdf.stl"));
 }
@@ -262,12 +267,15 @@ TEST(PartFiles, TheBoxIsThatOfTheLoadedPart) {
   const auto loaded = realiseScenario(*scenario, "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   for (std::size_t i = 0; i < loaded->obstacles.size(); ++i) {
-    const auto inFile = boxInFile(parts[i].path);
-    ASSERT_TRUE(inFile) << toString(inFile.error());
-    const Box3 box = boxOfPart(parts[i], *inFile);
+    GeometryCache read;
+    const auto measured = partsInFile(parts[i].path, read);
+    ASSERT_TRUE(measured) << toString(measured.error());
+    ASSERT_EQ(measured->size(), 1U);
+    const Box3 box = boxOfPart(parts[i], measured->front().inFile);
     EXPECT_TRUE(box.isApprox(boundingBox(*loaded->obstacles[i].mesh), 1e-12)) << parts[i].path << ' ' << i;
   }
-  expectRefused(boxInFile(product.folder / "gone.obj"), ErrorKind::MalformedInput, "gone.obj", "No such file");
+  GeometryCache none;
+  expectRefused(partsInFile(product.folder / "gone.obj", none), ErrorKind::MalformedInput, "gone.obj", "No such file");
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ inline Scenario fullScenario() {
   Scenario scenario = boxScenario();
   scenario.description = "Wände – \"quoted\"\n";
   scenario.assets = {{"part", "meshes/part.stl", std::string(64, 'a'), 0.001, UpAxis::Y},
-                     {"robot", "robot.urdf", "", 1.0, UpAxis::Z}};
+                     {"robot", "robot.urdf", "", 1.0, UpAxis::Z},
+                     {"product", "product.step", "", 1.0, UpAxis::Z, 1.0 / 3e4}};
   BodyDescription mesh;
   mesh.id = "mesh";
   mesh.name = "The mesh";
@@ -67,12 +68,21 @@ inline Scenario fullScenario() {
   urdf.id = "robot";
   urdf.name = "The robot";
   urdf.geometry = UrdfGeometry{"robot"};
+  BodyDescription step;
+  step.id = "pump.rotor";
+  step.name = "pump/rotor";
+  step.geometry = StepGeometry{"product", "pump/rotor"};
+  BodyDescription product;
+  product.id = "product";
+  product.name = "The rest";
+  product.geometry = StepGeometry{"product", ""};
   BodyDescription pin;
   pin.id = "pin";
   pin.name = "The pin";
   pin.geometry = CylinderGeometry{0.25, 2.0};
-  scenario.bodies.insert(scenario.bodies.end(), {mesh, urdf, pin});
+  scenario.bodies.insert(scenario.bodies.end(), {mesh, urdf, step, product, pin});
   scenario.object.geometry = SphereGeometry{0.125};
+  scenario.object.referencePoint = {0.0, 1.0 / 3.0, -0.1};
   scenario.goal = GoalOut{};
   scenario.wayPoints = {scenario.start, Pose::translation({0, 4, 0})};
   scenario.planner = "own";

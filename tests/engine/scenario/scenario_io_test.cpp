@@ -30,15 +30,20 @@ TEST(ScenarioFile, KeepsEveryValue) {
   const Result<Scenario> read = parseScenario(writeScenario(written), "test.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());
   EXPECT_EQ(read->description, written.description);
-  ASSERT_EQ(read->assets.size(), 2U);
+  ASSERT_EQ(read->assets.size(), 3U);
   EXPECT_EQ(read->assets[0].unit, 0.001);
   EXPECT_EQ(read->assets[0].up, UpAxis::Y);
-  ASSERT_EQ(read->bodies.size(), 4U);
+  EXPECT_EQ(read->assets[0].deflection, 0.0);
+  EXPECT_EQ(read->assets[2].deflection, 1.0 / 3e4);
+  ASSERT_EQ(read->bodies.size(), 6U);
   EXPECT_EQ(read->bodies[1].pose, written.bodies[1].pose);  // bit by bit
   EXPECT_EQ(read->bodies[1].mobility, Mobility::Mobile);
   EXPECT_EQ(read->bodies[1].attributes, written.bodies[1].attributes);
   EXPECT_EQ(read->bodies[1].colour, written.bodies[1].colour);
-  EXPECT_EQ(std::get<CylinderGeometry>(read->bodies[3].geometry).length, 2.0);
+  EXPECT_EQ(std::get<StepGeometry>(read->bodies[3].geometry).part, "pump/rotor");
+  EXPECT_EQ(std::get<StepGeometry>(read->bodies[4].geometry).part, "");
+  EXPECT_EQ(std::get<CylinderGeometry>(read->bodies[5].geometry).length, 2.0);
+  EXPECT_EQ(read->object.referencePoint, written.object.referencePoint);
   EXPECT_TRUE(std::holds_alternative<GoalOut>(read->goal));
   EXPECT_EQ(read->wayPoints, written.wayPoints);
   EXPECT_EQ(read->parameters, written.parameters);
@@ -80,6 +85,7 @@ TEST(SaveScenario, RecordsTheContentOfItsAssets) {
   const TemporaryFolder folder;
   folder.write("meshes/part.stl", "one");
   folder.write("robot.urdf", "two");
+  folder.write("product.step", "three");
   const std::string file = folder / "scenario.json";
   const Outcome saved = saveScenario(fullScenario(), file);
   ASSERT_TRUE(saved.ok()) << toString(saved.error());

@@ -125,7 +125,7 @@ TEST(LoadScenario, AUrdfFileHasNoUnitOfItsOwn) {
   Scenario scenario = withMesh("part.urdf");
   scenario.bodies[1].geometry = UrdfGeometry{"part"};
   scenario.assets[0].unit = 0.001;
-  expectRefused(realiseScenario(scenario, folder.path(), "s.json"), "s.json", "metres");
+  expectRefused(realiseScenario(scenario, folder.path(), "s.json"), "s.json", "unit");
 }
 
 TEST(LoadScenario, ParametersOutOfRangeAreNamed) {

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace glissade {
+
+/// The whole work of the process that reads STEP: gives up its rights, reads standard input, lets
+/// OpenCASCADE read and tessellate it, writes the protocol's message. `deflection` in millimetres, 0: by
+/// the size of each part. Returns the process's exit code.
+int confinedStepImport(double deflection);
+
+}  // namespace glissade

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/base/stop_token.h"
+#include "engine/geometry/triangle_mesh.h"
+#include "engine/import/import_protocol.h"
+
+namespace glissade {
+
+/// A file for one of the importing programs.
+struct ImporterCall {
+  std::string program;   ///< beside this one
+  std::string argument;  ///< its only one
+  std::string file;
+  import_protocol::Limits limits;
+  std::string advice;  ///< of errors
+};
+
+/// Takes plain values out of what an importing program wrote, without trusting any of it.
+class ImportMessage {
+ public:
+  explicit ImportMessage(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  template <class T>
+  bool take(T* values, std::size_t count) {
+    if (count > (bytes_.size() - position_) / sizeof(T)) return false;
+    std::memcpy(values, bytes_.data() + position_, count * sizeof(T));
+    position_ += count * sizeof(T);
+    return true;
+  }
+  std::string rest() const { return bytes_.substr(position_); }
+
+ private:
+  std::string bytes_;
+  std::size_t position_ = 0;
+};
+
+/// What a program made of a file: a header of a kind that is no error and not too large, and what follows.
+struct ImporterAnswer {
+  import_protocol::Header header;
+  ImportMessage message;
+};
+/// Lets the program read the file. Errors are MalformedInput with the file's name, or Interrupted.
+Result<ImporterAnswer> callImporter(const ImporterCall& call, const StopToken& stop = {});
+
+/// That the file, or what the program made of it, is not what it should be.
+Diagnostic refusalOf(const ImporterCall& call, const std::string& reason);
+
+/// What is wrong with a mesh that a program wrote: a number or an index out of all measure.
+std::optional<std::string> faultOf(const TriangleMesh& mesh);
+
+}  // namespace glissade

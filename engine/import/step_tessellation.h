@@ -1,0 +1,23 @@
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <vector>
+
+#include "engine/import/import_protocol.h"
+
+namespace glissade {
+
+/// A shape as triangles that run counter-clockwise seen from outside; a vertex once a face. What faces
+/// share along an edge is equal bit by bit.
+struct StepTriangles {
+  import_protocol::Shape record;
+  std::vector<double> vertices;  ///< x y z, millimetres
+  std::vector<std::uint32_t> indices;
+};
+
+/// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface.
+/// Runs in the importing process only.
+StepTriangles tessellate(const TopoDS_Shape& shape, double deflection);
+
+}  // namespace glissade

@@ -1,0 +1,85 @@
+#include "engine/scenario/part_adder.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "engine/base/file.h"
+#include "engine/import/step_import.h"
+#include "engine/scenario/asset_path.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string stemOf(const PartFile& part) { return fs::path(part.path).stem().string(); }
+
+/// What a body of the part is called, and known by: a '/' has its meaning in ids.
+std::string nameOf(const PartFile& part) { return part.part.empty() ? stemOf(part) : part.part; }
+std::string idOf(const PartFile& part) {
+  std::string id = nameOf(part);
+  std::replace(id.begin(), id.end(), '/', '.');
+  return id;
+}
+
+std::string uniqueId(const std::string& stem, const std::set<std::string>& taken) {
+  std::string id = stem;
+  for (int number = 2; taken.count(id) > 0; ++number) id = stem + "-" + std::to_string(number);
+  return id;
+}
+
+std::set<std::string> assetIds(const Scenario& scenario) {
+  std::set<std::string> ids;
+  for (const Asset& asset : scenario.assets) ids.insert(asset.id);
+  return ids;
+}
+
+std::set<std::string> bodyIds(const Scenario& scenario) {
+  std::set<std::string> ids{scenario.object.id};
+  for (const BodyDescription& body : scenario.bodies) ids.insert(body.id);
+  return ids;
+}
+
+}  // namespace
+
+PartAdder::PartAdder(Scenario& scenario, const std::string& file)
+    : scenario_(scenario), folder_(folderOf(file)), saved_(!file.empty()) {}
+
+void PartAdder::addBody(const PartFile& part) {
+  BodyDescription body;
+  body.id = uniqueId(idOf(part), bodyIds(scenario_));
+  body.name = part.part.empty() ? body.id : part.part;
+  body.mobility = part.role == PartRole::Mobile ? Mobility::Mobile : Mobility::Static;
+  body.geometry = geometryOf(part);
+  scenario_.bodies.push_back(std::move(body));
+}
+
+void PartAdder::setObject(const PartFile& part) {
+  ObjectDescription& object = scenario_.object;
+  object.id = idOf(part);
+  object.name = nameOf(part);
+  object.geometry = geometryOf(part);
+}
+
+Geometry PartAdder::geometryOf(const PartFile& part) {
+  if (isStepFile(part.path)) return StepGeometry{assetOf(part), part.part};
+  if (isUrdfFile(part.path)) return UrdfGeometry{assetOf(part)};
+  return MeshGeometry{assetOf(part)};
+}
+
+std::string PartAdder::assetOf(const PartFile& part) {
+  const auto same = std::find_if(scenario_.assets.begin(), scenario_.assets.end(), [&](const Asset& asset) {
+    std::error_code noneThere;
+    return asset.unit == part.unit && asset.up == part.up && asset.deflection == part.deflection &&
+           fs::equivalent(assetFile(asset, folder_), part.path, noneThere);
+  });
+  if (same != scenario_.assets.end()) return same->id;
+  const std::string path = fs::absolute(part.path).lexically_normal().generic_string();
+  const std::string id = uniqueId(stemOf(part), assetIds(scenario_));
+  scenario_.assets.push_back(
+      {id, saved_ ? assetPathFrom(folder_, path) : path, "", part.unit, part.up, part.deflection});
+  return id;
+}
+
+}  // namespace glissade

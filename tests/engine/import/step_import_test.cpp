@@ -1,0 +1,144 @@
+#include "engine/import/step_import.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/geometry/mesh_audit.h"
+#include "engine/import/step_deflection.h"
+#include "tests/engine/support/step_files.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using test::stepFile;
+using test::stepText;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kCubicMillimetre = 1e-9;
+
+std::vector<StepPart> partsOf(const std::string& name, double deflection = 0.0) {
+  auto parts = importStep(stepFile(name), deflection);
+  EXPECT_TRUE(parts) << toString(parts.error());
+  return parts ? std::move(*parts) : std::vector<StepPart>();
+}
+
+StepPart onePart(const std::string& name, double deflection = 0.0) {
+  const auto parts = partsOf(name, deflection);
+  EXPECT_EQ(parts.size(), 1U);
+  return parts.at(0);
+}
+
+std::vector<std::string> pathsOf(const std::vector<StepPart>& parts) {
+  std::vector<std::string> paths;
+  for (const StepPart& part : parts) paths.push_back(part.path);
+  return paths;
+}
+
+Box3 boxInFile(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP); }
+
+TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
+  // Each with the volume of the true solid, mm³.
+  const double ball = 4.0 / 3.0 * kPi * 25 * 25 * 25;
+  const std::vector<std::pair<const char*, double>> solids{{"box.step", 100 * 50 * 20},
+                                                           {"cylinder.STP", kPi * 10 * 10 * 40},
+                                                           {"ball.stp", ball},
+                                                           {"plate.step", 100 * 60 * 10 - kPi * 8.5 * 8.5 * 10},
+                                                           {"boolean.step", 0.0}};
+  for (const auto& [name, volume] : solids) {
+    SCOPED_TRACE(name);
+    const StepPart part = onePart(name);
+    const MeshAudit result = audit(*part.mesh);
+    EXPECT_TRUE(result.closed());
+    EXPECT_TRUE(result.consistentlyOriented);
+    EXPECT_EQ(result.components, 1U);
+    EXPECT_EQ(part.facesWithoutMesh, 0U);
+    EXPECT_GT(result.volume, 0.0);
+    if (volume == 0.0) continue;  // not known
+    EXPECT_NEAR(result.volume, volume * kCubicMillimetre, 0.01 * volume * kCubicMillimetre);
+  }
+}
+
+TEST(StepImport, TheFilesUnitIsHonoured) {
+  EXPECT_TRUE(boxInFile(onePart("box.step")).sizes().isApprox(Vector3(0.1, 0.05, 0.02), 1e-9));
+  EXPECT_THAT(stepText("inch.step"), testing::HasSubstr("INCH"));
+  EXPECT_TRUE(boxInFile(onePart("inch.step")).sizes().isApprox(Vector3(0.0508, 0.0254, 0.0254), 1e-9));
+}
+
+TEST(StepImport, ProductsOfAnAssemblyLieWhereItHasThem) {
+  const auto parts = partsOf("unit.step");
+  ASSERT_THAT(pathsOf(parts), ElementsAre("plate", "pin", "pin#2", "pump/housing", "pump/Läufer"));
+  EXPECT_EQ(parts[1].mesh, parts[2].mesh) << "instances share their triangles";
+  const Vector3 upright(0.016, 0.016, 0.04);
+  EXPECT_TRUE(boxInFile(parts[1]).sizes().isApprox(upright, 5e-3));
+  EXPECT_TRUE(boxInFile(parts[1]).center().isApprox(Vector3(0, 0, 0.01), 1e-3));
+  EXPECT_TRUE(boxInFile(parts[2]).sizes().isApprox(Vector3(0.016, 0.04, 0.016), 5e-3)) << "turned";
+  EXPECT_TRUE(boxInFile(parts[2]).center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
+  EXPECT_TRUE(boxInFile(parts[4]).center().isApprox(Vector3(0.3, -0.05, 0.02), 1e-3)) << "in an assembly in it";
+  for (const StepPart& part : parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
+}
+
+TEST(StepImport, ColoursAreTheFiles) {
+  const auto parts = partsOf("unit.step");
+  ASSERT_EQ(parts.size(), 5U);
+  ASSERT_TRUE(parts[0].colour && parts[1].colour && parts[2].colour);
+  EXPECT_THAT(*parts[0].colour, testing::Pointwise(testing::DoubleNear(1e-3), {0.8, 0.2, 0.1}));
+  EXPECT_EQ(parts[1].colour, parts[2].colour);
+  EXPECT_FALSE(parts[3].colour);
+}
+
+TEST(StepImport, SeveralSolidsOfAProductAreParts) {
+  EXPECT_THAT(pathsOf(partsOf("two-solids.step")), ElementsAre("two/solid", "two/solid#2"));
+}
+
+TEST(StepImport, ASheetIsAPartThatIsNotClosed) {
+  const StepPart sheet = onePart("surface.step");
+  EXPECT_FALSE(audit(*sheet.mesh).closed());
+  EXPECT_EQ(sheet.mesh->triangles.size(), 2U);
+}
+
+TEST(StepImport, DeflectionIsAThousandthOfTheDiagonalWithinLimitsUnlessSomebodySays) {
+  EXPECT_EQ(usualDeflection(1e-3), 1e-5);
+  EXPECT_EQ(usualDeflection(0.2), 2e-4);
+  EXPECT_EQ(usualDeflection(100.0), 5e-4);
+  EXPECT_NEAR(onePart("plate.step").deflection, usualDeflection(Vector3(0.1, 0.06, 0.01).norm()), 1e-7);
+  EXPECT_EQ(onePart("ball.stp", 0.002).deflection, 0.002);
+  std::size_t before = 0;
+  for (const double deflection : {2e-3, 2e-4, 2e-5}) {
+    const TriangleMesh mesh = *onePart("ball.stp", deflection).mesh;
+    EXPECT_GT(mesh.triangles.size(), before);
+    before = mesh.triangles.size();
+    for (const TriangleIndices& t : mesh.triangles) {
+      const Vector3 centre = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+      ASSERT_NEAR(centre.norm(), 0.025, deflection);
+    }
+  }
+}
+
+TEST(StepImport, SaysTheSameTwice) {
+  const auto once = partsOf("unit.step");
+  const auto again = partsOf("unit.step");
+  ASSERT_EQ(once.size(), again.size());
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    EXPECT_EQ(once[i].mesh->vertices, again[i].mesh->vertices);
+    EXPECT_EQ(once[i].mesh->triangles, again[i].mesh->triangles);
+  }
+}
+
+TEST(StepImport, IsStoppedAtOnce) {
+  StopSource stop;
+  stop.requestStop();
+  const auto stopped = importStep(stepFile("unit.step"), 0.0, stop.token());
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().kind, ErrorKind::Interrupted);
+}
+
+TEST(StepImport, EndingsInAnyCase) {
+  for (const char* name : {"a.step", "a.STP", "a.Step"}) EXPECT_TRUE(isStepFile(name)) << name;
+  for (const char* name : {"a.stl", "step", "a.step.stl"}) EXPECT_FALSE(isStepFile(name)) << name;
+}
+
+}  // namespace
+}  // namespace glissade

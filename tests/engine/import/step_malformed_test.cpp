@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/base/random_stream.h"
+#include "engine/import/step_import.h"
+#include "tests/engine/support/step_files.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using test::replaced;
+using test::stepText;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+void expectRefused(const Result<std::vector<StepPart>>& parts, const std::string& file, const std::string& reason) {
+  ASSERT_FALSE(parts.ok());
+  EXPECT_EQ(parts.error().kind, ErrorKind::MalformedInput);
+  EXPECT_EQ(parts.error().file, file);
+  EXPECT_THAT(parts.error().reason, HasSubstr(reason));
+  EXPECT_FALSE(parts.error().advice.empty());
+}
+
+/// An error or parts that can be used; nothing else may come of any content.
+void expectSane(const std::string& file) {
+  const auto parts = importStep(file, 0.0);
+  if (!parts) {
+    EXPECT_EQ(parts.error().kind, ErrorKind::MalformedInput) << toString(parts.error());
+    return;
+  }
+  EXPECT_FALSE(parts->empty());
+  for (const StepPart& part : *parts) {
+    EXPECT_FALSE(part.mesh->empty());
+    EXPECT_TRUE(boundingBox(*part.mesh, part.X_FP).max().allFinite());
+  }
+}
+
+TEST(MalformedStep, GivesOneClearMessage) {
+  const TemporaryFolder folder;
+  const std::string box = stepText("box.step");
+  const std::string end = "END-ISO-10303-21;";
+  const std::vector<std::tuple<const char*, std::string, const char*>> table{
+      {"empty.step", "", "not a STEP file"},
+      {"mesh.stp", "solid a\nfacet normal 0 0 1\n", "not a STEP file"},
+      {"zip.step", std::string("PK\x03\x04") + std::string(100, '\0'), "not a STEP file"},
+      {"cut.step", box.substr(0, box.size() / 2), "cut off"},
+      {"house.stp", replaced(box, "AUTOMOTIVE_DESIGN", "IFC4"), "building model"},
+      {"header.step", box.substr(0, box.find("DATA;")) + end, ""},
+      {"nothing.step", box.substr(0, box.find("DATA;")) + "DATA;\nENDSEC;\n" + end, "no product"},
+      {"noise.step", "ISO-10303-21;\n" + std::string(2000, '\x7f') + end, ""},
+      {"edge.step", stepText("edge.step"), "neither a solid nor a face"},
+      {"reference.step", replaced(box, "CLOSED_SHELL('',(#", "CLOSED_SHELL('',(#9999"), ""},
+      {"huge.step", replaced(box, "50.", "5.E300"), "neither"},
+      {"large.step", replaced(box, "50.", "5.E15"), "beyond all measure"},
+  };
+  for (const auto& [name, content, reason] : table) {
+    SCOPED_TRACE(name);
+    const std::string file = folder.write(name, content);
+    if (*reason == '\0') {
+      expectSane(file);
+    } else {
+      expectRefused(importStep(file, 0.0), file, reason);
+    }
+  }
+  expectRefused(importStep(folder / "gone.step", 0.0), folder / "gone.step", "No such file");
+}
+
+/// OpenCASCADE never ends with these numbers; its processor time would end it later.
+TEST(MalformedStep, WhatHangsIsStopped) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("nan.step", replaced(stepText("box.step"), "50.", "nan"));
+  const auto soon = StopToken::Clock::now() + std::chrono::milliseconds(300);
+  const auto stopped = importStep(file, 0.0, StopToken().withDeadline(soon));
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().kind, ErrorKind::Interrupted);
+}
+
+TEST(MalformedStep, TruncatedFilesNeverReachThisProcess) {
+  const TemporaryFolder folder;
+  const std::string good = stepText("unit.step");
+  for (int i = 1; i < 12; ++i) {
+    const std::string some = good.substr(0, good.size() * static_cast<std::size_t>(i) / 12);
+    expectRefused(importStep(folder.write("a.step", some), 0.0), folder / "a.step", "");
+    expectSane(folder.write("a.step", some + "\nENDSEC;\nEND-ISO-10303-21;\n"));
+  }
+}
+
+TEST(MalformedStep, DamagedFilesNeverReachThisProcess) {
+  const TemporaryFolder folder;
+  RandomStream random(3, "damage");
+  for (int i = 0; i < 100; ++i) {
+    std::string content = stepText(i % 2 == 0 ? "cylinder.STP" : "unit.step");
+    for (int k = 0; k < 4; ++k) {
+      // As often a digit, which keeps the syntax and breaks what it says.
+      const char damage = static_cast<char>(k % 2 == 0 ? '0' + random.bits() % 10 : random.bits());
+      content[random.bits() % content.size()] = damage;
+    }
+    SCOPED_TRACE(i);
+    expectSane(folder.write("a.step", content));
+  }
+}
+
+TEST(MalformedStep, AnAssemblyOfItselfHasAnEnd) {
+  const TemporaryFolder folder;
+  // Whatever is used as a part of the unit is the unit itself.
+  std::string text = stepText("unit.step");
+  const std::size_t use = text.find("NEXT_ASSEMBLY_USAGE_OCCURRENCE");
+  const std::size_t parent = text.find(",#", use);
+  const std::size_t child = text.find(",#", parent + 1);
+  const std::size_t end = text.find(',', child + 1);
+  ASSERT_NE(end, std::string::npos);
+  text.replace(child, end - child, text.substr(parent, child - parent));
+  expectSane(folder.write("a.step", text));
+}
+
+}  // namespace
+}  // namespace glissade

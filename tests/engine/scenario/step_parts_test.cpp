@@ -1,0 +1,208 @@
+// STEP files as parts of a product: one body a part, named by the way to it in the file's assembly.
+#include "engine/scenario/step_parts.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/geometry/mesh_audit.h"
+#include "engine/scenario/assembly_edits.h"
+#include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/step_files.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using test::stepFile;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+PartFile entry(const std::string& text, PartRole role) {
+  PartFile part = usualPart(text);
+  part.role = role;
+  return part;
+}
+PartFile moving(const std::string& text) { return entry(text, PartRole::Moves); }
+PartFile still(const std::string& text) { return entry(text, PartRole::Static); }
+PartFile mobile(const std::string& text) { return entry(text, PartRole::Mobile); }
+
+const std::string kUnit = stepFile("unit.step");
+
+Scenario scenarioOf(const std::vector<PartFile>& parts) {
+  auto scenario = scenarioOfParts(parts);
+  EXPECT_TRUE(scenario) << toString(scenario.error());
+  return scenario ? std::move(*scenario) : Scenario();
+}
+
+LoadedScenario realised(const Scenario& scenario) {
+  auto loaded = realiseScenario(scenario, ".", "");
+  EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
+  return std::move(*loaded);
+}
+
+std::vector<std::string> idsOf(const LoadedScenario& loaded) {
+  std::vector<std::string> ids;
+  for (const RigidBody& body : loaded.obstacles) ids.push_back(body.id);
+  return ids;
+}
+
+Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
+  if (loaded.object.id == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
+  for (const RigidBody& body : loaded.obstacles) {
+    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
+  }
+  ADD_FAILURE() << "no body " << id;
+  return {};
+}
+
+TEST(StepParts, OneMovesAndTheRestOfTheFileStaysWhereTheAssemblyHasIt) {
+  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  EXPECT_EQ(loaded.object.id, "pin");
+  EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
+  EXPECT_EQ(loaded.obstacles[3].name, "pump/Läufer");
+  EXPECT_TRUE(worldBox(loaded, "pin").center().isApprox(Vector3(0, 0, 0.01), 1e-3));
+  EXPECT_TRUE(worldBox(loaded, "pin#2").center().isApprox(Vector3(0, 0.2, 0.008), 1e-3));
+  EXPECT_TRUE(worldBox(loaded, "pump.housing").center().isApprox(Vector3(0.3, 0, 0.02), 1e-3));
+  EXPECT_NEAR(loaded.problem.world->objectRadius(), Vector3(0.008, 0, 0.02).norm(), 1e-4) << "about its middle";
+  EXPECT_NEAR(loaded.obstacles[0].colour[0], 0.8, 1e-3);
+  EXPECT_NEAR(loaded.object.colour[2], 0.9, 1e-3);
+  EXPECT_EQ(loaded.scenario.assets.size(), 1U);
+  EXPECT_EQ(loaded.deflections.size(), 5U);
+  EXPECT_GT(loaded.deflections.at("pin"), 0.0);
+}
+
+TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
+  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
+  EXPECT_EQ(loaded.object.name, "pump");
+  EXPECT_EQ(audit(*loaded.object.mesh).components, 2U);
+  EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin", "pin#2"));
+  EXPECT_EQ(loaded.obstacles[2].mobility, Mobility::Mobile);
+  EXPECT_EQ(loaded.obstacles[1].mobility, Mobility::Static);
+}
+
+TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {
+  const LoadedScenario loaded = realised(scenarioOf({moving(stepFile("box.step")), still(stepFile("cylinder.STP"))}));
+  EXPECT_EQ(loaded.object.id, "box");
+  EXPECT_THAT(idsOf(loaded), ElementsAre("cylinder"));
+  const LoadedScenario whole = realised(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
+  EXPECT_EQ(audit(*whole.object.mesh).components, 5U) << "the whole file moves as one";
+}
+
+TEST(StepParts, SavedAndReadAgainItIsTheSame) {
+  const test::TemporaryFolder folder;
+  folder.write("unit.step", test::stepText("unit.step"));
+  const std::string file = folder / "scenario.json";
+  PartFile coarse = still(folder / "unit.step:plate");
+  coarse.deflection = 1e-3;
+  const Scenario scenario = scenarioOf({moving(folder / "unit.step:pin"), still(folder / "unit.step"), coarse});
+  const LoadedScenario before = realised(scenario);
+  ASSERT_TRUE(saveScenario(scenario, file));
+  const auto after = loadScenario(file);
+  ASSERT_TRUE(after) << toString(after.error());
+  EXPECT_EQ(writeScenario(after->scenario), test::readWhole(file));
+  EXPECT_EQ(idsOf(*after), idsOf(before));
+  for (const std::string& id : idsOf(before)) EXPECT_TRUE(worldBox(*after, id).isApprox(worldBox(before, id), 0.0));
+  EXPECT_EQ(after->problem.start, before.problem.start);
+  EXPECT_EQ(after->deflections, before.deflections);
+}
+
+TEST(StepParts, AWholeFileInAScenarioIsABodyAPart) {
+  Scenario scenario = scenarioOf({moving(stepFile("box.step")), still(stepFile("inch.step"))});
+  scenario.assets[1].path = kUnit;
+  const LoadedScenario loaded = realised(scenario);
+  EXPECT_THAT(idsOf(loaded),
+              ElementsAre("inch/plate", "inch/pin", "inch/pin#2", "inch/pump/housing", "inch/pump/Läufer"));
+  EXPECT_EQ(bodyIdOf(loaded.obstacles[4].id), "inch");
+}
+
+TEST(StepParts, AnyPartCanBeMadeTheOneThatMovesAndBack) {
+  const LoadedScenario first = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  Scenario scenario = first.scenario;
+  ASSERT_TRUE(markMoving("pump.Läufer", first, scenario));
+  const LoadedScenario second = realised(scenario);
+  EXPECT_EQ(second.object.id, "pump.Läufer");
+  for (const char* id : {"pin", "plate", "pump.Läufer"}) {
+    EXPECT_TRUE(worldBox(second, id).isApprox(worldBox(first, id), 1e-12)) << id;
+  }
+  EXPECT_NEAR(second.problem.world->objectRadius(), Vector3(0.005, 0, 0.015).norm(), 1e-4);
+  ASSERT_TRUE(removeBody("pin#2", scenario));
+  EXPECT_EQ(realised(scenario).obstacles.size(), 3U);
+}
+
+TEST(StepParts, AddedLaterAFileBringsWhatIsNotThereYet) {
+  const Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit + ":plate")});
+  const auto more = withParts(scenario, "", {mobile(kUnit)});
+  ASSERT_TRUE(more) << toString(more.error());
+  EXPECT_THAT(idsOf(realised(*more)), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
+  const auto nothing = withParts(*more, "", {still(kUnit)});
+  ASSERT_FALSE(nothing.ok());
+  EXPECT_EQ(nothing.error().kind, ErrorKind::Usage);
+  const auto twice = withParts(*more, "", {still(kUnit + ":plate")});
+  ASSERT_TRUE(twice) << toString(twice.error());
+  EXPECT_EQ(twice->bodies.back().id, "plate-2");
+}
+
+TEST(StepParts, ANameThatIsNotThereListsThoseThatAre) {
+  const auto refused = scenarioOfParts({moving(kUnit + ":pim"), still(kUnit)});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().kind, ErrorKind::MalformedInput);
+  EXPECT_THAT(refused.error().place, HasSubstr("pim"));
+  EXPECT_THAT(refused.error().advice, HasSubstr("plate, pin, pin#2, pump/housing, pump/Läufer"));
+  Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit)});
+  scenario.bodies[0].geometry = StepGeometry{"unit", "lid"};
+  const auto loaded = realiseScenario(scenario, ".", "s.json");
+  ASSERT_FALSE(loaded.ok());
+  EXPECT_THAT(loaded.error().file, HasSubstr("unit.step"));
+  EXPECT_THAT(loaded.error().advice, HasSubstr("pin#2"));
+  EXPECT_THAT(toString(scenarioOfParts({moving(stepFile("box.step:lid"))}).error()), HasSubstr("leave out"));
+}
+
+TEST(StepParts, LastNamesDoWhereTheyAreOne) {
+  const std::vector<std::string> parts{"a/pin", "a/nut", "b/pin", "b/c/ring"};
+  EXPECT_EQ(nodeNamed("a/pin", parts, "f").value(), "a/pin");
+  EXPECT_EQ(nodeNamed("b", parts, "f").value(), "b");
+  EXPECT_EQ(nodeNamed("c", parts, "f").value(), "b/c");
+  EXPECT_EQ(nodeNamed("nut", parts, "f").value(), "a/nut");
+  EXPECT_THAT(toString(nodeNamed("pin", parts, "f").error()), HasSubstr("a/pin, b/pin"));
+  EXPECT_TRUE(isWithin("b/c/ring", "b/c") && isWithin("b/c/ring", "") && !isWithin("bc/ring", "b"));
+  EXPECT_EQ(nameWithin("b/c/ring", "b"), "c/ring");
+}
+
+TEST(StepParts, PartsAreNamedBehindTheirFile) {
+  EXPECT_EQ(usualPart("a/b.STEP:pump/rotor").path, "a/b.STEP");
+  EXPECT_EQ(usualPart("a/b.STEP:pump/rotor").part, "pump/rotor");
+  EXPECT_EQ(usualPart("c:d.stp:x:y").path, "c:d.stp");
+  EXPECT_EQ(usualPart("c:d.stp:x:y").part, "x:y");
+  EXPECT_EQ(usualPart("a.stl:x").path, "a.stl:x");
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(usualPart(folder.write("a.stp:b.stp", "")).part, "") << "a file that is called so";
+}
+
+TEST(StepParts, AStepFileHasAUnitOfItsOwn) {
+  PartFile part = moving(stepFile("box.step"));
+  part.unit = 0.001;
+  EXPECT_THAT(toString(scenarioOfParts({part}).error()), HasSubstr("says itself"));
+}
+
+TEST(StepParts, ReadingIsStopped) {
+  StopSource stop;
+  stop.requestStop();
+  const auto stopped = scenarioOfParts({moving(kUnit)}, nullptr, stop.token());
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().kind, ErrorKind::Interrupted);
+}
+
+TEST(StepParts, WhatWasReadIsNotReadAgain) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.write("unit.step", test::stepText("unit.step"));
+  GeometryCache read;
+  ASSERT_TRUE(partsInFile(file, read));
+  folder.write("unit.step", "gone");
+  const auto scenario = scenarioOfParts({moving(file + ":pin"), still(file)}, &read);
+  ASSERT_TRUE(scenario) << toString(scenario.error());
+  EXPECT_TRUE(realiseScenario(*scenario, ".", "", read).ok());
+}
+
+}  // namespace
+}  // namespace glissade

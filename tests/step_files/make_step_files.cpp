@@ -1,0 +1,157 @@
+// Writes the STEP files that tests read into a folder: usage: make_step_files FOLDER
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <Interface_Static.hxx>
+#include <Quantity_Color.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Compound.hxx>
+#include <XCAFDoc_ColorTool.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
+#include <iostream>
+#include <string>
+
+namespace {
+
+constexpr double kQuarterTurn = 1.5707963267948966;
+
+TopLoc_Location at(double x, double y, double z) {
+  gp_Trsf place;
+  place.SetTranslation(gp_Vec(x, y, z));
+  return place;
+}
+
+/// Turned by a quarter about the x-axis, then put there.
+TopLoc_Location turnedAt(double x, double y, double z) {
+  gp_Trsf turn;
+  turn.SetRotation(gp_Ax1(gp_Pnt(), gp_Dir(1, 0, 0)), kQuarterTurn);
+  return at(x, y, z) * TopLoc_Location(turn);
+}
+
+TopoDS_Shape box(double x, double y, double z) { return BRepPrimAPI_MakeBox(gp_Pnt(-x / 2, -y / 2, -z / 2), x, y, z); }
+/// Along z, about the origin.
+TopoDS_Shape cylinder(double radius, double length) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -length / 2), gp_Dir(0, 0, 1)), radius, length);
+}
+TopoDS_Shape plateWithHole() { return BRepAlgoAPI_Cut(box(100, 60, 10), cylinder(8.5, 20)); }
+/// A block and a post, with a ball taken out of the block's corner.
+TopoDS_Shape booleanResult() {
+  const TopoDS_Shape ball = BRepPrimAPI_MakeSphere(gp_Pnt(30, 20, 10), 12.0);
+  const TopoDS_Shape block = BRepAlgoAPI_Cut(box(60, 40, 20), ball);
+  return BRepAlgoAPI_Fuse(block, cylinder(9, 70));
+}
+TopoDS_Shape twoSolids() {
+  TopoDS_Compound both;
+  BRep_Builder builder;
+  builder.MakeCompound(both);
+  builder.Add(both, box(10, 10, 10));
+  builder.Add(both, box(20, 20, 20).Moved(at(100, 0, 0)));
+  return both;
+}
+
+/// A document of products, written as one STEP file.
+class Product {
+ public:
+  Product() : document_(new TDocStd_Document("XmlXCAF")) {
+    shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
+    colours_ = XCAFDoc_DocumentTool::ColorTool(document_->Main());
+  }
+
+  TDF_Label part(const char* name, const TopoDS_Shape& shape) {
+    const TDF_Label label = shapes_->AddShape(shape, false);
+    TDataStd_Name::Set(label, TCollection_ExtendedString(name, true));
+    return label;
+  }
+  TDF_Label part(const char* name, const TopoDS_Shape& shape, double red, double green, double blue) {
+    const TDF_Label label = part(name, shape);
+    colours_->SetColor(label, Quantity_Color(red, green, blue, Quantity_TOC_sRGB), XCAFDoc_ColorSurf);
+    return label;
+  }
+  TDF_Label assembly(const char* name) {
+    const TDF_Label label = shapes_->NewShape();
+    TDataStd_Name::Set(label, TCollection_ExtendedString(name, true));
+    return label;
+  }
+  void put(const TDF_Label& part, const TDF_Label& assembly, const TopLoc_Location& place) {
+    shapes_->AddComponent(assembly, part, place);
+  }
+
+  void write(const std::string& file, const char* unit = "MM") {
+    shapes_->UpdateAssemblies();
+    STEPCAFControl_Controller::Init();
+    Interface_Static::SetCVal("write.step.unit", unit);  // counts for writers that are made from now on
+    STEPCAFControl_Writer writer;
+    writer.SetColorMode(true);
+    writer.SetNameMode(true);
+    if (!writer.Transfer(document_, STEPControl_AsIs) || writer.Write(file.c_str()) != IFSelect_RetDone) {
+      throw std::string("cannot write " + file);
+    }
+  }
+
+ private:
+  Handle(TDocStd_Document) document_;
+  Handle(XCAFDoc_ShapeTool) shapes_;
+  Handle(XCAFDoc_ColorTool) colours_;
+};
+
+void writePart(const std::string& file, const char* name, const TopoDS_Shape& shape, const char* unit = "MM") {
+  Product product;
+  product.part(name, shape);
+  product.write(file, unit);
+}
+
+/// A plate with a hole and two pins: one in the hole, one lying beside it; and a pump of two parts.
+void writeAssembly(const std::string& file) {
+  Product product;
+  const TDF_Label plate = product.part("plate", plateWithHole(), 0.8, 0.2, 0.1);
+  const TDF_Label pin = product.part("pin", cylinder(8, 40), 0.1, 0.4, 0.9);
+  const TDF_Label housing = product.part("housing", box(40, 40, 40));
+  const TDF_Label rotor = product.part("Läufer", cylinder(5, 30));
+  const TDF_Label pump = product.assembly("pump");
+  product.put(housing, pump, at(0, 0, 0));
+  product.put(rotor, pump, turnedAt(0, -50, 0));
+  const TDF_Label unit = product.assembly("unit");
+  product.put(plate, unit, at(0, 0, 0));
+  product.put(pin, unit, at(0, 0, 10));
+  product.put(pin, unit, turnedAt(0, 200, 8));
+  product.put(pump, unit, at(300, 0, 20));
+  product.write(file);
+}
+
+void writeAll(const std::string& folder) {
+  writePart(folder + "/box.step", "box", box(100, 50, 20));
+  writePart(folder + "/cylinder.STP", "cylinder", cylinder(10, 40));
+  writePart(folder + "/ball.stp", "ball", BRepPrimAPI_MakeSphere(25.0));
+  writePart(folder + "/plate.step", "plate", plateWithHole());
+  writePart(folder + "/boolean.step", "boolean", booleanResult());
+  writePart(folder + "/inch.step", "inch", box(50.8, 25.4, 25.4), "INCH");
+  writePart(folder + "/two-solids.step", "two", twoSolids());
+  writePart(folder + "/surface.step", "sheet", BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 100.0, 0.0, 50.0));
+  writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
+  writeAssembly(folder + "/unit.step");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  try {
+    writeAll(argv[1]);
+  } catch (const std::string& why) {
+    std::cerr << why << "\n";
+    return 1;
+  }
+  return 0;
+}
