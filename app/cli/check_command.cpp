@@ -39,10 +39,12 @@ int runCheck(const CheckOptions& options) {
     report["begins_at_start"] = ends.start;
     report["ends_at_goal"] = ends.goal;
     report["certificate"] = toJson(certificate, *problem.world, options.edges);
+    report["certificate"]["surface_deviation_m"] = surfaceDeviation(*loaded);
     std::cout << report.dump(2) << "\n";
   } else {
     std::cout << (valid ? "valid" : "invalid") << ": " << points.size() << " configurations, "
               << inWords(certificate, *problem.world) << "\n";
+    std::cout << deviationInWords(*loaded);
     if (options.edges) printEdges(certificate, *problem.world);
     if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";
     if (!ends.goal) std::cout << "the path does not end at the scenario's goal\n";

@@ -63,6 +63,15 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
   return text.str();
 }
 
+std::string deviationInWords(const LoadedScenario& scenario) {
+  const double deviation = surfaceDeviation(scenario);
+  if (deviation <= 0.0) return {};
+  std::ostringstream text;
+  text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
+       << " mm nearer than they are\n";
+  return text.str();
+}
+
 void printEdges(const MotionCertificate& certificate, const CollisionWorld& world) {
   for (std::size_t i = 0; i < certificate.edges.size(); ++i) {
     const EdgeCertificate& edge = certificate.edges[i];

@@ -26,6 +26,9 @@ void printEdges(const MotionCertificate& certificate, const CollisionWorld& worl
 std::string bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
+/// What certificates say nothing of: a line, or nothing where triangles are what there is.
+std::string deviationInWords(const LoadedScenario& scenario);
+
 /// "certified, 1.5 mm to wall_L1" and the like.
 std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);
 

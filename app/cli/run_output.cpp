@@ -194,10 +194,12 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
   if (options.difficulty && foundNone(end)) difficulty = difficultyOf(scenario, end, stop);
   if (options.format == Format::Json) {
     Json report = toJson(end, world, options.edges);
+    if (end.path) report["certificate"]["surface_deviation_m"] = surfaceDeviation(scenario);
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     std::cout << report.dump(2) << "\n";
   } else {
     printText(end, world);
+    if (end.path) std::cout << deviationInWords(scenario);
     if (end.path && options.edges) printEdges(end.path->certificate, world);
     if (difficulty) printDifficulty(*difficulty, world);
   }

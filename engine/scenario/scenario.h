@@ -133,4 +133,8 @@ struct LoadedScenario {
   Warnings warnings;
 };
 
+/// How far the surfaces of the object and of an obstacle may be, together, from where their triangles are:
+/// certificates are about the triangles. 0 where those are what there is.
+double surfaceDeviation(const LoadedScenario& scenario);
+
 }  // namespace glissade

@@ -206,4 +206,14 @@ Outcome saveScenario(const Scenario& scenario, const std::string& file) {
   return writeFileAtomically(file, text);
 }
 
+double surfaceDeviation(const LoadedScenario& scenario) {
+  double object = 0.0;
+  double obstacle = 0.0;
+  for (const auto& [id, deflection] : scenario.deflections) {
+    double& largest = id == scenario.object.id ? object : obstacle;
+    largest = std::max(largest, deflection);
+  }
+  return object + obstacle;
+}
+
 }  // namespace glissade

@@ -2464,6 +2464,10 @@
         <source>This path does not hold here</source>
         <translation>Ce chemin ne tient pas ici</translation>
     </message>
+    <message>
+        <source>of triangles; STEP surfaces may be %1 mm nearer</source>
+        <translation>des triangles ; les surfaces STEP peuvent être %1 mm plus près</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PlacementPanel</name>

@@ -10,7 +10,8 @@ for tool in Xvfb xdotool xwd; do
 done
 work=$(mktemp -d)
 display=:$((90 + RANDOM % 900))
-Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp >"$work/xvfb.log" 2>&1 &
+# Without -noreset it starts anew when a client was the last to leave, and refuses others for that moment.
+Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp -noreset >"$work/xvfb.log" 2>&1 &
 server=$!
 trap 'kill $window $server 2>/dev/null; rm -rf "$work"' EXIT
 window=

@@ -27,7 +27,13 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
   if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
     held += QStringLiteral("; ") + PathPanel::tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
   }
-  return QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
+  QString text =
+      QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
+  if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
+    text += QStringLiteral("<br>") +
+            PathPanel::tr("of triangles; STEP surfaces may be %1 mm nearer").arg(number(deviation * 1e3, 3));
+  }
+  return text;
 }
 
 double shareOf(const BlockedEdge& blocked, const WaySlider& slider) { return slider.shareAt(blocked.edge, blocked.at); }
