@@ -6,7 +6,6 @@
 
 #include "app/window/coarse_preview.h"
 #include "app/window/scene_ray.h"
-#include "engine/scenario/assembly_edits.h"
 #include "widgets/model/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
@@ -26,7 +25,9 @@ bool isSameScene(const LoadedScenario& a, const LoadedScenario& b) {
   };
   const Box3& room = a.problem.bounds;
   return std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), sameBody) &&
-         isSameObject(a, b) && room.min() == b.problem.bounds.min() && room.max() == b.problem.bounds.max();
+         a.object.id == b.object.id && a.object.mesh->vertices == b.object.mesh->vertices &&
+         a.object.mesh->triangles == b.object.mesh->triangles && room.min() == b.problem.bounds.min() &&
+         room.max() == b.problem.bounds.max();
 }
 
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {

@@ -108,6 +108,7 @@ void MainWindow::connectPanels() {
   connect(assembly_, &AssemblyController::addPartsWanted, this,
           [this] { parts_->ask(PartsDialog::Purpose::AddParts); });
   connect(parts_, &PartImport::made, this, [this](const ScenarioPtr& scenario) {
+    if (!mayDiscard()) return;
     openLoaded(scenario);
     environment_->document().undoStack().resetClean();  // it is saved nowhere
   });
@@ -130,6 +131,7 @@ void MainWindow::connectPanels() {
   connect(interaction_, &InteractionPanel::deviceChosen, this,
           [this](const QString& id) { bridge_->setDevice(id.toStdString()); });
   connect(path_, &PathController::found, this, [this] { (*actions_)["panel.path"]->trigger(); });
+  connect(path_, &PathController::told, this, [this](const QString& text) { statusBar()->showMessage(text, 10000); });
   connect(path_, &PathController::failed, this, [this](const Diagnostic& why) {
     if (!batch_) showError(tr("This cannot be done with the path"), why);
   });

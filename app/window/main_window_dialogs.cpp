@@ -33,7 +33,7 @@ void MainWindow::chooseScenario() {
 }
 
 void MainWindow::newScenario(const QStringList& partFiles) {
-  if (mayDiscard()) parts_->ask(PartsDialog::Purpose::NewScenario, partFiles);
+  parts_->ask(PartsDialog::Purpose::NewScenario, partFiles);
 }
 
 void MainWindow::editRules() {

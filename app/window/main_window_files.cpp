@@ -21,10 +21,12 @@ std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool qui
 }
 
 void MainWindow::openInBackground(const QString& file) {
-  if (!mayDiscard()) return;
   work_->run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto loaded = std::make_shared<const Result<LoadedScenario>>(loadScenario(file.toStdString(), watch.stop));
-    return [this, loaded, file] { (void)takeScenario(*loaded, file, false); };
+    // Asked now, because there may have been edits meanwhile.
+    return [this, loaded, file] {
+      if (!*loaded || mayDiscard()) (void)takeScenario(*loaded, file, false);
+    };
   });
 }
 

@@ -35,7 +35,7 @@ PathController::PathController(SessionBridge& bridge, const ActionCatalogue& act
   connect(panel_, &PathPanel::playbackEnded, this,
           [this] { actions_[QStringLiteral("path.play")]->setChecked(false); });
   connectActions();
-  enableActions(false);
+  enableActions();
 }
 
 void PathController::connectActions() {
@@ -67,6 +67,7 @@ std::optional<Diagnostic> PathController::open(const QString& file) {
   if (isRunning(*bridge_.snapshot())) {
     return Diagnostic{ErrorKind::Usage, name, "", "a path is being looked for", "Stop the run first."};
   }
+  if (!live_) return Diagnostic{ErrorKind::Usage, name, "", "a recording is shown", "Close the replay first."};
   auto points = readPath(name);
   if (!points) return points.error();
   bridge_.givePath({withUnitRotations(std::move(*points)), {}});
@@ -79,15 +80,21 @@ void PathController::showSnapshot(const SnapshotPtr& snapshot, const ScenarioPtr
   const bool ofRun = snapshot->run > 0;
   snapshot_ = snapshot;
   scenario_ = scenario;
+  live_ = live;
   panel_->setPath(snapshot->path, snapshot->refused, *scenario);
-  enableActions(live);
+  enableActions();
   if (another && ofRun && !snapshot->coarsePlan) emit found();
 }
 
 void PathController::chooseExport() {
   ExportDialog dialog(makePathExporterRegistry(), qobject_cast<QWidget*>(parent()));
   if (dialog.exec() != QDialog::Accepted) return;
-  if (const auto why = exportTo(dialog.selectedFiles().front())) emit failed(*why);
+  const QString file = dialog.selectedFiles().front();
+  if (const auto why = exportTo(file)) {
+    emit failed(*why);
+  } else {
+    emit told(tr("The path was saved as %1").arg(file));
+  }
 }
 
 std::optional<Diagnostic> PathController::exportTo(const QString& file) {
@@ -107,16 +114,16 @@ std::string PathController::verdict() const {
   return body < 0 ? "-" : scenario_->obstacles[static_cast<std::size_t>(body)].id;
 }
 
-void PathController::enableActions(bool live) {
+void PathController::enableActions() {
   const bool open = snapshot_ != nullptr;
   const bool path = open && snapshot_->path;
   const bool refused = open && snapshot_->refused;
   actions_[QStringLiteral("path.play")]->setEnabled(path || refused);
-  actions_[QStringLiteral("path.smooth")]->setEnabled(live && path && !snapshot_->pathWork);
+  actions_[QStringLiteral("path.smooth")]->setEnabled(live_ && path && !snapshot_->pathWork);
   actions_[QStringLiteral("path.smooth")]->setChecked(open && snapshot_->smoothed);
   actions_[QStringLiteral("path.first-blocked")]->setEnabled(refused && !snapshot_->refused->blocked.empty());
   actions_[QStringLiteral("file.export")]->setEnabled(path);
-  actions_[QStringLiteral("file.open-path")]->setEnabled(live && !isRunning(*snapshot_));
+  actions_[QStringLiteral("file.open-path")]->setEnabled(live_ && !isRunning(*snapshot_));
 }
 
 }  // namespace glissade

@@ -32,19 +32,22 @@ class PathController final : public QObject {
  signals:
   /// There is something to see in the panel.
   void found();
+  /// What was done, where it is not seen.
+  void told(const QString& text);
   void failed(const glissade::Diagnostic& why);
 
  private:
   void connectActions();
   void chooseFile();
   void chooseExport();
-  void enableActions(bool live);
+  void enableActions();
 
   SessionBridge& bridge_;
   const ActionCatalogue& actions_;
   PathPanel* panel_;
   ScenarioPtr scenario_;
   SnapshotPtr snapshot_;
+  bool live_ = false;  ///< snapshot_ is of the session, not of a replay
 };
 
 }  // namespace glissade

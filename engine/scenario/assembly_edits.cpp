@@ -115,11 +115,6 @@ Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scen
   return Done{};
 }
 
-bool isSameObject(const LoadedScenario& a, const LoadedScenario& b) {
-  return a.object.id == b.object.id && a.object.mesh->vertices == b.object.mesh->vertices &&
-         a.object.mesh->triangles == b.object.mesh->triangles;
-}
-
 Box3 fittingWorkspace(const LoadedScenario& loaded) {
   Box3 workspace = roomAbout(boxOfAll(loaded), loaded.problem.world->objectRadius());
   if (const Pose* goal = std::get_if<Pose>(&loaded.problem.goal)) workspace.extend(goal->position);

@@ -35,9 +35,6 @@ Outcome swapEnds(Scenario& scenario);
 /// object becomes a static body where it started. Way points of the simulated operator go with their object.
 Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scenario& scenario);
 
-/// The same part moves in both, with the same reference point.
-bool isSameObject(const LoadedScenario& a, const LoadedScenario& b);
-
 /// A workspace about all that there is, with room for the object to get clear of it on every side.
 Box3 fittingWorkspace(const LoadedScenario& loaded);
 

@@ -2405,6 +2405,10 @@
         <source>Paths (%1);;All files (*)</source>
         <translation>Chemins (%1);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>The path was saved as %1</source>
+        <translation>Le chemin a été enregistré sous %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathPanel</name>

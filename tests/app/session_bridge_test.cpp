@@ -123,6 +123,13 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   bridge.post(command::SetSeed{5});
   ASSERT_TRUE(reach(bridge, [](const SessionSnapshot& now) { return now.seed == 5; }));
   EXPECT_FALSE(settled(*bridge.snapshot()));
+  bridge.rearrange(before);  // the first object again
+  ASSERT_TRUE(reach(bridge, SessionState::Solved));
+  EXPECT_EQ(bridge.snapshot()->path->configurations(), found);
+  bridge.open(before);
+  bridge.post(command::SetSeed{6});
+  ASSERT_TRUE(reach(bridge, [](const SessionSnapshot& now) { return now.seed == 6; }));
+  EXPECT_FALSE(settled(*bridge.snapshot()));
 }
 
 TEST_P(Bridge, AnotherDeviceKeepsWhatTheUserHasSet) {

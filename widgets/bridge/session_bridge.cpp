@@ -1,7 +1,6 @@
 #include "widgets/bridge/session_bridge.h"
 
 #include "engine/operator/device_registry.h"
-#include "engine/scenario/assembly_edits.h"
 
 namespace glissade {
 namespace {
@@ -30,7 +29,7 @@ SessionBridge::~SessionBridge() {
 void SessionBridge::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
   scene_ = scenario->problem.scene;
-  kept_.reset();
+  kept_.clear();
   restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
 }
 
@@ -52,7 +51,6 @@ ParameterValues carriedOver(const ParameterValues& values, double objectRadius) 
 void SessionBridge::rearrange(const ScenarioPtr& scenario) {
   const SnapshotPtr last = session_->snapshot();
   keepPath(*last);
-  if (!isSameObject(*scenario_, *scenario)) kept_.reset();
   scenario_ = scenario;
   scene_ = scenario->problem.scene;
   restart(carriedOver(last->parameters, scenario->problem.world->objectRadius()), last->seed, last->plannerId);
@@ -67,7 +65,7 @@ void SessionBridge::setDevice(const std::string& deviceId) {
 }
 
 void SessionBridge::givePath(command::ExaminePath path) {
-  kept_ = std::move(path);
+  kept_[scenario_->object.id] = std::move(path);
   restartAsItIs();
 }
 
@@ -79,7 +77,7 @@ void SessionBridge::restartAsItIs() {
 /// One that is still being examined is kept already.
 void SessionBridge::keepPath(const SessionSnapshot& snapshot) {
   const Path* path = snapshot.path ? snapshot.path.get() : snapshot.refused ? &snapshot.refused->path : nullptr;
-  if (path != nullptr && !fixed_) kept_ = {path->points, snapshot.provenance};
+  if (path != nullptr && !fixed_) kept_[scenario_->object.id] = {path->points, snapshot.provenance};
 }
 
 void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
@@ -89,7 +87,8 @@ void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t see
   begin({std::move(problem), parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
   session_->setOperatorFrame(frame_);
   emitSnapshot();
-  if (kept_) post(*kept_);
+  const auto kept = kept_.find(scenario_->object.id);
+  if (kept != kept_.end()) post(kept->second);
 }
 
 void SessionBridge::startFixed(const FixedRun& run) {
@@ -143,7 +142,7 @@ void SessionBridge::begin(SessionConfig config, SessionClock clock) {
 void SessionBridge::post(Command command) {
   if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) scene_.edits = semantics->edits;
   if (const auto* known = std::get_if<command::SetKnowledge>(&command)) scene_.knowledge = known->knowledge;
-  if (std::holds_alternative<command::Start>(command)) kept_.reset();
+  if (std::holds_alternative<command::Start>(command)) kept_.erase(scenario_->object.id);
   if (session_) session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);

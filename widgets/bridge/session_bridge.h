@@ -3,6 +3,7 @@
 #include <QMetaType>
 #include <QObject>
 #include <QTimer>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -39,8 +40,8 @@ class SessionBridge final : public QObject {
   /// A new session on this scenario; parameters and seed are the scenario's. The old session ends.
   void open(const ScenarioPtr& scenario);
   /// The same scenario with its bodies, its object or its ends elsewhere: ends a run; what has been set since it
-  /// was opened stays. A path that was there is examined in the new arrangement, unless another object moves. The
-  /// environment model is to be posted again.
+  /// was opened stays. A path that was there is examined in the new arrangement; that of another object waits until
+  /// that one moves again. The environment model is to be posted again.
   void rearrange(const ScenarioPtr& scenario);
   /// Gives the object into other hands (an id of the device registry). Ends a run; parameters, seed,
   /// planner, semantic edits, environment model and a path that was there stay.
@@ -85,9 +86,10 @@ class SessionBridge final : public QObject {
   HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   SnapshotPtr announced_;
-  LockstepSession* lockstep_ = nullptr;       ///< session_, where it is one
-  std::optional<command::ExaminePath> kept_;  ///< what the next session is given; nothing once a run has begun
-  bool fixed_ = false;                        ///< session_ is a FixedRun
+  LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
+  /// By the object's id, what a new session is given; nothing once a run has begun.
+  std::map<std::string, command::ExaminePath> kept_;
+  bool fixed_ = false;  ///< session_ is a FixedRun
   std::string fixedDeviceId_;
   QTimer pace_;  ///< of a fixed run on screen
 };

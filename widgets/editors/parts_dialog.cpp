@@ -53,7 +53,7 @@ QString sizeText(const Box3& box) {
   const Vector3 size = box.sizes();
   const bool metres = size.maxCoeff() >= 1.0;
   const Vector3 shown = metres ? size : Vector3(1e3 * size);
-  const double digits = 2.0 - std::floor(std::log10(std::max(shown.maxCoeff(), 1e-6)));
+  const double digits = 2.0 - std::floor(std::log10(std::max(1.001 * shown.maxCoeff(), 1e-6)));
   const auto text = [decimals = static_cast<int>(std::clamp(digits, 0.0, 6.0))](double edge) {
     return QLocale().toString(edge, 'f', decimals);
   };

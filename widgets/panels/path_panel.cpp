@@ -12,8 +12,9 @@ namespace {
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
+/// As it can stand in rich text.
 QString nameOf(int body, const LoadedScenario& scenario) {
-  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name).toHtmlEscaped();
 }
 
 QString certificateText(const MotionCertificate& certificate, const LoadedScenario& scenario) {

@@ -1,0 +1,72 @@
+#include "widgets/panels/path_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QLabel>
+
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+namespace {
+
+class PathPanelTest : public testing::Test {
+ protected:
+  PathPanelTest() {
+    auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/sliding-plane/scenario.json");
+    scenario = std::move(*loaded);
+    scenario.obstacles[1].name = "Cover <11 kW>";
+  }
+
+  /// A metre along x, blocked half way along the second of its two edges.
+  std::shared_ptr<const PathExamination> refused() const {
+    PathExamination examined;
+    for (const double x : {0.0, 0.5, 1.0}) examined.path.points.push_back({Pose::translation({x, 0.0, 0.0})});
+    examined.ends = {true, false};
+    BlockedEdge blocked;
+    blocked.edge = 1;
+    blocked.at = 0.5;
+    blocked.nearest.body = 1;
+    examined.blocked = {blocked};
+    return std::make_shared<const PathExamination>(examined);
+  }
+  QString text() const { return panel.findChild<QLabel*>(QStringLiteral("certificate"))->text(); }
+
+  ActionCatalogue actions{nullptr};
+  PathPanel panel{actions};
+  LoadedScenario scenario;
+};
+
+TEST_F(PathPanelTest, ARefusedPathSaysWhyAndByWhatItIsBlocked) {
+  panel.setPath(nullptr, refused(), scenario);
+  EXPECT_TRUE(text().contains(QStringLiteral("does not hold"))) << text().toStdString();
+  EXPECT_FALSE(text().contains(QStringLiteral("begin at the start"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("end at the goal"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("1 of 2 edges"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("75 % by Cover &lt;11 kW&gt;"))) << text().toStdString();
+  panel.setPath(nullptr, nullptr, scenario);
+  EXPECT_EQ(text(), QStringLiteral("No path yet."));
+}
+
+TEST_F(PathPanelTest, TheObjectIsShownWhereThePathIsBlockedFirst) {
+  panel.setPath(nullptr, refused(), scenario);
+  std::optional<Pose> shown;
+  QObject::connect(&panel, &PathPanel::poseShown, [&](const std::optional<Pose>& pose) { shown = pose; });
+  panel.showFirstBlocked();
+  ASSERT_TRUE(shown);
+  EXPECT_NEAR(shown->position.x(), 0.75, 1e-3);
+}
+
+TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer) {
+  auto path = std::make_shared<Path>();
+  path->points = refused()->path.points;
+  path->certificate.nearest.body = 1;
+  panel.setPath(path, nullptr, scenario);
+  EXPECT_TRUE(text().contains(QStringLiteral("Cover &lt;11 kW&gt;"))) << text().toStdString();
+  EXPECT_FALSE(text().contains(QStringLiteral("triangles"))) << text().toStdString();
+  scenario.deflections = {{scenario.object.id, 1e-4}, {"a", 2e-4}, {"b", 5e-5}};
+  panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
+  EXPECT_TRUE(text().contains(QStringLiteral("0.300 mm nearer"))) << text().toStdString();
+}
+
+}  // namespace
+}  // namespace glissade
