@@ -4,16 +4,19 @@
 
 namespace glissade {
 
+QString patternsOf(const PathExporter& format) {
+  QStringList patterns;
+  for (const std::string& ending : format.endings) patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+  return patterns.join(QLatin1Char(' '));
+}
+
 ExportDialog::ExportDialog(const PathExporterRegistry& registry, QWidget* parent)
     : QFileDialog(parent, tr("Export the path")) {
   setAcceptMode(AcceptSave);
   QStringList filters;
   for (const PathExporter& exporter : registry.entries()) {
-    QStringList patterns;
-    for (const std::string& ending : exporter.endings)
-      patterns << QStringLiteral("*.") + QString::fromStdString(ending);
     const QString label = QCoreApplication::translate("PathFormats", exporter.label.c_str());
-    filters << QStringLiteral("%1 (%2)").arg(label, patterns.join(QLatin1Char(' ')));
+    filters << QStringLiteral("%1 (%2)").arg(label, patternsOf(exporter));
   }
   setNameFilters(filters);
   const auto takeEndingOf = [this, filters, entries = registry.entries()](const QString& filter) {

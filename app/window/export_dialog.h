@@ -6,6 +6,9 @@
 
 namespace glissade {
 
+/// The endings of a format's files as a dialog's filter has them, "*.csv".
+QString patternsOf(const PathExporter& format);
+
 /// Asks where to export the path. Has a filter for each format of the registry; a name without an ending
 /// gets that of the filter chosen.
 class ExportDialog : public QFileDialog {

@@ -17,8 +17,7 @@ QString readablePatterns() {
   QStringList patterns;
   const PathExporterRegistry formats = makePathExporterRegistry();
   for (const PathExporter& format : formats.entries()) {
-    if (!format.readBackError) continue;
-    for (const std::string& ending : format.endings) patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+    if (format.readBackError) patterns << patternsOf(format);
   }
   return patterns.join(QLatin1Char(' '));
 }
