@@ -2,12 +2,11 @@
 #include <unistd.h>
 
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 
 #include "app/window/application.h"
-#include "engine/base/diagnostic.h"
+#include "engine/base/guarded.h"
 
 namespace {
 
@@ -29,11 +28,13 @@ int startSibling(char** argv) {
 
 int main(int argc, char** argv) {
   glissade::prepareProcess();
-  try {
-    if (wantsOffscreen(argc, argv)) return startSibling(argv);
-    return glissade::runApplication(argc, argv, glissade::makeOnscreenSceneWidget, glissade::SessionClock::RealTime);
-  } catch (const std::exception& error) {
-    std::cerr << "glissade: internal error: " << error.what() << "\n";
-    return glissade::exitCode(glissade::ErrorKind::Internal);
-  }
+  int status = 0;
+  const auto why = glissade::guarded("running the workbench", [&] {
+    status = wantsOffscreen(argc, argv) ? startSibling(argv)
+                                        : glissade::runApplication(argc, argv, glissade::makeOnscreenSceneWidget,
+                                                                   glissade::SessionClock::RealTime);
+  });
+  if (!why) return status;
+  std::cerr << "glissade: " << glissade::toString(*why) << "\n";
+  return glissade::exitCode(why->kind);
 }

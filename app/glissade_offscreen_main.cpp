@@ -1,20 +1,20 @@
 // glissade-offscreen: the same window without a display, drawn by OSMesa, in lockstep time.
 #include <QtGlobal>
 
-#include <exception>
 #include <iostream>
 
 #include "app/window/application.h"
-#include "engine/base/diagnostic.h"
+#include "engine/base/guarded.h"
 
 int main(int argc, char** argv) {
   glissade::prepareProcess();
   qputenv("QT_QPA_PLATFORM", "offscreen");
   qputenv("QT_FONT_DPI", "96");
-  try {
-    return glissade::runApplication(argc, argv, glissade::makeOffscreenSceneWidget, glissade::SessionClock::Lockstep);
-  } catch (const std::exception& error) {
-    std::cerr << "glissade-offscreen: " << error.what() << "\n";
-    return glissade::exitCode(glissade::ErrorKind::Internal);
-  }
+  int status = 0;
+  const auto why = glissade::guarded("running the workbench", [&] {
+    status = glissade::runApplication(argc, argv, glissade::makeOffscreenSceneWidget, glissade::SessionClock::Lockstep);
+  });
+  if (!why) return status;
+  std::cerr << "glissade-offscreen: " << glissade::toString(*why) << "\n";
+  return glissade::exitCode(why->kind);
 }

@@ -12,6 +12,7 @@ trap 'rm -rf "$home"' EXIT
 mkdir -m 700 "$home/runtime"
 export HOME=$home XDG_RUNTIME_DIR=$home/runtime XDG_CONFIG_HOME=$home/config XDG_CACHE_HOME=$home/cache
 export MESA_SHADER_CACHE_DISABLE=true QT_FONT_DPI=96 LC_ALL=C.UTF-8
+export LSAN_OPTIONS=suppressions=$PWD/packaging/leaks.txt:print_suppressions=0
 unset DISPLAY WAYLAND_DISPLAY
 # A language with a decimal comma, which the C library would follow.
 mkdir "$home/locale"
@@ -61,7 +62,7 @@ build_and_run() {
 
 build_and_run release ""
 # Sanitizers where they matter: what reads files, and what runs in threads.
-build_and_run asan "import_test scenario_test" -L 'import|scenario'
+build_and_run asan "import_test scenario_test mutate_readers" -L 'import|scenario|fuzz'
 build_and_run tsan "session_test operator_test haptic_test lanes_test" -L 'session|operator|lanes'
 
 echo "$passed passed, $failed failed, $skipped skipped"

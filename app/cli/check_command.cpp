@@ -5,12 +5,28 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/collision/independent_check.h"
+#include "engine/planning/path_bounds.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/path_examination.h"
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
+namespace {
+
+MotionCertificate judge(const std::vector<PathPoint>& points, const LoadedScenario& loaded, const StopToken& stop) {
+  const IndependentCheck check(loaded.problem.world->obstacles(), loaded.problem.world->object());
+  return check.check(configurationsOf(points), demandsOf(points, loaded.parameters), stop);
+}
+
+/// Of a path that is refused on the edge to its first configuration outside.
+MotionCertificate outsideWorkspace(std::size_t configuration) {
+  MotionCertificate certificate;
+  certificate.edge = configuration == 0 ? 0 : configuration - 1;
+  return certificate;
+}
+
+}  // namespace
 
 int runCheck(const CheckOptions& options) {
   auto loaded = loadScenario(options.scenario);
@@ -25,12 +41,12 @@ int runCheck(const CheckOptions& options) {
     const Outcome set = loaded->parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
     if (!set) return reportError(set.error(), options.format);
   }
-  const IndependentCheck judge(problem.world->obstacles(), problem.world->object());
+  const std::optional<std::size_t> outside = firstOutside(points, problem);
   const Interrupt interrupt;
   const MotionCertificate certificate =
-      judge.check(configurationsOf(points), demandsOf(points, loaded->parameters), interrupt.token());
+      outside ? outsideWorkspace(*outside) : judge(points, *loaded, interrupt.token());
   const PathEnds ends = endsOf(points, problem);
-  const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal;
+  const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal && !outside;
 
   if (options.format == Format::Json) {
     nlohmann::ordered_json report;
@@ -38,14 +54,19 @@ int runCheck(const CheckOptions& options) {
     report["configurations"] = points.size();
     report["begins_at_start"] = ends.start;
     report["ends_at_goal"] = ends.goal;
+    report["outside_workspace"] = outside ? nlohmann::ordered_json(*outside) : nlohmann::ordered_json(nullptr);
     report["certificate"] = toJson(certificate, *problem.world, options.edges);
-    report["certificate"]["surface_deviation_m"] = surfaceDeviation(*loaded);
-    std::cout << report.dump(2) << "\n";
+    addUncertainties(*loaded, report["certificate"]);
+    printJson(report);
   } else {
     std::cout << (valid ? "valid" : "invalid") << ": " << points.size() << " configurations, "
               << inWords(certificate, *problem.world) << "\n";
     std::cout << deviationInWords(*loaded);
     if (options.edges) printEdges(certificate, *problem.world);
+    if (outside) {
+      std::cout << "the path leaves the scenario's workspace on edge " << certificate.edge << ": configuration "
+                << *outside << " is outside; it was not examined further\n";
+    }
     if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";
     if (!ends.goal) std::cout << "the path does not end at the scenario's goal\n";
   }

@@ -1,5 +1,6 @@
 #include "app/cli/convert_command.h"
 
+#include <filesystem>
 #include <iostream>
 
 #include "engine/base/file.h"
@@ -7,7 +8,7 @@
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 
 namespace glissade::cli {
 namespace {
@@ -49,10 +50,16 @@ int convertPath(const ConvertOptions& options) {
 }
 
 int convertScenario(const ConvertOptions& options) {
-  const auto loaded = loadScenario(options.input);
-  if (!loaded) return reportError(loaded.error(), options.format);
-  reportWarnings(loaded->warnings);
-  return finish(saveScenario(movedTo(options.output, loaded->scenario, options.input), options.output), options);
+  const auto opened = openScenarioFile(options.input);
+  if (!opened) return reportError(opened.error(), options.format);
+  const LoadedScenario& loaded = opened->scenario;
+  reportWarnings(loaded.warnings);
+  std::error_code notThere;
+  const bool inPlace = std::filesystem::equivalent(options.input, options.output, notThere);
+  const SaveResult saved = saveScenarioFile(movedTo(options.output, loaded.scenario, options.input), options.output,
+                                            inPlace ? std::optional(opened->sha256) : std::nullopt);
+  reportWarnings(saved.warnings);
+  return finish(saved ? Outcome(Done{}) : Outcome(saved.why), options);
 }
 
 }  // namespace

@@ -22,13 +22,21 @@ Json toJson(const Pose& pose) {
 
 Json toJson(const Box3& box) { return {{"min", toJson(box.min())}, {"max", toJson(box.max())}}; }
 
-/// 0 where the mesh is what was given.
-double deflectionOf(const RigidBody& body, const LoadedScenario& loaded) {
-  const auto known = loaded.deflections.find(body.id);
-  return known == loaded.deflections.end() ? 0.0 : known->second;
+/// How far the mesh of a body may be off, metres; 0 where it is what was given.
+struct Uncertainty {
+  double deflection = 0.0;
+  double coordinateSpacing = 0.0;
+};
+
+Uncertainty uncertaintyOf(const RigidBody& body, const LoadedScenario& loaded) {
+  const auto valueOf = [&](const std::map<std::string, double>& values) {
+    const auto known = values.find(body.id);
+    return known == values.end() ? 0.0 : known->second;
+  };
+  return {valueOf(loaded.deflections), valueOf(loaded.coordinateSpacings)};
 }
 
-Json toJson(const RigidBody& body, double deflection) {
+Json toJson(const RigidBody& body, const Uncertainty& uncertainty) {
   const MeshAudit result = audit(*body.mesh);
   return {{"id", body.id},
           {"name", body.name},
@@ -38,7 +46,8 @@ Json toJson(const RigidBody& body, double deflection) {
           {"open_edges", result.openEdges},
           {"degenerate_triangles", result.degenerateTriangles},
           {"components", result.components},
-          {"deflection_m", deflection},
+          {"deflection_m", uncertainty.deflection},
+          {"coordinate_spacing_m", uncertainty.coordinateSpacing},
           {"volume_m3", result.closed() ? number(std::abs(result.volume)) : Json(nullptr)},
           {"box_W", toJson(boundingBox(*body.mesh, body.X_WB))}};
 }
@@ -51,13 +60,18 @@ Json toJson(const Asset& asset) {
           {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
 }
 
-void printBody(const RigidBody& body, double deflection, const char* role) {
+void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role) {
   const MeshAudit result = audit(*body.mesh);
   const Vector3 size = result.box.sizes();
   std::cout << "  " << std::left << std::setw(24) << body.name << std::setw(8) << role << std::right << std::setw(8)
             << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
             << " x " << size.y() << " x " << size.z() << " m";
-  if (deflection > 0.0) std::cout << "  within " << 1000.0 * deflection << " mm of its surface";
+  if (uncertainty.deflection > 0.0) {
+    std::cout << "  within " << 1000.0 * uncertainty.deflection << " mm of its surface";
+  }
+  if (uncertainty.coordinateSpacing > 0.0) {
+    std::cout << "  coordinate spacing " << 1000.0 * uncertainty.coordinateSpacing << " mm";
+  }
   std::cout << "\n";
 }
 
@@ -67,9 +81,9 @@ void printText(const LoadedScenario& loaded) {
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
   for (const RigidBody& body : loaded.obstacles) {
-    printBody(body, deflectionOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile");
+    printBody(body, uncertaintyOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile");
   }
-  printBody(loaded.object, deflectionOf(loaded.object, loaded), "object");
+  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object");
   const auto& min = loaded.problem.bounds.min();
   const auto& max = loaded.problem.bounds.max();
   std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
@@ -106,8 +120,9 @@ int runInfo(const InfoOptions& options) {
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
   report["bodies"] = Json::array();
-  for (const RigidBody& body : loaded->obstacles) report["bodies"].push_back(toJson(body, deflectionOf(body, *loaded)));
-  report["object"] = toJson(loaded->object, deflectionOf(loaded->object, *loaded));
+  for (const RigidBody& body : loaded->obstacles)
+    report["bodies"].push_back(toJson(body, uncertaintyOf(body, *loaded)));
+  report["object"] = toJson(loaded->object, uncertaintyOf(loaded->object, *loaded));
   report["object"]["radius_m"] = loaded->problem.world->objectRadius();
   report["workspace"] = toJson(loaded->problem.bounds);
   report["start"] = toJson(loaded->problem.start);
@@ -122,7 +137,7 @@ int runInfo(const InfoOptions& options) {
   if (knowledge) {
     report["environment"] = toJson(*knowledge, semanticsOf(loaded->problem, *knowledge, loaded->problem.scene.edits));
   }
-  std::cout << report.dump(2) << "\n";
+  printJson(report);
   return 0;
 }
 

@@ -3,19 +3,22 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <map>
 
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
+#include "app/cli/fits_command.h"
 #include "app/cli/info_command.h"
 #include "app/cli/new_command.h"
 #include "app/cli/plan_command.h"
+#include "app/cli/printable_output.h"
 #include "app/cli/replay_command.h"
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
+#include "engine/base/guarded.h"
+#include "engine/base/limits.h"
 #include "engine/base/number_text.h"
 #include "engine/scenario/path_exporter.h"
 
@@ -44,6 +47,9 @@ double metres(const std::string& text) {
   const double factor = name == "mm" ? 1e-3 : name == "cm" ? 1e-2 : 1.0;
   if (!number || (factor == 1.0 && name != "m" && !name.empty())) {
     throw CLI::ValidationError("'" + text + "' is not a length: give metres, or a unit as in 0.5mm");
+  }
+  if (!limits::isCoordinate(*number * factor)) {
+    throw CLI::ValidationError("'" + text + "' is beyond 1e9 m: check the unit");
   }
   return *number * factor;
 }
@@ -131,6 +137,23 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   return info;
 }
 
+CLI::App* addFits(CLI::App& app, FitsOptions& options) {
+  CLI::App* fits = app.add_subcommand("fits", "List the contacts, fits and clashes of a product as it is assembled");
+  fits->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")->required();
+  addLength(
+      *fits, "--clearance-up-to", [&options](double distance) { options.limits.clearanceUpTo = distance; },
+      "List pairs that are apart by up to this too, as 0.5mm (default: 0)");
+  addLength(
+      *fits, "--clash-above", [&options](double overlap) { options.limits.clashOverlap = overlap; },
+      "An overlap above this is a clash (default: 1mm)");
+  fits->add_option("--clash-share", options.limits.clashThickness, "So is one above this share of the local thickness")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
+  addFormat(*fits, options.format);
+  return fits;
+}
+
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
   CLI::App* convert = app.add_subcommand("convert", "OMPL.app .cfg to a scenario, or a path to another format");
   convert->add_option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + readablePathFormats())
@@ -165,7 +188,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
   addLength(
       *make, "--deflection",
       [&options](double deflection) {
-        if (!(deflection > 0.0)) throw CLI::ValidationError("--deflection", "is not above zero");
+        if (!limits::isSize(deflection)) throw CLI::ValidationError("--deflection", "is not from 1e-12 m to 1e9 m");
         options.deflection = deflection;
       },
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
@@ -227,6 +250,7 @@ int run(int argc, char** argv) {
   SmoothOptions smooth;
   ReplayOptions replay;
   InfoOptions info;
+  FitsOptions fits;
   ConvertOptions convert;
   NewOptions fresh;
   StudyOptions study;
@@ -238,6 +262,7 @@ int run(int argc, char** argv) {
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* smoothCommand = addSmooth(app, smooth);
   const CLI::App* infoCommand = addInfo(app, info);
+  const CLI::App* fitsCommand = addFits(app, fits);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
   const CLI::App* reportCommand = addReport(app, report);
@@ -254,6 +279,7 @@ int run(int argc, char** argv) {
   if (checkCommand->parsed()) return runCheck(check);
   if (smoothCommand->parsed()) return runSmooth(smooth);
   if (infoCommand->parsed()) return runInfo(info);
+  if (fitsCommand->parsed()) return runFits(fits);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);
@@ -267,10 +293,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "glissade-cli: internal error: " << error.what() << "\n";
-    return glissade::exitCode(glissade::ErrorKind::Internal);
-  }
+  const PrintableOutput output(std::cout);
+  const PrintableOutput errors(std::cerr);
+  int status = 0;
+  const auto why = glissade::guarded("running the command", [&] { status = run(argc, argv); });
+  if (!why) return status;
+  std::cerr << "glissade-cli: " << glissade::toString(*why) << "\n";
+  return glissade::exitCode(why->kind);
 }

@@ -4,7 +4,7 @@
 
 #include "engine/planning/automatic/freeing.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 
 namespace glissade::cli {
 namespace {
@@ -50,8 +50,10 @@ int runNew(const NewOptions& options) {
     if (!gone) return reportError(gone.error(), options.format);
     if (*gone > 0.0) std::cout << "start moved clear by " << *gone << " mm\n";
   }
-  const Outcome saved = saveScenario(movedTo(options.output, std::move(*scenario), ""), options.output);
-  if (!saved) return reportError(saved.error(), options.format);
+  const SaveResult saved =
+      saveScenarioFile(movedTo(options.output, std::move(*scenario), ""), options.output, std::nullopt);
+  if (!saved) return reportError(saved.why, options.format);
+  reportWarnings(saved.warnings);
   std::cout << "wrote " << options.output << "\n";
   return 0;
 }

@@ -60,6 +60,9 @@ Json toJson(const Replayed& replayed, const std::optional<RunDifference>& differ
   report["nodes"] = replayed.end->counts.nodes;
   report["solved"] = replayed.end->state == SessionState::Solved;
   report["cut_short"] = replayed.recorded.cutShort;
+  if (const auto& loss = replayed.record.loss) {
+    report["lost"] = {{"lines", loss->lines}, {"after_step", loss->afterStep}};
+  }
   if (difference) {
     report["difference"] = {{"same_until", difference->same},
                             {"recorded", toJson(difference->recorded)},
@@ -91,11 +94,12 @@ int runReplay(const ReplayOptions& options) {
   const Interrupt interrupt;
   const auto replayed = replay(options, interrupt);
   if (!replayed) return reportError(replayed.error(), options.format);
+  if (const auto loss = lossWarning(replayed->record, options.record)) reportWarnings({*loss});
   // A run that failed before its first step left nothing to compare but that.
   const RunLog again = replayed->end->log.empty() ? RunLog() : joined(replayed->end->log);
   const auto difference = firstDifference(replayed->recorded, again);
   if (options.format == Format::Json) {
-    std::cout << toJson(*replayed, difference).dump(2) << "\n";
+    printJson(toJson(*replayed, difference));
   } else {
     printText(*replayed, difference);
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "engine/base/printable_text.h"
 #include "engine/scenario/certificate_json.h"
 
 namespace glissade::cli {
@@ -14,9 +15,11 @@ std::string bodyName(const CollisionWorld& world, int body) {
   return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].name;
 }
 
+void printJson(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }
+
 int reportError(const Diagnostic& error, Format format) {
   std::cerr << "glissade-cli: " << toString(error) << "\n";
-  if (format == Format::Json) std::cout << Json{{"error", toJson(error)}}.dump(2) << "\n";
+  if (format == Format::Json) printJson({{"error", toJson(error)}});
   return exitCode(error.kind);
 }
 
@@ -27,7 +30,10 @@ void reportWarnings(const Warnings& warnings) {
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json toJson(const Diagnostic& error) {
-  return {{"file", error.file}, {"place", error.place}, {"reason", error.reason}, {"advice", error.advice}};
+  return {{"file", printableLine(error.file)},
+          {"place", printableLine(error.place)},
+          {"reason", printableText(error.reason)},
+          {"advice", printableText(error.advice)}};
 }
 
 Json toJson(const MotionCertificate& certificate, const CollisionWorld& world, bool edges) {
@@ -63,12 +69,21 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
   return text.str();
 }
 
+void addUncertainties(const LoadedScenario& scenario, Json& certificate) {
+  certificate["surface_deviation_m"] = surfaceDeviation(scenario);
+  certificate["coordinate_spacing_m"] = coordinateSpacing(scenario);
+}
+
 std::string deviationInWords(const LoadedScenario& scenario) {
-  const double deviation = surfaceDeviation(scenario);
-  if (deviation <= 0.0) return {};
   std::ostringstream text;
-  text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
-       << " mm nearer than they are\n";
+  if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
+    text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
+         << " mm nearer than they are\n";
+  }
+  if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
+    text << "coordinate spacing: the mesh files hold 32-bit numbers, so that bodies may be " << spacing * 1e3
+         << " mm nearer\n";
+  }
   return text.str();
 }
 

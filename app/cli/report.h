@@ -13,6 +13,9 @@ namespace glissade::cli {
 /// How a command speaks: for people, or one JSON object on stdout and nothing else.
 enum class Format { Text, Json };
 
+/// Prints one JSON document to stdout.
+void printJson(const nlohmann::ordered_json& json);
+
 /// Prints the error to stderr (and as JSON to stdout) and returns the exit code that goes with it.
 int reportError(const Diagnostic& error, Format format);
 void reportWarnings(const Warnings& warnings);
@@ -26,7 +29,9 @@ void printEdges(const MotionCertificate& certificate, const CollisionWorld& worl
 std::string bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
-/// What certificates say nothing of: a line, or nothing where triangles are what there is.
+/// How much nearer than certified bodies may be, because of tessellation and of the files' numbers. For JSON, and as
+/// lines of text; none where triangles are exactly what there is.
+void addUncertainties(const LoadedScenario& scenario, nlohmann::ordered_json& certificate);
 std::string deviationInWords(const LoadedScenario& scenario);
 
 /// "certified, 1.5 mm to wall_L1" and the like.

@@ -194,9 +194,9 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
   if (options.difficulty && foundNone(end)) difficulty = difficultyOf(scenario, end, stop);
   if (options.format == Format::Json) {
     Json report = toJson(end, world, options.edges);
-    if (end.path) report["certificate"]["surface_deviation_m"] = surfaceDeviation(scenario);
+    if (end.path) addUncertainties(scenario, report["certificate"]);
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
-    std::cout << report.dump(2) << "\n";
+    printJson(report);
   } else {
     printText(end, world);
     if (end.path) std::cout << deviationInWords(scenario);

@@ -53,7 +53,7 @@ int runSmooth(const SmoothOptions& options) {
                                         {"configurations_before", path.points.size()},
                                         {"configurations", shorter.points.size()},
                                         {"certificate", toJson(shorter.certificate, *problem.world)}};
-    std::cout << report.dump(2) << "\n";
+    printJson(report);
   } else {
     std::cout << "from " << before << " m to " << after << " m in the metric, from " << path.points.size() << " to "
               << shorter.points.size() << " configurations, " << inWords(shorter.certificate, *problem.world) << "\n";

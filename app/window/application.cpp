@@ -16,12 +16,15 @@
 #include <cstring>
 #include <iostream>
 
+#include "app/script/script_runner.h"
+#include "app/window/guarded_application.h"
 #include "app/window/main_window.h"
-#include "app/window/script_runner.h"
 #include "app/window/study_batch.h"
 #include "app/window/window_memory.h"
+#include "app/window/window_picture.h"
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
+#include "widgets/plots/picture_file.h"
 
 namespace glissade {
 namespace {
@@ -81,26 +84,27 @@ std::optional<Diagnostic> applyParameters(const QCommandLineParser& parser, Main
   for (const ParameterSpec& spec : parameterTable()) {
     if (!parser.isSet(optionName(spec))) continue;
     const auto value = toNumber(parser.value(optionName(spec)).toStdString());
-    ParameterValues trial = window.bridge().snapshot()->parameters;
+    ParameterValues trial = window.workbench().document.settings().parameters;
     if (!value) return Diagnostic{ErrorKind::Usage, "", std::string(spec.option), "is not a number", "Give a number."};
     const Outcome outcome = trial.set(spec.id, *value);
     if (!outcome) return outcome.error();
-    window.bridge().post(command::SetParameter{spec.id, *value});
+    window.workbench().session.post(command::SetParameter{spec.id, *value});
   }
   if (!parser.isSet(QStringLiteral("seed"))) return std::nullopt;
   bool ok = false;
   const qulonglong seed = parser.value(QStringLiteral("seed")).toULongLong(&ok);
   if (!ok) return Diagnostic{ErrorKind::Usage, "", "--seed", "is not a whole number", "Give a number of 0 or more."};
-  window.bridge().post(command::SetSeed{seed});
+  window.workbench().session.post(command::SetSeed{seed});
   return std::nullopt;
 }
 
-int runScript(const std::string& file, MainWindow& window) {
+int runScriptFile(const std::string& file, const Workbench& bench) {
   const auto script = readFile(file, kMostScriptBytes);
   if (!script) return fail(script.error());
-  const auto commands = parseScript(*script, file);
-  if (!commands) return fail(commands.error());
-  if (const auto why = ScriptRunner(window, file).run(*commands)) return fail(*why);
+  const auto lines = parseScript(*script, file, bench.scripts);
+  if (!lines) return fail(lines.error());
+  if (const auto why = runScript(*lines, file, bench.scripts, [&bench] { return bench.work.takeFailure(); }))
+    return fail(*why);
   return 0;
 }
 
@@ -123,23 +127,25 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   QApplication::processEvents();
   if (!batch) {
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    window.keepUnsavedEdits(data + QStringLiteral("/unsaved"));
     window.keepJournals(data + QStringLiteral("/recordings"));
   }
   if (parser.isSet("script")) {
-    const int status = runScript(parser.value("script").toStdString(), window);
+    const int status = runScriptFile(parser.value("script").toStdString(), window.workbench());
     if (status != 0) return status;
   }
   if (parser.isSet("study-pictures")) {
-    if (const auto why = takeStudyPictures(parser.value("study-pictures"), window)) return fail(*why);
+    const std::string folder = parser.value("study-pictures").toStdString();
+    const Outcome taken = window.workbench().scripts.carryOut("study-pictures", {folder});
+    if (!taken) return fail(taken.error());
   }
   if (parser.isSet("report-pdf")) {
     if (const auto why = writeFolderPdf(parser.value("report-pdf"))) return fail(*why);
   }
   if (parser.isSet("screenshot")) {
     const QString file = parser.value("screenshot");
-    if (!window.picture().save(file)) {
-      return fail({ErrorKind::Internal, file.toStdString(), "", "the picture cannot be saved", "Check the folder."});
-    }
+    const Outcome saved = savePicture(pictureOf(window), file);
+    if (!saved) return fail(saved.error());
   }
   return batch ? 0 : QApplication::exec();
 }
@@ -180,7 +186,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   // A desktop at 150 % is drawn at 150 %, not at 200.
   QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
-  QApplication application(argc, argv);
+  GuardedApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
   QFont font = QApplication::font();
   font.setPointSizeF(kFontPoints);
@@ -208,7 +214,14 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   MainWindow window(makeScene, clock);
   window.setTheme(theme == "dark" ? Theme::Dark : Theme::Light);
   window.resize(*size);
-  return runWindow(parser, window);
+  WorkController& work = window.workbench().work;
+  application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });
+  const int status = runWindow(parser, window);
+  application.setFailureHandler({});
+  // On screen the user has read it.
+  const auto why = work.takeFailure();
+  const bool batch = clock == SessionClock::Lockstep || parser.isSet("script");
+  return status == 0 && why && batch ? fail(*why) : status;
 }
 
 }  // namespace glissade

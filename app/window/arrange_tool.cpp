@@ -12,13 +12,13 @@ struct Hit {
   Vector3 p_W;
 };
 
-/// What the ray meets first of what is drawn and wanted.
-template <class Wanted>
-std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, const Ray& ray, Wanted&& wanted) {
+/// What the ray meets first of the items that are drawn and for which `accept` is true.
+template <class Accept>
+std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, const Ray& ray, Accept&& accept) {
   std::vector<RigidBody> bodies;
   std::vector<AssemblyItem> items;  // per body
   const auto add = [&](const RigidBody& body, const Pose& X_WB, const AssemblyItem& item) {
-    if (!wanted(item)) return;
+    if (!accept(item)) return;
     bodies.push_back(body);
     bodies.back().X_WB = X_WB;
     items.push_back(item);
@@ -38,11 +38,11 @@ std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, 
 
 }  // namespace
 
-ArrangeTool::ArrangeTool(SceneWidget& scene, QObject* parent) : DragTool(scene, parent) {}
-
-void ArrangeTool::setScenario(const ScenarioPtr& scenario) {
-  scenario_ = scenario;
-  inHand_.reset();
+ArrangeTool::ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent)
+    : DragTool(scene, parent), document_(document) {
+  connect(&document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & (Change::Scenario | Change::Arrangement)) inHand_.reset();
+  });
 }
 
 void ArrangeTool::setOn(bool on) {
@@ -57,13 +57,14 @@ void ArrangeTool::setOn(bool on) {
 }
 
 bool ArrangeTool::grip(const QPointF& position) {
-  if (!on_ || !scenario_) return false;
+  const ScenarioPtr& scenario = document_.scenario();
+  if (!on_ || !scenario) return false;
   const Ray ray = rayThrough(scene_, position);
   const auto grippable = [&](const AssemblyItem& item) { return selected_ && item == *selected_; };
-  auto hit = hitOf(*scenario_, scene_.view(), ray, grippable);
-  if (!hit) hit = hitOf(*scenario_, scene_.view(), ray, [](const AssemblyItem&) { return true; });
+  auto hit = hitOf(*scenario, scene_.view(), ray, grippable);
+  if (!hit) hit = hitOf(*scenario, scene_.view(), ray, [](const AssemblyItem&) { return true; });
   if (!hit) return false;
-  const Pose before = *poseOf(scenario_->scenario, hit->item);
+  const Pose before = *poseOf(scenario->scenario, hit->item);
   inHand_ = InHand{hit->item, before, PoseDrag(before, hit->p_W, scene_.view().camera().R_WV())};
   scene_.widget()->setCursor(Qt::ClosedHandCursor);
   emit gripped(inHand_->item);
@@ -85,8 +86,9 @@ void ArrangeTool::draw(const Pose& X_WB) {
   const InHand& hand = *inHand_;
   if (hand.item.kind == AssemblyItem::Kind::Start) view.placeStart(X_WB);
   if (hand.item.kind == AssemblyItem::Kind::Goal) view.placeGoal(X_WB);
-  for (std::size_t i = 0; i < scenario_->obstacles.size() && hand.item.kind == AssemblyItem::Kind::Body; ++i) {
-    const RigidBody& body = scenario_->obstacles[i];
+  const std::vector<RigidBody>& obstacles = document_.scenario()->obstacles;
+  for (std::size_t i = 0; i < obstacles.size() && hand.item.kind == AssemblyItem::Kind::Body; ++i) {
+    const RigidBody& body = obstacles[i];
     if (bodyIdOf(body.id) == hand.item.bodyId) view.placeObstacle(i, X_WB * inverse(hand.before) * body.X_WB);
   }
   scene_.refresh();

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/drag_tool.h"
-#include "engine/scenario/assembly_edits.h"
-#include "widgets/bridge/session_bridge.h"
+#include "widgets/document/workbench_document.h"
 #include "widgets/scene3d/pose_drag.h"
 
 namespace glissade {
@@ -14,9 +13,8 @@ class ArrangeTool final : public DragTool {
   Q_OBJECT
 
  public:
-  ArrangeTool(SceneWidget& scene, QObject* parent);
+  ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent);
 
-  void setScenario(const ScenarioPtr& scenario);
   void setOn(bool on);
   /// What is selected is gripped also behind other bodies.
   void setSelected(const std::optional<AssemblyItem>& item) { selected_ = item; }
@@ -39,7 +37,7 @@ class ArrangeTool final : public DragTool {
     PoseDrag drag;
   };
 
-  ScenarioPtr scenario_;
+  const WorkbenchDocument& document_;
   bool on_ = false;
   std::optional<AssemblyItem> selected_;
   std::optional<InHand> inHand_;

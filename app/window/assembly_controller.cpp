@@ -3,18 +3,17 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "engine/planning/automatic/freeing.h"
+#include "app/window/assembly_script.h"
+#include "app/window/end_clearance.h"
 
 namespace glissade {
 
-AssemblyController::AssemblyController(SemanticDocument& semantics, const ActionCatalogue& actions, SceneWidget& scene,
-                                       QWidget* window)
-    : QObject(window),
-      semantics_(semantics),
-      actions_(actions),
-      document_(semantics),
-      tool_(scene, this),
-      panel_(new QWidget(window)),
+AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts)
+    : QObject(&bench.window),
+      bench_(bench),
+      document_(bench.document),
+      tool_(bench.document, bench.scene, this),
+      panel_(new QWidget(&bench.window)),
       scenePanel_(new ScenePanel(panel_)),
       placement_(new PlacementPanel(panel_)) {
   auto* column = new QVBoxLayout(panel_);
@@ -22,42 +21,42 @@ AssemblyController::AssemblyController(SemanticDocument& semantics, const Action
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   for (const char* id : {"assembly.moves", "assembly.remove", "body.hide", "body.isolate", "body.show-all"}) {
-    scenePanel_->addAction(actions_[QLatin1String(id)]);
+    scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
   scenePanel_->setContextMenuPolicy(Qt::ActionsContextMenu);
 
-  connect(&document_, &AssemblyDocument::failed, this, &AssemblyController::failed);
-  connect(&semantics_, &SemanticDocument::selectionChanged, this, &AssemblyController::takeSelection);
+  connect(&document_, &WorkbenchDocument::changed, this, &AssemblyController::followDocument);
+  connect(&document_, &WorkbenchDocument::undoFailed, this, [this](const Diagnostic& why) { showFailure(why); });
+  connect(&bench.run, &ShownRun::changed, this, &AssemblyController::followRun);
+  connect(&document_.semantics(), &SemanticDocument::selectionChanged, this, &AssemblyController::takeSelection);
   connect(scenePanel_, &ScenePanel::bodiesChosen, this, [this](const QSet<QString>& bodies) {
-    SemanticSelection selection = semantics_.selection();
+    SemanticSelection selection = document_.semantics().selection();
     selection.bodies = bodies;
-    semantics_.select(selection);
+    document_.semantics().select(selection);
   });
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));
-    carryOut(document_.place(*chosen_, X_WB, key.arg(QString::fromStdString(chosen_->bodyId))));
+    showFailure(document_.place(*chosen_, X_WB, key.arg(QString::fromStdString(chosen_->bodyId))));
   });
   connect(&tool_, &ArrangeTool::gripped, this, &AssemblyController::choose);
   connect(&tool_, &ArrangeTool::dropped, this,
-          [this](const AssemblyItem& item, const Pose& X_WB) { carryOut(document_.place(item, X_WB)); });
+          [this](const AssemblyItem& item, const Pose& X_WB) { showFailure(document_.place(item, X_WB)); });
   connectActions();
   enableActions();
+  addAssemblyCommands(bench, parts);
 }
 
 void AssemblyController::connectActions() {
-  const auto on = [this](const char* id, auto handler) {
-    connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
-  };
-  on("assembly.add", [this] { emit addPartsWanted(); });
+  const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("assembly.remove", [this] { removeSelected(); });
   on("assembly.moves", [this] { markSelected(); });
   on("assembly.arrange", [this](bool arrange) { tool_.setOn(arrange); });
   on("assembly.start-here", [this] {
-    carryOut(document_.place({AssemblyItem::Kind::Start, {}}, snapshot_->device.q_device));
+    showFailure(document_.place({AssemblyItem::Kind::Start, {}}, bench_.session.snapshot()->device.q_device));
   });
   on("assembly.goal-here", [this] {
-    carryOut(document_.place({AssemblyItem::Kind::Goal, {}}, snapshot_->device.q_device));
+    showFailure(document_.place({AssemblyItem::Kind::Goal, {}}, bench_.session.snapshot()->device.q_device));
   });
   on("assembly.goal-out", [this] {
     editScenario(tr("Goal out"), [](Scenario& scenario) {
@@ -71,42 +70,42 @@ void AssemblyController::connectActions() {
       return Outcome(Done{});
     });
   });
-  on("assembly.free-ends", [this] { freeEnds(); });
+  on("assembly.free-ends", [this] { moveEndsClear(); });
   on("assembly.swap", [this] { editScenario(tr("Swap start and goal"), swapEnds); });
 }
 
-void AssemblyController::show(const ScenarioPtr& scenario) {
-  if (document_.scenario() != scenario) document_.open(scenario);
-  tool_.setScenario(scenario);
-  scenePanel_->setScenario(*scenario);
-  if (chosen_ && !poseOf(scenario->scenario, *chosen_)) chosen_.reset();
+void AssemblyController::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  scenePanel_->setScenario(*document_.scenario());
+  if (chosen_ && !poseOf(document_.scenario()->scenario, *chosen_)) chosen_.reset();
   takeSelection();
 }
 
-void AssemblyController::setState(bool editable, const SnapshotPtr& snapshot) {
-  snapshot_ = snapshot;
+void AssemblyController::followRun(const SnapshotPtr& snapshot) {
+  const bool editable = bench_.run.isLive() && !isRunning(*snapshot);
   if (editable == editable_) return;
   editable_ = editable;
-  if (!editable) actions_[QStringLiteral("assembly.arrange")]->setChecked(false);
-  tool_.setOn(actions_[QStringLiteral("assembly.arrange")]->isChecked());
+  QAction* arrange = bench_.actions["assembly.arrange"];
+  if (!editable) arrange->setChecked(false);
+  tool_.setOn(arrange->isChecked());
   showPlacement();
   enableActions();
 }
 
-void AssemblyController::carryOut(const Outcome& outcome) {
-  if (!outcome) emit failed(outcome.error());
+void AssemblyController::showFailure(const Outcome& outcome) {
+  if (!outcome) bench_.messages.showError(tr("This cannot be done"), outcome.error());
 }
 
 void AssemblyController::editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change) {
   Scenario after = document_.current();
   const Outcome changed = change(after);
-  carryOut(changed ? document_.edit(text, std::move(after)) : changed);
+  showFailure(changed ? document_.edit(text, std::move(after)) : changed);
 }
 
 /// Ids of the scenario's bodies, the object not among them.
 std::set<std::string> AssemblyController::selectedBodies() const {
   std::set<std::string> ids;
-  for (const QString& id : semantics_.selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
+  for (const QString& id : document_.semantics().selection().bodies) ids.insert(bodyIdOf(id.toStdString()));
   if (document_.scenario()) ids.erase(document_.scenario()->scenario.object.id);
   return ids;
 }
@@ -130,38 +129,39 @@ void AssemblyController::markSelected() {
                [&](Scenario& scenario) { return markMoving(id, *document_.scenario(), scenario); });
 }
 
-void AssemblyController::freeEnds() {
-  const LoadedScenario& loaded = *document_.scenario();
-  const double required = snapshot_->parameters[ParameterId::RequiredClearance];
-  Scenario after = document_.current();
-  QStringList moved;
-  for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
-    const AssemblyItem item{end, {}};
-    const auto before = poseOf(after, item);
-    if (!before) continue;
-    const auto clear = freed(loaded.problem.world, *before, required);
-    if (!clear) {
-      Diagnostic why = clear.error();
-      why.place = end == AssemblyItem::Kind::Start ? "start" : "goal";
-      emit failed(why);
-      return;
-    }
-    if (*clear == *before) continue;
-    (void)place(item, *clear, after);
-    const QString by = QLocale().toString(1000.0 * (clear->position - before->position).norm(), 'f', 3);
-    moved << (end == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by)
-                                               : tr("the goal went %1 mm").arg(by));
-  }
-  if (moved.isEmpty()) {
-    emit told(tr("Start and goal are clear of all bodies."));
+/// In the background; an edit of the arrangement cancels it.
+void AssemblyController::moveEndsClear() {
+  const double required = document_.settings().parameters[ParameterId::RequiredClearance];
+  bench_.work.run(tr("Moving the ends clear"),
+                  [this, scenario = document_.scenario(), required](const WorkWatch&) -> BackgroundTask::Delivery {
+                    return [this, moved = endsMovedClear(*scenario, required)] { takeMovedEnds(moved); };
+                  });
+}
+
+void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& moved) {
+  if (!moved) {
+    showFailure(moved.error());
     return;
   }
-  carryOut(document_.edit(tr("Clear start and goal"), std::move(after)));
-  emit told(tr("Clear of all bodies: %1").arg(moved.join(QStringLiteral(", "))));
+  if (moved->empty()) {
+    bench_.messages.showStatus(tr("Start and goal are clear of all bodies."));
+    return;
+  }
+  Scenario after = document_.current();
+  QStringList texts;
+  for (const MovedEnd& end : *moved) {
+    (void)place(end.item, end.X_WB, after);
+    const QString by = QLocale().toString(1000.0 * end.distance, 'f', 3);
+    texts << (end.item.kind == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by)
+                                                         : tr("the goal went %1 mm").arg(by));
+  }
+  const Outcome edited = document_.edit(tr("Clear start and goal"), std::move(after));
+  showFailure(edited);
+  if (edited) bench_.messages.showStatus(tr("Clear of all bodies: %1").arg(texts.join(QStringLiteral(", "))));
 }
 
 void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
-  SemanticSelection selection = semantics_.selection();
+  SemanticSelection selection = document_.semantics().selection();
   selection.bodies.clear();
   for (const RigidBody& body : document_.scenario()->obstacles) {
     if (item && item->kind == AssemblyItem::Kind::Body && bodyIdOf(body.id) == item->bodyId) {
@@ -169,7 +169,7 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
     }
   }
   chosen_ = item;
-  semantics_.select(selection);
+  document_.semantics().select(selection);
   takeSelection();
 }
 
@@ -177,8 +177,8 @@ void AssemblyController::choose(const std::optional<AssemblyItem>& item) {
 void AssemblyController::takeSelection() {
   if (!document_.scenario()) return;
   const std::set<std::string> ids = selectedBodies();
-  const bool object =
-      semantics_.selection().bodies.contains(QString::fromStdString(document_.scenario()->scenario.object.id));
+  const bool object = document_.semantics().selection().bodies.contains(
+      QString::fromStdString(document_.scenario()->scenario.object.id));
   const bool endChosen = chosen_ && chosen_->kind != AssemblyItem::Kind::Body;
   if (ids.size() == 1 && !object) {
     chosen_ = AssemblyItem{AssemblyItem::Kind::Body, *ids.begin()};
@@ -188,7 +188,7 @@ void AssemblyController::takeSelection() {
     chosen_.reset();
   }
   tool_.setSelected(chosen_);
-  scenePanel_->showSelection(semantics_.selection().bodies, chosen_);
+  scenePanel_->showSelection(document_.semantics().selection().bodies, chosen_);
   showPlacement();
   enableActions();
 }
@@ -205,7 +205,7 @@ void AssemblyController::showPlacement() {
 }
 
 void AssemblyController::enableActions() {
-  const auto enable = [this](const char* id, bool enabled) { actions_[QLatin1String(id)]->setEnabled(enabled); };
+  const auto enable = [this](const char* id, bool enabled) { bench_.enable(id, enabled); };
   const std::size_t bodies = selectedBodies().size();
   const bool goal = document_.scenario() && std::holds_alternative<Pose>(document_.scenario()->scenario.goal);
   enable("assembly.add", editable_);

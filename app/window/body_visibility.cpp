@@ -5,29 +5,28 @@
 
 namespace glissade {
 
-BodyVisibility::BodyVisibility(const ActionCatalogue& actions, SceneWidget& scene, ScenePanel& panel,
-                               SemanticDocument& document, QWidget* window)
-    : QObject(window), actions_(actions), scene_(scene), panel_(panel), document_(document) {
-  const auto on = [&](const char* id, auto handler) {
-    connect(actions[QLatin1String(id)], &QAction::triggered, this, handler);
-  };
-  on("body.hide", [this] { hideSelected(); });
-  on("body.isolate", [this] { isolateSelected(); });
-  on("body.show-all", [this] { setHidden({}); });
+BodyVisibility::BodyVisibility(const Workbench& bench, ScenePanel& panel)
+    : QObject(&bench.window), bench_(bench), panel_(panel) {
+  bench.onAction("body.hide", this, [this] { hideSelected(); });
+  bench.onAction("body.isolate", this, [this] { isolateSelected(); });
+  bench.onAction("body.show-all", this, [this] { setHidden({}); });
   connect(&panel, &ScenePanel::bodyChecked, this,
           [this](const QString& id, bool visible) { setVisible(id.toStdString(), visible); });
-  connect(&document, &SemanticDocument::selectionChanged, this, &BodyVisibility::enableActions);
+  connect(&bench.document, &WorkbenchDocument::changed, this, &BodyVisibility::followDocument);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &BodyVisibility::enableActions);
   enableActions();
+  bench.scripts.add("show-body", 2, [this](const ScriptCommands::Words& words) -> Outcome {
+    if (words[1] != "yes" && words[1] != "no") return wrongCommand("say yes or no");
+    if (setVisible(words[0], words[1] == "yes")) return Done{};
+    return wrongCommand("there is no body '" + words[0] + "'");
+  });
 }
 
-void BodyVisibility::open(const LoadedScenario& scenario) {
-  hidden_.clear();
-  rearrange(scenario);
-}
-
-void BodyVisibility::rearrange(const LoadedScenario& scenario) {
+void BodyVisibility::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  if (what & Change::Scenario) hidden_.clear();
   bodies_.clear();
-  for (const RigidBody& body : scenario.obstacles) bodies_.insert(body.id);
+  for (const RigidBody& body : bench_.document.scenario()->obstacles) bodies_.insert(body.id);
   std::set<std::string> hidden;
   std::set_intersection(hidden_.begin(), hidden_.end(), bodies_.begin(), bodies_.end(),
                         std::inserter(hidden, hidden.end()));
@@ -48,7 +47,7 @@ bool BodyVisibility::setVisible(const std::string& bodyId, bool visible) {
 
 std::set<std::string> BodyVisibility::selected() const {
   std::set<std::string> ids;
-  for (const QString& id : document_.selection().bodies) {
+  for (const QString& id : bench_.document.semantics().selection().bodies) {
     if (bodies_.count(id.toStdString()) != 0) ids.insert(id.toStdString());
   }
   return ids;
@@ -70,16 +69,16 @@ void BodyVisibility::isolateSelected() {
 void BodyVisibility::setHidden(const std::set<std::string>& hidden) {
   hidden_ = hidden;
   panel_.setHiddenBodies(hidden);
-  scene_.view().setHiddenBodies(hidden);
-  scene_.refresh();
+  bench_.scene.view().setHiddenBodies(hidden);
+  bench_.scene.refresh();
   enableActions();
 }
 
 void BodyVisibility::enableActions() {
   const bool some = !selected().empty();
-  actions_[QStringLiteral("body.hide")]->setEnabled(some);
-  actions_[QStringLiteral("body.isolate")]->setEnabled(some);
-  actions_[QStringLiteral("body.show-all")]->setEnabled(!hidden_.empty());
+  bench_.enable("body.hide", some);
+  bench_.enable("body.isolate", some);
+  bench_.enable("body.show-all", !hidden_.empty());
 }
 
 }  // namespace glissade

@@ -2,7 +2,7 @@
 
 #include "engine/planning/coarse/coarse_plan.h"
 #include "widgets/bridge/session_bridge.h"
-#include "widgets/model/semantic_document.h"
+#include "widgets/document/semantic_document.h"
 
 namespace glissade {
 

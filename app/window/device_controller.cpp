@@ -98,9 +98,11 @@ void DeviceController::lookAt(std::size_t which) {
   HandInput& input = *hand_->all()[which];
   Seen& seen = seen_[which];
   const InputReading now = input.mailbox.reading();
-  if (now.connected != seen.connected || now.name != seen.name) {
+  const bool failed = problemOf(input).has_value();
+  if (now.connected != seen.connected || now.name != seen.name || failed != seen.failed) {
     seen.connected = now.connected;
     seen.name = now.name;
+    seen.failed = failed;
     input.shaping.set(settings_.shaping(input));
     showStates();
   }
@@ -118,16 +120,27 @@ void DeviceController::press(const HandInput& input, std::size_t button) {
   if (action != nullptr && hand_->focused) action->trigger();
 }
 
+std::optional<Diagnostic> DeviceController::problemOf(const HandInput& input) const {
+  if (input.kind == InputKind::Mouse6D && mouseReader_) return mouseReader_->problem();
+  if (input.kind == InputKind::Gamepad && gamepadReader_) return gamepadReader_->problem();
+  return std::nullopt;
+}
+
+void DeviceController::showState(const HandInput& input, const QString& text, QLabel& label) {
+  const InputReading now = input.mailbox.reading();
+  const auto problem = problemOf(input);
+  label.setText(text.arg(problem ? tr("error") : now.connected ? shortened(now.name) : tr("none")));
+  label.setToolTip(QString::fromStdString(problem ? toString(*problem) : now.name));
+  label.setVisible(input.kind == InputKind::Mouse6D || now.connected || problem);
+  if (input.kind == InputKind::Mouse6D && !now.connected && !problem) {
+    label.setToolTip(tr("No 6D mouse, or spacenavd does not run; looked for again and again"));
+  }
+}
+
 void DeviceController::showStates() {
   if (mouse_ == nullptr) return;
-  const InputReading mouse = hand_->mouse6d.mailbox.reading();
-  mouse_->setText(tr("6D mouse: %1").arg(mouse.connected ? shortened(mouse.name) : tr("none")));
-  mouse_->setToolTip(mouse.connected ? QString::fromStdString(mouse.name)
-                                     : tr("No 6D mouse, or spacenavd does not run; looked for again and again"));
-  const InputReading gamepad = hand_->gamepad.mailbox.reading();
-  gamepad_->setVisible(gamepad.connected);
-  gamepad_->setText(tr("Gamepad: %1").arg(shortened(gamepad.name)));
-  gamepad_->setToolTip(QString::fromStdString(gamepad.name));
+  showState(hand_->mouse6d, tr("6D mouse: %1"), *mouse_);
+  showState(hand_->gamepad, tr("Gamepad: %1"), *gamepad_);
 }
 
 void DeviceController::setTarget(SteeringTarget target) {

@@ -49,6 +49,8 @@ class DeviceController final : public QObject {
   void lookAt(std::size_t which);
   void press(const HandInput& input, std::size_t button);
   void showStates();
+  void showState(const HandInput& input, const QString& text, QLabel& label);
+  std::optional<Diagnostic> problemOf(const HandInput& input) const;
   void showTarget();
   void setTarget(SteeringTarget target);
   void showCalibration();
@@ -57,6 +59,7 @@ class DeviceController final : public QObject {
   /// What was last seen of a device.
   struct Seen {
     bool connected = false;
+    bool failed = false;
     std::string name;
     std::array<std::uint32_t, kInputButtons> presses{};
   };

@@ -1,77 +1,88 @@
 #include "app/window/device_script.h"
 
+#include "app/window/device_controller.h"
 #include "engine/base/number_text.h"
+#include "engine/operator/hand_inputs.h"
 
 namespace glissade {
 namespace {
 
-Diagnostic usage(const std::string& reason, const std::string& advice = "") {
-  return {ErrorKind::MalformedInput, "", "", reason, advice};
-}
+using Words = ScriptCommands::Words;
 
-}  // namespace
-
-std::optional<Outcome> DeviceScript::carryOut(const ScriptCommand& command) {
-  const auto& words = command.arguments;
-  if (command.name == "plug") return plug(words[0], words[1]);
-  if (command.name == "unplug") return unplug(words[0]);
-  if (command.name == "deflect") return deflect(words);
-  if (command.name == "press") return press(words[0], words[1]);
-  if (command.name == "expect-steering") return expectSteering(words[0]);
-  return std::nullopt;
-}
-
-Result<HandInput*> DeviceScript::find(const std::string& device) const {
-  HandInputs& hand = *window_.bridge().hand();
+Result<HandInput*> find(HandInputs& hand, const std::string& device) {
   if (device == "keyboard") return &hand.keyboard;
   if (device == "mouse6d") return &hand.mouse6d;
   if (device == "gamepad") return &hand.gamepad;
-  return usage("there is no device '" + device + "'", "Use keyboard, mouse6d or gamepad.");
+  return wrongCommand("there is no device '" + device + "'", "Use keyboard, mouse6d or gamepad.");
 }
 
-Outcome DeviceScript::plug(const std::string& device, const std::string& name) {
-  const auto input = find(device);
+Outcome plug(HandInputs& hand, const std::string& device, const std::string& name) {
+  const auto input = find(hand, device);
   if (!input) return input.error();
   (*input)->mailbox.connect(name);
   return Done{};
 }
 
-Outcome DeviceScript::unplug(const std::string& device) {
-  const auto input = find(device);
+Outcome unplug(HandInputs& hand, const std::string& device) {
+  const auto input = find(hand, device);
   if (!input) return input.error();
   (*input)->mailbox.disconnect();
   return Done{};
 }
 
-Outcome DeviceScript::deflect(const std::vector<std::string>& words) {
-  const auto input = find(words[0]);
+Outcome deflect(HandInputs& hand, const Words& words) {
+  const auto input = find(hand, words[0]);
   if (!input) return input.error();
   RawAxes axes{};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto value = toNumber(words[i + 1]);
-    if (!value) return usage("'" + words[i + 1] + "' is not a number");
+    if (!value) return wrongCommand("'" + words[i + 1] + "' is not a number");
     axes[i] = *value;
   }
   (*input)->mailbox.setAxes(axes);
   return Done{};
 }
 
-Outcome DeviceScript::press(const std::string& device, const std::string& button) {
-  const auto input = find(device);
+Outcome press(HandInputs& hand, const std::string& device, const std::string& button) {
+  const auto input = find(hand, device);
   if (!input) return input.error();
   const auto which = toNumber(button);
   if (!which || *which < 0 || *which >= static_cast<double>(kInputButtons)) {
-    return usage("'" + button + "' is not a button", "Count from 0 to 15.");
+    return wrongCommand("'" + button + "' is not a button", "Count from 0 to 15.");
   }
   (*input)->mailbox.press(static_cast<std::size_t>(*which));
   return Done{};
 }
 
-Outcome DeviceScript::expectSteering(const std::string& target) const {
-  const bool camera = window_.bridge().hand()->target == SteeringTarget::Camera;
+Outcome expectSteering(const HandInputs& hand, const std::string& target) {
+  const bool camera = hand.target == SteeringTarget::Camera;
   if (target == (camera ? "camera" : "object")) return Done{};
-  return Diagnostic{ErrorKind::NoPath, "", "", std::string("the devices move the ") + (camera ? "camera" : "object"),
-                    ""};
+  return unmetExpectation(std::string("the devices move the ") + (camera ? "camera" : "object"));
+}
+
+Outcome advance(SessionBridge& session, DeviceController& devices, const std::string& word) {
+  const auto count = toNumber(word);
+  if (!count || *count < 0) return wrongCommand("'" + word + "' is not a number of steps");
+  if (session.clock() != SessionClock::Lockstep) {
+    return wrongCommand("on screen time goes on by itself", "Use wait, or run with --offscreen.");
+  }
+  devices.advance(static_cast<std::uint64_t>(*count));
+  session.advance(static_cast<std::uint64_t>(*count));
+  return Done{};
+}
+
+}  // namespace
+
+void addDeviceCommands(const Workbench& bench, DeviceController& devices) {
+  ScriptCommands& scripts = bench.scripts;
+  SessionBridge& session = bench.session;
+  HandInputs& hand = *session.hand();
+  scripts.add("plug", 2, [&hand](const Words& words) { return plug(hand, words[0], words[1]); });
+  scripts.add("unplug", 1, [&hand](const Words& words) { return unplug(hand, words[0]); });
+  scripts.add("deflect", 7, [&hand](const Words& words) { return deflect(hand, words); });
+  scripts.add("press", 2, [&hand](const Words& words) { return press(hand, words[0], words[1]); });
+  scripts.add("expect-steering", 1, [&hand](const Words& words) { return expectSteering(hand, words[0]); });
+  scripts.add("steps", 1, [&session, &devices](const Words& words) { return advance(session, devices, words[0]); });
 }
 
 }  // namespace glissade

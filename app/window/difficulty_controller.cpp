@@ -1,56 +1,55 @@
 #include "app/window/difficulty_controller.h"
 
-#include "app/window/work_controller.h"
+#include "app/window/difficulty_script.h"
 #include "engine/session/grown_roadmap.h"
 
 namespace glissade {
 
-DifficultyController::DifficultyController(const ActionCatalogue& actions, SceneWidget& scene, WorkController& work,
-                                           QWidget* window)
-    : QObject(window), actions_(actions), scene_(scene), work_(work), panel_(new DifficultyPanel(actions, window)) {
-  connect(actions[QStringLiteral("difficulty.find")], &QAction::triggered, this, [this] { find(); });
-  QAction* play = actions[QStringLiteral("difficulty.play")];
+DifficultyController::DifficultyController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), panel_(new DifficultyPanel(bench.actions, &bench.window)) {
+  bench.onAction("difficulty.find", this, [this] { find(); });
+  QAction* play = bench.actions["difficulty.play"];
   connect(play, &QAction::toggled, panel_, &DifficultyPanel::setPlaying);
   connect(panel_, &DifficultyPanel::playbackEnded, this, [play] { play->setChecked(false); });
   connect(panel_, &DifficultyPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
-    scene_.view().setPlaybackPose(pose);
-    scene_.refresh();
+    bench_.scene.view().setPlaybackPose(pose);
+    bench_.scene.refresh();
   });
-  for (const char* id : {"difficulty.find", "difficulty.play"}) actions[QLatin1String(id)]->setEnabled(false);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & (Change::Scenario | Change::Arrangement)) show(nullptr);
+  });
+  connect(&bench.run, &ShownRun::changed, this, &DifficultyController::followRun);
+  for (const char* id : {"difficulty.find", "difficulty.play"}) bench.enable(id, false);
+  addDifficultyCommands(bench, *this);
 }
 
-void DifficultyController::open(const ScenarioPtr& scenario) {
-  scenario_ = scenario;
-  snapshot_.reset();
-  show(nullptr);
-}
-
-void DifficultyController::showSnapshot(const SnapshotPtr& snapshot, bool live) {
-  const bool inVain = live && searchedInVain(*snapshot);
-  actions_[QStringLiteral("difficulty.find")]->setEnabled(inVain);
-  if (live) snapshot_ = snapshot;
-  if (difficulty_ && !inVain) show(nullptr);
+void DifficultyController::followRun() {
+  const bool failed = bench_.run.isLive() && searchedInVain(*bench_.run.snapshot());
+  bench_.enable("difficulty.find", failed);
+  if (difficulty_ && !failed) show(nullptr);
 }
 
 void DifficultyController::find() {
-  work_.run(tr("Looking for what stands in the way"),
-            [this, scenario = scenario_, end = snapshot_](const WorkWatch& watch) -> BackgroundTask::Delivery {
-              const GrownRoadmap grown = grownRoadmap(*end);
-              const auto difficulty = std::make_shared<const Difficulty>(
-                  difficultyOf(scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch));
-              return [this, difficulty, run = end->run] {
-                if (snapshot_ && snapshot_->run == run && searchedInVain(*snapshot_)) show(difficulty);
-              };
-            });
+  bench_.work.run(tr("Looking for what stands in the way"),
+                  [this, scenario = bench_.document.scenario(),
+                   end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+                    const GrownRoadmap grown = grownRoadmap(*end);
+                    const auto difficulty = std::make_shared<const Difficulty>(difficultyOf(
+                        scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch));
+                    return [this, difficulty, run = end->run] {
+                      const SnapshotPtr& now = bench_.session.snapshot();
+                      if (now->run == run && searchedInVain(*now)) show(difficulty);
+                    };
+                  });
 }
 
 void DifficultyController::show(const DifficultyPtr& difficulty) {
   difficulty_ = difficulty;
-  scene_.view().setDifficulty(difficulty);
-  panel_->setDifficulty(difficulty, *scenario_);
-  actions_[QStringLiteral("difficulty.play")]->setEnabled(difficulty && difficulty->leastPenetration);
-  scene_.refresh();
-  if (difficulty) emit found();
+  bench_.scene.view().setDifficulty(difficulty);
+  panel_->setDifficulty(difficulty, *bench_.document.scenario());
+  bench_.enable("difficulty.play", difficulty && difficulty->leastPenetration);
+  bench_.scene.refresh();
+  if (difficulty) bench_.actions["panel.difficulty"]->trigger();
 }
 
 }  // namespace glissade

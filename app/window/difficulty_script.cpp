@@ -5,8 +5,6 @@
 namespace glissade {
 namespace {
 
-Diagnostic usage(const std::string& reason) { return {ErrorKind::MalformedInput, "", "", reason, "Correct the line."}; }
-
 /// The body that a part names; nothing where the part is not there.
 std::optional<int> bodyOf(const Difficulty& difficulty, const std::string& part) {
   if (part == "least" && difficulty.leastPenetration) return difficulty.leastPenetration->body;
@@ -15,26 +13,26 @@ std::optional<int> bodyOf(const Difficulty& difficulty, const std::string& part)
   return std::nullopt;
 }
 
+Outcome expect(const LoadedScenario& scenario, const DifficultyPtr& difficulty, const std::string& part,
+               const std::string& body) {
+  const auto found = difficulty ? bodyOf(*difficulty, part) : std::nullopt;
+  const std::string name = !found || *found < 0 ? "-" : scenario.obstacles[static_cast<std::size_t>(*found)].id;
+  if (name == body) return Done{};
+  return unmetExpectation("'" + part + "' names " + name + ", not " + body);
+}
+
 }  // namespace
 
-std::optional<Outcome> DifficultyScript::carryOut(const ScriptCommand& command) {
-  if (command.name == "show-difficulty") return show(command.arguments[0]);
-  if (command.name == "expect-difficulty") return expect(command.arguments[0], command.arguments[1]);
-  return std::nullopt;
-}
-
-Outcome DifficultyScript::show(const std::string& part) {
-  if (window_.difficulty().panel()->showPart(QString::fromStdString(part))) return Done{};
-  return usage("nothing is known of '" + part + "'");
-}
-
-Outcome DifficultyScript::expect(const std::string& part, const std::string& body) {
-  const DifficultyController& controller = window_.difficulty();
-  const auto found = controller.difficulty() ? bodyOf(*controller.difficulty(), part) : std::nullopt;
-  const std::string name =
-      !found || *found < 0 ? "-" : controller.scenario()->obstacles[static_cast<std::size_t>(*found)].id;
-  if (name == body) return Done{};
-  return Diagnostic{ErrorKind::NoPath, "", "", "'" + part + "' names " + name + ", not " + body, ""};
+void addDifficultyCommands(const Workbench& bench, DifficultyController& difficulty) {
+  using Words = ScriptCommands::Words;
+  bench.scripts.add("show-difficulty", 1, [&difficulty](const Words& words) -> Outcome {
+    if (difficulty.panel()->showPart(QString::fromStdString(words[0]))) return Done{};
+    return wrongCommand("nothing is known of '" + words[0] + "'");
+  });
+  bench.scripts.add("expect-difficulty", 2, [&bench, &difficulty](const Words& words) -> Outcome {
+    if (!bench.document.scenario()) return wrongCommand("no scenario is open");
+    return expect(*bench.document.scenario(), difficulty.difficulty(), words[0], words[1]);
+  });
 }
 
 }  // namespace glissade

@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "app/window/coarse_preview.h"
+#include "app/window/environment_script.h"
 #include "app/window/scene_ray.h"
-#include "widgets/model/complexity_colour.h"
+#include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
 
@@ -17,18 +18,6 @@ namespace {
 constexpr double kClickPixels = 4.0;
 /// How much shorter ways through a preferred place count.
 constexpr double kPreferred = 4.0;
-
-/// What is known of places and of how the object fits holds for both: rules, start and goal do not matter to it.
-bool isSameScene(const LoadedScenario& a, const LoadedScenario& b) {
-  const auto sameBody = [](const RigidBody& p, const RigidBody& q) {
-    return p.id == q.id && p.mesh == q.mesh && p.mobility == q.mobility && p.X_WB == q.X_WB;
-  };
-  const Box3& room = a.problem.bounds;
-  return std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), sameBody) &&
-         a.object.id == b.object.id && a.object.mesh->vertices == b.object.mesh->vertices &&
-         a.object.mesh->triangles == b.object.mesh->triangles && room.min() == b.problem.bounds.min() &&
-         room.max() == b.problem.bounds.max();
-}
 
 std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
   std::map<std::string, AttributeValue> mobility;
@@ -41,23 +30,25 @@ std::map<std::string, AttributeValue> mobilityOf(const SemanticEdits& edits) {
 
 }  // namespace
 
-EnvironmentController::EnvironmentController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene,
-                                             QWidget* window)
-    : QObject(window),
-      bridge_(bridge),
-      actions_(actions),
-      scene_(scene),
-      milestones_(document_, scene, window),
-      semantics_(new SemanticsPanel(document_, actions, window)),
-      plan_(new PlanPanel(actions, window)) {
-  scene_.widget()->installEventFilter(this);
+EnvironmentController::EnvironmentController(const Workbench& bench)
+    : QObject(&bench.window),
+      bench_(bench),
+      document_(bench.document.semantics()),
+      milestones_(bench.document, bench.scene, &bench.window),
+      semantics_(new SemanticsPanel(document_, bench.actions, &bench.window)),
+      plan_(new PlanPanel(bench.actions, &bench.window)) {
+  bench.scene.widget()->installEventFilter(this);
   connect(&builder_, &KnowledgeBuilder::started, this, [this] { semantics_->setBusy(true); });
-  connect(&builder_, &KnowledgeBuilder::finished, this, &EnvironmentController::knowledgeReady);
+  connect(&builder_, &KnowledgeBuilder::finished, this, [this](const SceneKnowledgePtr& knowledge) {
+    semantics_->setBusy(false);
+    bench_.document.setKnowledge(knowledge);
+  });
   connect(&builder_, &KnowledgeBuilder::failed, this, [this](const Diagnostic& why) {
     semantics_->setBusy(false);
-    if (why.kind != ErrorKind::Interrupted) emit failed(why);
+    if (why.kind != ErrorKind::Interrupted) showError(why);
   });
-  connect(&document_, &SemanticDocument::changed, this, &EnvironmentController::documentChanged);
+  connect(&bench.document, &WorkbenchDocument::changed, this, &EnvironmentController::followDocument);
+  connect(&bench.run, &ShownRun::changed, this, &EnvironmentController::followRun);
   connect(&document_, &SemanticDocument::selectionChanged, this, [this] {
     leaveStep();
     showEnvironment();
@@ -65,21 +56,15 @@ EnvironmentController::EnvironmentController(SessionBridge& bridge, const Action
   });
   connect(semantics_, &SemanticsPanel::identifierChosen, this, &EnvironmentController::identifyPlaces);
   connect(plan_, &PlanPanel::stepChosen, this, &EnvironmentController::showStep);
-  connect(&milestones_, &MilestoneTool::moving, this, &EnvironmentController::drawPlan);
-  connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::failed);
+  connect(&milestones_, &MilestoneTool::moved, this, &EnvironmentController::drawPlan);
+  connect(&milestones_, &MilestoneTool::refused, this, &EnvironmentController::showError);
   connectActions();
   enableActions();
-}
-
-EnvironmentController::~EnvironmentController() {
-  // The undo stack tells of its own end, when those who listen are gone already.
-  document_.undoStack().disconnect();
+  addEnvironmentCommands(bench, *this);
 }
 
 void EnvironmentController::connectActions() {
-  const auto on = [this](const char* id, auto handler) {
-    connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
-  };
+  const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("environment.build", [this] { build(nullptr); });
   on("attribute.add", [this] { semantics_->addAttribute(); });
   on("attribute.rename", [this] { semantics_->renameAttribute(); });
@@ -91,74 +76,78 @@ void EnvironmentController::connectActions() {
   on("milestone.reset", [this] { setMilestone(false); });
   on("view.finer-cells", [this] { changeCellLevel(1); });
   on("view.coarser-cells", [this] { changeCellLevel(-1); });
-  on("edit.undo", [this] { document_.undoStack().undo(); });
-  on("edit.redo", [this] { document_.undoStack().redo(); });
-  connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &EnvironmentController::enableActions);
 }
 
-void EnvironmentController::open(const ScenarioPtr& scenario) {
+void EnvironmentController::showError(const Diagnostic& why) {
+  bench_.messages.showError(tr("The places cannot be found"), why);
+}
+
+void EnvironmentController::followDocument(Changes what) {
+  if (what & Change::Options) semantics_->setIdentifier(bench_.document.options().identifier);
+  if (what & Change::Scenario) {
+    startScenario();
+  } else if (what & (Change::Arrangement | Change::Semantics)) {
+    updateModel(what);
+  }
+  if (what & (Change::Arrangement | Change::Semantics | Change::Knowledge)) {
+    showEnvironment();
+    showPlan();
+  }
+}
+
+/// A scenario about places gets its environment model at once, and their panels come to the front.
+void EnvironmentController::startScenario() {
   builder_.cancel();
   semantics_->setBusy(false);
-  scenario_ = scenario;
-  milestones_.setScenario(scenario);
-  options_ = scenario->scenario.environment;
-  semantics_->setIdentifier(options_.identifier);
-  snapshot_.reset();
-  shownPlan_.reset();
-  plan_->setPlan(nullptr);
-  document_.open(scenario);
-  const bool saysSomething = !scenario->scenario.places.empty();
-  if (isMultiLayer(scenario->scenario.planner) || saysSomething) {
-    emit wanted();
-    build(nullptr);
-  }
-  enableActions();
+  const Scenario& scenario = bench_.document.scenario()->scenario;
+  if (!isMultiLayer(scenario.planner) && scenario.places.empty()) return;
+  for (const char* panel : {"panel.semantics", "panel.plan"}) bench_.actions[QLatin1String(panel)]->trigger();
+  bench_.scene.widget()->setFocus();  // keys steer the object
+  build(nullptr);
 }
 
-void EnvironmentController::rearrange(const ScenarioPtr& scenario) {
-  const SceneKnowledgePtr known = document_.knowledge();
-  const bool same = isSameScene(*scenario_, *scenario);
-  scenario_ = scenario;
-  milestones_.setScenario(scenario);
-  snapshot_.reset();
-  if (builder_.isBusy() || (known && !same)) {
+bool EnvironmentController::isModelled(const LoadedScenario& scenario) const {
+  const auto sameBody = [](const RigidBody& p, const RigidBody& q) {
+    return p.id == q.id && p.mesh == q.mesh && p.mobility == q.mobility && p.X_WB == q.X_WB;
+  };
+  const Box3& workspace = scenario.problem.bounds;
+  return std::equal(modelled_.obstacles.begin(), modelled_.obstacles.end(), scenario.obstacles.begin(),
+                    scenario.obstacles.end(), sameBody) &&
+         modelled_.object.id == scenario.object.id &&
+         modelled_.object.mesh->vertices == scenario.object.mesh->vertices &&
+         modelled_.object.mesh->triangles == scenario.object.mesh->triangles &&
+         modelled_.workspace.min() == workspace.min() && modelled_.workspace.max() == workspace.max();
+}
+
+/// After an edit: rules, start and goal do not matter to the model; bodies, the workspace and mobility do.
+void EnvironmentController::updateModel(Changes what) {
+  const SceneKnowledgePtr known = bench_.document.knowledge();
+  if (!known && !builder_.isBusy()) return;
+  if (mobilityOf(document_.edits()) != modelled_.mobility) {
+    build(nullptr);
+  } else if (builder_.isBusy() || !isModelled(*bench_.document.scenario())) {
     build(known);
-  } else if (known) {
-    bridge_.post(command::SetKnowledge{known});
+  } else if (what & Change::Arrangement) {
+    bench_.document.setKnowledge(known);  // it holds, and the new session has none
   }
-  showEnvironment();
-  showPlan();
 }
 
 void EnvironmentController::identifyPlaces(const std::string& identifier) {
-  options_.identifier = identifier;
-  semantics_->setIdentifier(identifier);
+  EnvironmentOptions options = bench_.document.options();
+  options.identifier = identifier;
+  bench_.document.setOptions(options);
   build(nullptr);
 }
 
 void EnvironmentController::build(const SceneKnowledgePtr& before) {
-  if (!scenario_) return;
-  builtMobility_ = mobilityOf(document_.edits());
-  Problem problem = scenario_->problem;
-  problem.scene.environment = options_;
-  problem.scene.edits = std::make_shared<const SemanticEdits>(document_.edits());
-  builder_.build(problem, scenario_->parameters[ParameterId::RequiredClearance], before,
-                 bridge_.clock() == SessionClock::Lockstep);
-}
-
-void EnvironmentController::knowledgeReady(const SceneKnowledgePtr& knowledge) {
-  semantics_->setBusy(false);
-  bridge_.post(command::SetKnowledge{knowledge});
-  document_.setKnowledge(knowledge);
-}
-
-void EnvironmentController::documentChanged() {
-  if (!scenario_) return;
-  bridge_.post(command::SetSemantics{std::make_shared<const SemanticEdits>(document_.edits())});
-  if (document_.knowledge() && mobilityOf(document_.edits()) != builtMobility_) build(nullptr);
-  showEnvironment();
-  showPlan();
-  enableActions();
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario) return;
+  modelled_ = {scenario->obstacles, scenario->object, scenario->problem.bounds, mobilityOf(document_.edits())};
+  Problem problem = scenario->problem;
+  problem.scene.environment = bench_.document.options();
+  problem.scene.edits = bench_.document.edits();
+  builder_.build(problem, scenario->parameters[ParameterId::RequiredClearance], before,
+                 bench_.session.clock() == SessionClock::Lockstep);
 }
 
 void EnvironmentController::showEnvironment() {
@@ -176,11 +165,11 @@ void EnvironmentController::showEnvironment() {
   const SemanticSelection& selection = document_.selection();
   picture.selectedPlaces.insert(selection.places.begin(), selection.places.end());
   for (const QString& body : selection.bodies) picture.selectedBodies.insert(body.toStdString());
-  scene_.view().setEnvironment(picture);
-  scene_.refresh();
+  bench_.scene.view().setEnvironment(picture);
+  bench_.scene.refresh();
 }
 
-void EnvironmentController::showSnapshot(const SnapshotPtr& snapshot) {
+void EnvironmentController::followRun(const SnapshotPtr& snapshot) {
   const bool newPlan = !snapshot_ || snapshot->coarsePlan != snapshot_->coarsePlan ||
                        snapshot->plannerId != snapshot_->plannerId || isRunning(*snapshot) != isRunning(*snapshot_);
   snapshot_ = snapshot;
@@ -189,41 +178,41 @@ void EnvironmentController::showSnapshot(const SnapshotPtr& snapshot) {
 
 /// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview.
 void EnvironmentController::showPlan() {
-  if (!scenario_) return;
-  const CoarsePlanPtr run = snapshot_ ? snapshot_->coarsePlan : nullptr;
-  const bool ofRun =
-      run && (isRunning(*snapshot_) ? isAboutPlaces(*run, document_)
-                                    : isUpToDate(*run, document_, scenario_->problem, snapshot_->plannerId));
+  if (!snapshot_) return;
+  const Problem& problem = bench_.document.scenario()->problem;
+  const CoarsePlanPtr run = snapshot_->coarsePlan;
+  const bool ofRun = run && (isRunning(*snapshot_) ? isAboutPlaces(*run, document_)
+                                                   : isUpToDate(*run, document_, problem, snapshot_->plannerId));
   QString whyNone;
   shownPlan_ = ofRun ? run : nullptr;
-  if (!ofRun && snapshot_) {
-    auto preview = previewPlan(document_, scenario_->problem, snapshot_->plannerId, run);
+  if (!ofRun) {
+    auto preview = previewPlan(document_, problem, snapshot_->plannerId, run);
     if (preview) shownPlan_ = *preview;
     if (!preview) whyNone = QString::fromStdString(toString(preview.error()));
   }
   plan_->setPlan(shownPlan_, whyNone);
   milestones_.setPlan(shownPlan_);
-  scene_.view().setShownStep(plan_->currentStep());
+  bench_.scene.view().setShownStep(plan_->currentStep());
   drawPlan();
   enableActions();
 }
 
 void EnvironmentController::drawPlan() {
-  scene_.view().setCoarsePlan(milestones_.shownPlan());
-  scene_.refresh();
+  bench_.scene.view().setCoarsePlan(milestones_.shownPlan());
+  bench_.scene.refresh();
 }
 
 /// A step that is looked at has its place selected, so that what is done to places is done to that one.
 void EnvironmentController::showStep() {
   const auto step = plan_->currentStep();
-  scene_.view().setShownStep(step);
+  bench_.scene.view().setShownStep(step);
   if (step) {
     const int place = shownPlan_->steps[*step].place;
     SemanticSelection selection;
     if (place != TopologicalStep::kWholeWorkspace) selection.places.insert(place);
     document_.select(selection);
   }
-  scene_.refresh();
+  bench_.scene.refresh();
   enableActions();
 }
 
@@ -237,15 +226,16 @@ void EnvironmentController::leaveStep() {
 }
 
 void EnvironmentController::pick(const QPointF& position, bool add) {
-  if (!scenario_) return;
-  const Ray ray = rayThrough(scene_, position);
-  const auto body = pickBody(scenario_->obstacles, ray, scene_.view().hiddenBodies());
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario) return;
+  const Ray ray = rayThrough(bench_.scene, position);
+  const auto body = pickBody(scenario->obstacles, ray, bench_.scene.view().hiddenBodies());
   SemanticSelection selection = add ? document_.selection() : SemanticSelection{};
-  if (document_.knowledge() && scene_.view().layerVisible(SceneLayer::Places)) {
+  if (document_.knowledge() && bench_.scene.view().layerVisible(SceneLayer::Places)) {
     const int place = pickPlace(document_.knowledge()->environment->map, ray, body ? body->distance : 1e9);
     if (place != kNoPlace && !selection.places.remove(place)) selection.places.insert(place);
   } else if (body) {
-    const QString id = QString::fromStdString(scenario_->obstacles[body->body].id);
+    const QString id = QString::fromStdString(scenario->obstacles[body->body].id);
     if (!selection.bodies.remove(id)) selection.bodies.insert(id);
   }
   document_.select(selection);
@@ -270,26 +260,22 @@ void EnvironmentController::changeCellLevel(int by) {
   showEnvironment();
 }
 
-void EnvironmentController::toggleForbidden() {
-  const SemanticModel* semantics = document_.semantics();
-  bool all = true;
-  for (const int place : document_.selection().places) {
-    all = all && std::get<bool>(semantics->ofPlace(static_cast<std::size_t>(place), "forbidden").value);
-  }
+void EnvironmentController::toggle(const std::string& attribute, const AttributeValue& value,
+                                   bool (*isSet)(const AttributeValue&)) {
   SemanticSelection places;
   places.places = document_.selection().places;
-  (void)document_.setAttribute(places, "forbidden", all ? std::nullopt : std::optional<AttributeValue>(true));
+  const bool all = std::all_of(places.places.begin(), places.places.end(), [&](int place) {
+    return isSet(document_.semantics()->ofPlace(static_cast<std::size_t>(place), attribute).value);
+  });
+  (void)document_.setAttribute(places, attribute, all ? std::nullopt : std::optional<AttributeValue>(value));
+}
+
+void EnvironmentController::toggleForbidden() {
+  toggle("forbidden", true, [](const AttributeValue& value) { return std::get<bool>(value); });
 }
 
 void EnvironmentController::togglePreferred() {
-  const SemanticModel* semantics = document_.semantics();
-  bool all = true;
-  for (const int place : document_.selection().places) {
-    all = all && std::get<double>(semantics->ofPlace(static_cast<std::size_t>(place), "preference").value) > 1.0;
-  }
-  SemanticSelection places;
-  places.places = document_.selection().places;
-  (void)document_.setAttribute(places, "preference", all ? std::nullopt : std::optional<AttributeValue>(kPreferred));
+  toggle("preference", kPreferred, [](const AttributeValue& value) { return std::get<double>(value) > 1.0; });
 }
 
 void EnvironmentController::setMilestone(bool here) {
@@ -300,18 +286,17 @@ void EnvironmentController::setMilestone(bool here) {
 }
 
 void EnvironmentController::enableActions() {
-  const auto enable = [this](const char* id, bool enabled) { actions_[QLatin1String(id)]->setEnabled(enabled); };
+  const auto enable = [this](const char* id, bool enabled) { bench_.enable(id, enabled); };
+  const bool open = bench_.document.scenario() != nullptr;
   const bool places = document_.semantics() != nullptr && !document_.selection().places.isEmpty();
   const auto step = plan_->currentStep();
   const bool border = step && shownPlan_ && shownPlan_->steps[*step].border >= 0;
-  enable("environment.build", scenario_ != nullptr);
-  enable("attribute.add", scenario_ != nullptr);
+  enable("environment.build", open);
+  enable("attribute.add", open);
   enable("place.forbid", places);
   enable("place.prefer", places);
   enable("milestone.set", border);
   enable("milestone.reset", border);
-  enable("edit.undo", document_.undoStack().canUndo());
-  enable("edit.redo", document_.undoStack().canRedo());
 }
 
 }  // namespace glissade

@@ -13,12 +13,11 @@ SamplingRegion regionOf(const TopologicalMap& map, const Border& border) {
 
 }  // namespace
 
-MilestoneTool::MilestoneTool(SemanticDocument& document, SceneWidget& scene, QObject* parent)
-    : DragTool(scene, parent), document_(document) {}
-
-void MilestoneTool::setScenario(const ScenarioPtr& scenario) {
-  scenario_ = scenario;
-  drag_.reset();
+MilestoneTool::MilestoneTool(WorkbenchDocument& document, SceneWidget& scene, QObject* parent)
+    : DragTool(scene, parent), document_(document) {
+  connect(&document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & (Change::Scenario | Change::Arrangement)) drag_.reset();
+  });
 }
 
 void MilestoneTool::setPlan(const CoarsePlanPtr& plan) { plan_ = plan; }
@@ -33,8 +32,8 @@ CoarsePlanPtr MilestoneTool::shownPlan() const {
 bool MilestoneTool::grip(const QPointF& position) {
   if (!plan_ || !document_.knowledge() || !scene_.view().layerVisible(SceneLayer::Milestones)) return false;
   const Ray ray = rayThrough(scene_, position);
-  const auto body = pickBody(scenario_->obstacles, ray);
-  drag_ = MilestoneDrag::grip(*plan_, scenario_->object.mesh, ray, body ? body->distance : 1e9,
+  const auto body = pickBody(document_.scenario()->obstacles, ray);
+  drag_ = MilestoneDrag::grip(*plan_, document_.scenario()->object.mesh, ray, body ? body->distance : 1e9,
                               scene_.view().camera().R_WV());
   gripped_ = plan_;
   if (drag_) scene_.widget()->setCursor(Qt::ClosedHandCursor);
@@ -45,12 +44,12 @@ void MilestoneTool::moveTo(const QPointF& position) {
   const TopologicalMap& map = gripped_->basis.environment->map;
   const int border = gripped_->steps[drag_->step()].border;
   drag_->moveTo(rayThrough(scene_, position), regionOf(map, map.borders[static_cast<std::size_t>(border)]));
-  emit moving();
+  emit moved();
 }
 
 void MilestoneTool::turn(const QPointF& by) {
   drag_->turn(by.x(), by.y());
-  emit moving();
+  emit moved();
 }
 
 void MilestoneTool::drop() {
@@ -60,15 +59,15 @@ void MilestoneTool::drop() {
   const int border = step.border;
   drag_.reset();
   scene_.widget()->unsetCursor();
-  const auto blocking = scenario_->problem.world->makeQuery()->collidingBody(pose);
+  const auto blocking = document_.scenario()->problem.world->makeQuery()->collidingBody(pose);
   if (blocking) {
-    const auto& body = scenario_->problem.world->obstacles()[static_cast<std::size_t>(*blocking)];
+    const auto& body = document_.scenario()->problem.world->obstacles()[static_cast<std::size_t>(*blocking)];
     emit refused({ErrorKind::InCollision, "", "", "the milestone would be in collision with '" + body.id + "'",
                   "Drop it where the object is free."});
   } else if (!(pose == before)) {
-    document_.setMilestone(border, pose);
+    document_.semantics().setMilestone(border, pose);
   }
-  emit moving();
+  emit moved();
 }
 
 }  // namespace glissade

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/drag_tool.h"
-#include "widgets/bridge/session_bridge.h"
-#include "widgets/model/semantic_document.h"
+#include "widgets/document/workbench_document.h"
 #include "widgets/scene3d/milestone_drag.h"
 
 namespace glissade {
@@ -13,16 +12,16 @@ class MilestoneTool final : public DragTool {
   Q_OBJECT
 
  public:
-  MilestoneTool(SemanticDocument& document, SceneWidget& scene, QObject* parent);
+  MilestoneTool(WorkbenchDocument& document, SceneWidget& scene, QObject* parent);
 
-  void setScenario(const ScenarioPtr& scenario);
   /// The plan whose milestones can be taken; null: none.
   void setPlan(const CoarsePlanPtr& plan);
   /// The plan to draw: with the milestone in hand where the pointer is.
   CoarsePlanPtr shownPlan() const;
 
  signals:
-  void moving();
+  /// The milestone in hand was moved, or was dropped.
+  void moved();
   void refused(const glissade::Diagnostic& why);
 
  private:
@@ -32,8 +31,7 @@ class MilestoneTool final : public DragTool {
   void turn(const QPointF& by) override;
   void drop() override;
 
-  SemanticDocument& document_;
-  ScenarioPtr scenario_;
+  WorkbenchDocument& document_;
   CoarsePlanPtr plan_;
   CoarsePlanPtr gripped_;  ///< the plan that the milestone was taken from
   std::optional<MilestoneDrag> drag_;

@@ -2,19 +2,18 @@
 
 #include <vector>
 
-#include "app/window/work_controller.h"
+#include "app/window/workbench.h"
 #include "widgets/editors/parts_dialog.h"
-#include "widgets/model/assembly_document.h"
 
 namespace glissade {
 
 /// Brings part files in: as a scenario of their own, or into the one that is open. They are read in the
-/// background. Part of the main window.
+/// background.
 class PartImport final : public QObject {
   Q_OBJECT
 
  public:
-  PartImport(AssemblyDocument& document, WorkController& work, QWidget* window);
+  explicit PartImport(const Workbench& bench);
 
   /// Asks how these files, and others, are to be taken.
   void ask(PartsDialog::Purpose purpose, const QStringList& files = {});
@@ -23,16 +22,14 @@ class PartImport final : public QObject {
 
  signals:
   /// A scenario that is saved nowhere yet.
-  void made(const glissade::ScenarioPtr& scenario);
-  void failed(const glissade::Diagnostic& why);
+  void scenarioMade(const glissade::ScenarioPtr& scenario);
+  void importFailed(const glissade::Diagnostic& why);
 
  private:
   BackgroundTask::Delivery makeScenario(const std::vector<PartFile>& parts, GeometryCache read, const StopToken& stop);
   void add(const std::vector<PartFile>& parts, const GeometryCache& read);
 
-  AssemblyDocument& document_;
-  WorkController& work_;
-  QWidget* window_;
+  const Workbench& bench_;
 };
 
 }  // namespace glissade

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/window/export_dialog.h"
+#include "app/window/path_script.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
@@ -24,105 +25,121 @@ QString readablePatterns() {
 
 }  // namespace
 
-PathController::PathController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene,
-                               QWidget* window)
-    : QObject(window), bridge_(bridge), actions_(actions), panel_(new PathPanel(actions, window)) {
-  connect(panel_, &PathPanel::poseShown, this, [&scene](const std::optional<Pose>& pose) {
-    scene.view().setPlaybackPose(pose);
-    scene.refresh();
+PathController::PathController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), panel_(new PathPanel(bench.actions, &bench.window)) {
+  connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
+    bench_.scene.view().setPlaybackPose(pose);
+    bench_.scene.refresh();
   });
-  connect(panel_, &PathPanel::playbackEnded, this,
-          [this] { actions_[QStringLiteral("path.play")]->setChecked(false); });
+  connect(panel_, &PathPanel::playbackEnded, this, [this] { bench_.actions["path.play"]->setChecked(false); });
+  connect(&bench.run, &ShownRun::changed, this, &PathController::show);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & Change::Results) show();
+  });
   connectActions();
   enableActions();
+  addPathCommands(bench.scripts, *this);
 }
 
 void PathController::connectActions() {
-  connect(actions_[QStringLiteral("path.play")], &QAction::toggled, panel_, &PathPanel::setPlaying);
-  connect(actions_[QStringLiteral("path.smooth")], &QAction::triggered, this,
-          [this](bool smooth) { bridge_.post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
-  connect(actions_[QStringLiteral("path.first-blocked")], &QAction::triggered, this, [this] {
-    emit found();
+  connect(bench_.actions["path.play"], &QAction::toggled, panel_, &PathPanel::setPlaying);
+  bench_.onAction("path.smooth", this,
+                  [this](bool smooth) { bench_.session.post(command::SmoothPath{smooth ? kUsualShortcuts : 0}); });
+  bench_.onAction("path.first-blocked", this, [this] {
+    bringToFront();
     panel_->showFirstBlocked();
   });
-  connect(actions_[QStringLiteral("file.open-path")], &QAction::triggered, this, &PathController::chooseFile);
-  connect(actions_[QStringLiteral("file.export")], &QAction::triggered, this, &PathController::chooseExport);
+  bench_.onAction("file.open-path", this, [this] { chooseFile(); });
+  bench_.onAction("file.export", this, [this] { chooseExport(); });
+}
+
+void PathController::bringToFront() { bench_.actions["panel.path"]->trigger(); }
+
+void PathController::showError(const Diagnostic& why) {
+  bench_.messages.showError(tr("This cannot be done with the path"), why);
 }
 
 void PathController::chooseFile() {
-  const QString file =
-      QFileDialog::getOpenFileName(qobject_cast<QWidget*>(parent()), tr("Open a path of this scenario"), QString(),
-                                   tr("Paths (%1);;All files (*)").arg(readablePatterns()));
-  if (file.isEmpty()) return;
-  if (const auto why = open(file)) emit failed(*why);
+  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a path of this scenario"), QString(),
+                                                    tr("Paths (%1);;All files (*)").arg(readablePatterns()));
+  if (!file.isEmpty()) openOrShowError(file);
+}
+
+void PathController::openOrShowError(const QString& file) {
+  if (const auto why = open(file)) showError(*why);
 }
 
 std::optional<Diagnostic> PathController::open(const QString& file) {
   const std::string name = file.toStdString();
-  if (!bridge_.snapshot()) {
+  const SnapshotPtr live = bench_.session.snapshot();
+  if (!live) {
     return Diagnostic{ErrorKind::Usage, name, "", "there is no scenario that the path could be of",
                       "Open its scenario first."};
   }
-  if (isRunning(*bridge_.snapshot())) {
+  if (isRunning(*live)) {
     return Diagnostic{ErrorKind::Usage, name, "", "a path is being looked for", "Stop the run first."};
   }
-  if (!live_) return Diagnostic{ErrorKind::Usage, name, "", "a recording is shown", "Close the replay first."};
+  if (!bench_.run.isLive()) {
+    return Diagnostic{ErrorKind::Usage, name, "", "a recording is shown", "Close the replay first."};
+  }
   auto points = readPath(name);
   if (!points) return points.error();
-  bridge_.givePath({withUnitRotations(std::move(*points)), {}});
-  emit found();
+  bench_.session.givePath({withUnitRotations(std::move(*points)), {}});
+  bringToFront();
   return std::nullopt;
 }
 
-void PathController::showSnapshot(const SnapshotPtr& snapshot, const ScenarioPtr& scenario, bool live) {
-  const bool another = snapshot->path && (!snapshot_ || snapshot_->path != snapshot->path);
-  const bool ofRun = snapshot->run > 0;
-  snapshot_ = snapshot;
-  scenario_ = scenario;
-  live_ = live;
-  panel_->setPath(snapshot->path, snapshot->refused, *scenario);
+void PathController::show() {
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  if (!snapshot) return;
+  const RunResults replayed{snapshot->path, snapshot->refused, snapshot->provenance, snapshot->smoothed};
+  const RunResults results = bench_.run.isLive() ? bench_.document.results() : replayed;
+  const bool isNew = results.path && results.path != results_.path;
+  results_ = results;
+  panel_->setPath(results.path, results.refused, *bench_.document.scenario());
   enableActions();
-  if (another && ofRun && !snapshot->coarsePlan) emit found();
+  if (isNew && snapshot->run > 0 && !snapshot->coarsePlan) bringToFront();
 }
 
 void PathController::chooseExport() {
-  ExportDialog dialog(makePathExporterRegistry(), qobject_cast<QWidget*>(parent()));
+  ExportDialog dialog(makePathExporterRegistry(), &bench_.window);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = dialog.selectedFiles().front();
   if (const auto why = exportTo(file)) {
-    emit failed(*why);
+    showError(*why);
   } else {
-    emit told(tr("The path was saved as %1").arg(file));
+    bench_.messages.showStatus(tr("The path was saved as %1").arg(file));
   }
 }
 
 std::optional<Diagnostic> PathController::exportTo(const QString& file) {
-  if (!snapshot_ || !snapshot_->path) {
+  if (!results_.path) {
     return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
   }
-  const Outcome written = writePath(*snapshot_->path, *scenario_, snapshot_->provenance, file.toStdString());
-  if (!written) return written.error();
-  return std::nullopt;
+  const Outcome written =
+      writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
+  return written ? std::nullopt : std::make_optional(written.error());
 }
 
 std::string PathController::verdict() const {
-  if (snapshot_ && snapshot_->path) return "certified";
-  if (!snapshot_ || !snapshot_->refused) return "none";
-  const std::vector<BlockedEdge>& blocked = snapshot_->refused->blocked;
+  if (results_.path) return "certified";
+  if (!results_.refused) return "none";
+  const std::vector<BlockedEdge>& blocked = results_.refused->blocked;
   const int body = blocked.empty() ? -1 : blocked.front().nearest.body;
-  return body < 0 ? "-" : scenario_->obstacles[static_cast<std::size_t>(body)].id;
+  return body < 0 ? "-" : bench_.document.scenario()->obstacles[static_cast<std::size_t>(body)].id;
 }
 
 void PathController::enableActions() {
-  const bool open = snapshot_ != nullptr;
-  const bool path = open && snapshot_->path;
-  const bool refused = open && snapshot_->refused;
-  actions_[QStringLiteral("path.play")]->setEnabled(path || refused);
-  actions_[QStringLiteral("path.smooth")]->setEnabled(live_ && path && !snapshot_->pathWork);
-  actions_[QStringLiteral("path.smooth")]->setChecked(open && snapshot_->smoothed);
-  actions_[QStringLiteral("path.first-blocked")]->setEnabled(refused && !snapshot_->refused->blocked.empty());
-  actions_[QStringLiteral("file.export")]->setEnabled(path);
-  actions_[QStringLiteral("file.open-path")]->setEnabled(live_ && !isRunning(*snapshot_));
+  const SnapshotPtr& snapshot = bench_.run.snapshot();
+  const bool live = snapshot && bench_.run.isLive();
+  const bool path = results_.path != nullptr;
+  const bool refused = results_.refused != nullptr;
+  bench_.enable("path.play", path || refused);
+  bench_.enable("path.smooth", live && path && !snapshot->pathWork);
+  bench_.actions["path.smooth"]->setChecked(results_.smoothed);
+  bench_.enable("path.first-blocked", refused && !results_.refused->blocked.empty());
+  bench_.enable("file.export", path);
+  bench_.enable("file.open-path", live && !isRunning(*snapshot));
 }
 
 }  // namespace glissade

@@ -1,53 +1,42 @@
 #pragma once
 
-#include <QObject>
 #include <optional>
 
-#include "widgets/bridge/session_bridge.h"
-#include "widgets/commands/action_catalogue.h"
+#include "app/window/workbench.h"
 #include "widgets/panels/path_panel.h"
-#include "widgets/scene3d/scene_widget.h"
 
 namespace glissade {
 
-/// The path that was found or given: shown, played, smoothed, read from files and written into them. Part of the
-/// main window.
+/// The path that was found or given: shown, played, smoothed, read from files and written into them.
 class PathController final : public QObject {
   Q_OBJECT
 
  public:
-  PathController(SessionBridge& bridge, const ActionCatalogue& actions, SceneWidget& scene, QWidget* window);
+  explicit PathController(const Workbench& bench);
 
   PathPanel* panel() const { return panel_; }
-  /// `live`: not of a replay.
-  void showSnapshot(const SnapshotPtr& snapshot, const ScenarioPtr& scenario, bool live);
   /// Reads a path of the open scenario, which is then examined; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
-
+  /// The same; an error is shown in a dialog.
+  void openOrShowError(const QString& file);
   /// Saves the path in the format of the file's ending; nothing on success.
   std::optional<Diagnostic> exportTo(const QString& file);
   /// "none", "certified", or the id of the body that blocks it first ("-": its ends do not fit, or none is near).
   std::string verdict() const;
 
- signals:
-  /// There is something to see in the panel.
-  void found();
-  /// What was done, where it is not seen.
-  void told(const QString& text);
-  void failed(const glissade::Diagnostic& why);
-
  private:
   void connectActions();
+  /// Shows the results of the run that is shown.
+  void show();
+  void bringToFront();
+  void showError(const Diagnostic& why);
   void chooseFile();
   void chooseExport();
   void enableActions();
 
-  SessionBridge& bridge_;
-  const ActionCatalogue& actions_;
+  const Workbench& bench_;
   PathPanel* panel_;
-  ScenarioPtr scenario_;
-  SnapshotPtr snapshot_;
-  bool live_ = false;  ///< snapshot_ is of the session, not of a replay
+  RunResults results_;  ///< that are shown
 };
 
 }  // namespace glissade

@@ -3,24 +3,18 @@
 #include "app/window/path_controller.h"
 
 namespace glissade {
-namespace {
 
-Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
-
-}  // namespace
-
-std::optional<Outcome> PathScript::carryOut(const ScriptCommand& command) {
-  const QString first = QString::fromStdString(command.arguments.empty() ? "" : command.arguments[0]);
-  if (command.name == "export") return outcomeOf(window_.path().exportTo(first));
-  if (command.name == "open-path") return outcomeOf(window_.path().open(first));
-  if (command.name == "expect-path") return expect(command.arguments[0]);
-  return std::nullopt;
-}
-
-Outcome PathScript::expect(const std::string& what) {
-  const std::string found = window_.path().verdict();
-  if (found == what) return Done{};
-  return Diagnostic{ErrorKind::NoPath, "", "", "the path is '" + found + "', not '" + what + "'", ""};
+void addPathCommands(ScriptCommands& scripts, PathController& path) {
+  using Words = ScriptCommands::Words;
+  scripts.add("export", 1,
+              [&path](const Words& words) { return outcomeOf(path.exportTo(QString::fromStdString(words[0]))); });
+  scripts.add("open-path", 1,
+              [&path](const Words& words) { return outcomeOf(path.open(QString::fromStdString(words[0]))); });
+  scripts.add("expect-path", 1, [&path](const Words& words) -> Outcome {
+    const std::string found = path.verdict();
+    if (found == words[0]) return Done{};
+    return unmetExpectation("the path is '" + found + "', not '" + words[0] + "'");
+  });
 }
 
 }  // namespace glissade

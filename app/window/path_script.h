@@ -1,24 +1,12 @@
 #pragma once
 
-#include <optional>
-
-#include "app/window/main_window.h"
-#include "app/window/script.h"
+#include "app/script/script_commands.h"
 
 namespace glissade {
 
+class PathController;
+
 /// The script commands about the path that was found or given.
-class PathScript {
- public:
-  explicit PathScript(MainWindow& window) : window_(window) {}
-
-  /// Nothing where the command is another's.
-  std::optional<Outcome> carryOut(const ScriptCommand& command);
-
- private:
-  Outcome expect(const std::string& what);
-
-  MainWindow& window_;
-};
+void addPathCommands(ScriptCommands& scripts, PathController& path);
 
 }  // namespace glissade

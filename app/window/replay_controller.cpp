@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/window/replay_script.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/run_comparison.h"
 
@@ -29,31 +30,52 @@ bool isOf(const RunRecord& record, const ScenarioPtr& scenario) {
 
 }  // namespace
 
-ReplayController::ReplayController(SessionBridge& bridge, const ActionCatalogue& actions, QWidget* window)
-    : QObject(window), bridge_(bridge), actions_(actions), bar_(new ReplayBar(actions, window)) {
+ReplayController::ReplayController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), bar_(new ReplayBar(bench.actions, &bench.window)) {
+  bench.window.addToolBar(Qt::BottomToolBarArea, bar_);
   bar_->hide();
   timer_.setInterval(kTickMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &ReplayController::tick);
   connect(bar_, &ReplayBar::stepChosen, this, &ReplayController::seek);
-  connect(&runner_, &ReplayRunner::progressed, this, &ReplayController::take);
+  connect(&runner_, &ReplayRunner::progressed, this, &ReplayController::takeProgress);
   connect(&runner_, &ReplayRunner::failed, this, [this](const Diagnostic& why) {
     close();
-    emit failed(why);
+    showError(why);
   });
-  connect(&bridge_, &SessionBridge::snapshotChanged, this, [this](const SnapshotPtr& snapshot) {
-    const bool known = recorder_.trouble().has_value();
-    if (recorder_.follow(*snapshot)) opened_.reset();
-    if (!known && recorder_.trouble()) emit notJournalled(*recorder_.trouble());
-    enableActions();
-  });
+  connect(&bench.document, &WorkbenchDocument::changed, this, &ReplayController::followDocument);
+  connect(&bench.session, &SessionBridge::snapshotChanged, this,
+          [this](const SnapshotPtr& snapshot) { followRun(*snapshot); });
   connectActions();
+  enableActions();
+  addReplayCommands(bench.scripts, *this);
+}
+
+void ReplayController::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  close();
+  opened_.reset();
+  if (what & Change::Scenario) {
+    recorder_.open(bench_.document.scenario());
+  } else {
+    recorder_.rearrange(bench_.document.scenario());
+  }
   enableActions();
 }
 
+void ReplayController::followRun(const SessionSnapshot& snapshot) {
+  if (recorder_.follow(snapshot)) opened_.reset();
+  if (const auto why = recorder_.takeTrouble()) {
+    bench_.messages.showStatus(tr("No journal of this run on disk: %1").arg(QString::fromStdString(toString(*why))));
+  }
+  enableActions();
+}
+
+void ReplayController::showError(const Diagnostic& why) {
+  bench_.messages.showError(tr("The recording cannot be replayed"), why);
+}
+
 void ReplayController::connectActions() {
-  const auto on = [this](const char* id, auto handler) {
-    connect(actions_[QLatin1String(id)], &QAction::triggered, this, handler);
-  };
+  const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("replay.last", [this] { replayLast(); });
   on("replay.again", [this] { replayWithCurrentParameters(); });
   on("replay.close", [this] { close(); });
@@ -63,12 +85,12 @@ void ReplayController::connectActions() {
     const std::uint64_t stride = progress_.track ? progress_.track->stride() : 1;
     seek(step_ - std::min(step_, stride));
   });
-  connect(actions_[QStringLiteral("replay.play")], &QAction::toggled, this, &ReplayController::play);
+  connect(bench_.actions["replay.play"], &QAction::toggled, this, &ReplayController::play);
 }
 
 void ReplayController::enableActions() {
-  const auto enable = [this](const char* id, bool enabled) { actions_[QLatin1String(id)]->setEnabled(enabled); };
-  const SnapshotPtr live = bridge_.snapshot();
+  const auto enable = [this](const char* id, bool enabled) { bench_.enable(id, enabled); };
+  const SnapshotPtr live = bench_.session.snapshot();
   const bool running = live && isRunning(*live);
   const bool recorded = recorder_.hasRecording() || opened_;
   enable("file.save-recording", recorder_.hasRecording() && !isActive());
@@ -80,31 +102,15 @@ void ReplayController::enableActions() {
   }
 }
 
-void ReplayController::openScenario(const ScenarioPtr& scenario) {
-  close();
-  opened_.reset();
-  scenario_ = scenario;
-  recorder_.open(scenario);
-  enableActions();
-}
-
-void ReplayController::rearrange(const ScenarioPtr& scenario) {
-  close();
-  opened_.reset();
-  scenario_ = scenario;
-  recorder_.rearrange(scenario);
-  enableActions();
-}
-
 std::optional<Diagnostic> ReplayController::open(
     const RunRecord& record, const QString& file,
     const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
-  const ScenarioPtr before = scenario_;
-  if (!isOf(record, scenario_)) {
+  const ScenarioPtr before = bench_.document.scenario();
+  if (!isOf(record, before)) {
     if (auto why = openOther(QString::fromStdString(record.scenario))) return why;
-    if (scenario_ == before) return std::nullopt;  // the user wants to stay where he is
+    if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the scenario that is open
   }
-  auto log = replayLog(record, *scenario_, file.toStdString());
+  auto log = replayLog(record, *bench_.document.scenario(), file.toStdString());
   if (!log) return log.error();
   opened_ = *log;
   start(std::move(*log), ReplayEnd::WithTheLog);
@@ -126,7 +132,7 @@ Result<RunLog> ReplayController::lastLog() {
   if (opened_) return *opened_;
   auto record = recorder_.record();
   if (!record) return record.error();
-  return replayLog(*record, *scenario_, "");
+  return replayLog(*record, *bench_.document.scenario(), "");
 }
 
 void ReplayController::replayLast() {
@@ -134,17 +140,17 @@ void ReplayController::replayLast() {
   if (log) {
     start(std::move(*log), ReplayEnd::WithTheLog);
   } else {
-    emit failed(log.error());
+    showError(log.error());
   }
 }
 
 void ReplayController::replayWithCurrentParameters() {
   auto log = lastLog();
   if (!log) {
-    emit failed(log.error());
+    showError(log.error());
     return;
   }
-  const SnapshotPtr live = bridge_.snapshot();
+  const SnapshotPtr live = bench_.session.snapshot();
   for (const ParameterSpec& spec : parameterTable()) {
     if (spec.live) overrideParameter(spec.id, live->parameters[spec.id], *log);
   }
@@ -156,7 +162,6 @@ void ReplayController::replayWithCurrentParameters() {
 }
 
 void ReplayController::start(RunLog log, ReplayEnd end) {
-  const bool first = !isActive();
   play(false);
   log_ = std::make_shared<const RunLog>(std::move(log));
   end_ = end;
@@ -165,11 +170,11 @@ void ReplayController::start(RunLog log, ReplayEnd end) {
   ++number_;
   step_ = 0;
   seconds_ = 0.0;
-  say("", tr("replaying..."), tr("The run is being replayed"));
+  showVerdict("", tr("replaying..."), tr("The run is being replayed"));
   bar_->show();
-  if (first) emit activeChanged(true);
+  bench_.run.beginReplay();
   enableActions();
-  runner_.run(scenario_->problem, log_, end, bridge_.clock() == SessionClock::Lockstep);
+  runner_.run(bench_.document.scenario()->problem, log_, end, bench_.session.clock() == SessionClock::Lockstep);
 }
 
 void ReplayController::close() {
@@ -181,7 +186,7 @@ void ReplayController::close() {
   progress_ = {};
   bar_->hide();
   enableActions();
-  emit activeChanged(false);
+  bench_.run.endReplay();
 }
 
 std::uint64_t ReplayController::steps() const {
@@ -190,15 +195,15 @@ std::uint64_t ReplayController::steps() const {
   return known ? std::max(log_->end->step, replayed) : replayed;
 }
 
-void ReplayController::take(const ReplayProgress& progress) {
+void ReplayController::takeProgress(const ReplayProgress& progress) {
   if (!isActive()) return;
   progress_ = progress;
-  if (!view_) view_ = std::make_unique<ReplayView>(scenario_->problem, log_, progress.track, number_);
+  if (!view_) view_ = std::make_unique<ReplayView>(bench_.document.scenario()->problem, log_, progress.track, number_);
   if (progress.ended) {
     judge();
   } else if (steps() > 0) {
     const std::uint64_t percent = 100 * progress_.track->lastStep() / steps();
-    say("", tr("replaying... %1 %").arg(percent), tr("The run is being replayed"));
+    showVerdict("", tr("replaying... %1 %").arg(percent), tr("The run is being replayed"));
   }
   show();
 }
@@ -210,20 +215,20 @@ void ReplayController::judge() {
   const RunCheckpoint recorded = log_->end.value_or(RunCheckpoint{});
   if (end_ == ReplayEnd::GoOn) {
     const bool solved = progress_.latest->state == SessionState::Solved;
-    say("another", tr("other parameters"),
-        (solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")
-                : tr("Other parameters: no path, %1 nodes (recorded: %2)"))
-            .arg(count(nodes), count(recorded.nodes)));
+    showVerdict("another", tr("other parameters"),
+                (solved ? tr("Other parameters: solved, %1 nodes (recorded: %2)")
+                        : tr("Other parameters: no path, %1 nodes (recorded: %2)"))
+                    .arg(count(nodes), count(recorded.nodes)));
   } else if (const auto difference = firstDifference(*log_, again)) {
-    say("different", tr("≠ recorded"),
-        tr("Differs from the recording: the same until step %1, not at step %2")
-            .arg(count(difference->same), count(difference->recorded.step)));
+    showVerdict("different", tr("≠ recorded"),
+                tr("Differs from the recording: the same until step %1, not at step %2")
+                    .arg(count(difference->same), count(difference->recorded.step)));
   } else {
-    say("same", tr("✓ as recorded"), tr("Same roadmap as recorded: %1 nodes").arg(count(recorded.nodes)));
+    showVerdict("same", tr("✓ as recorded"), tr("Same roadmap as recorded: %1 nodes").arg(count(recorded.nodes)));
   }
 }
 
-void ReplayController::say(const std::string& verdict, const QString& inShort, const QString& inWords) {
+void ReplayController::showVerdict(const std::string& verdict, const QString& inShort, const QString& inWords) {
   verdict_ = verdict;
   statusText_ = tr("Replay. %1").arg(inWords);
   bar_->setVerdict(inShort, inWords, verdict == "different");
@@ -237,7 +242,7 @@ void ReplayController::seek(std::uint64_t step) {
 }
 
 void ReplayController::play(bool playing) {
-  actions_[QStringLiteral("replay.play")]->setChecked(playing);
+  bench_.actions["replay.play"]->setChecked(playing);
   if (!playing) {
     timer_.stop();
     return;
@@ -250,14 +255,14 @@ void ReplayController::play(bool playing) {
 void ReplayController::tick() {
   const double passed = static_cast<double>(sinceTick_.restart()) / 1000.0;
   if (!progress_.track) return;
-  std::uint64_t wanted = step_ + std::max<std::uint64_t>(1, steps() / kTicksOfAWholeRun);
+  std::uint64_t next = step_ + std::max<std::uint64_t>(1, steps() / kTicksOfAWholeRun);
   if (bar_->speed() > 0.0) {
     seconds_ += passed * bar_->speed();
-    wanted = stepAt(*log_, seconds_);
+    next = stepAt(*log_, seconds_);
   }
   const std::uint64_t before = step_;
-  step_ = std::min(wanted, progress_.track->lastStep());
-  if (step_ < wanted || bar_->speed() == 0.0) seconds_ = secondsAt(*log_, step_);
+  step_ = std::min(next, progress_.track->lastStep());
+  if (step_ < next || bar_->speed() == 0.0) seconds_ = secondsAt(*log_, step_);
   if (step_ != before) show();
   if (progress_.ended && step_ >= steps()) play(false);
 }
@@ -266,7 +271,7 @@ void ReplayController::show() {
   bar_->setPlace(step_, steps(), secondsAt(*log_, step_));
   if (!view_) return;
   const bool end = progress_.ended && step_ >= progress_.track->lastStep();
-  emit shown(view_->at(step_, *progress_.latest, end));
+  bench_.run.showReplay(view_->at(step_, *progress_.latest, end), statusText_);
 }
 
 }  // namespace glissade

@@ -6,42 +6,28 @@
 namespace glissade {
 namespace {
 
-Outcome toOutcome(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
-
-Diagnostic usage(const std::string& reason) { return {ErrorKind::MalformedInput, "", "", reason, "Correct the line."}; }
-
-Diagnostic unmet(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
-
-}  // namespace
-
-std::optional<Outcome> ReplayScript::carryOut(const ScriptCommand& command) {
-  if (command.name == "save-recording") {
-    return toOutcome(window_.replay().save(QString::fromStdString(command.arguments[0])));
-  }
-  if (command.name == "replay") {
-    const SnapshotPtr live = window_.bridge().snapshot();
-    if (live && isRunning(*live)) return usage("a run is under way");
-    const std::string& file = command.arguments[0];
-    return toOutcome(window_.openRecording(readRunRecord(file), QString::fromStdString(file), true));
-  }
-  if (command.name == "seek") return seek(command.arguments[0]);
-  if (command.name == "expect-replay") return expectReplay(command.arguments[0]);
-  return std::nullopt;
-}
-
-Outcome ReplayScript::seek(const std::string& step) {
-  const auto wanted = toNumber(step);
-  if (!wanted || *wanted < 0) return usage("'" + step + "' is not a step");
-  if (!window_.replay().isActive()) return usage("no replay is open");
-  window_.replay().seek(static_cast<std::uint64_t>(*wanted));
+Outcome seek(ReplayController& replay, const std::string& word) {
+  const auto step = toNumber(word);
+  if (!step || *step < 0) return wrongCommand("'" + word + "' is not a step");
+  if (!replay.isActive()) return wrongCommand("no replay is open");
+  replay.seek(static_cast<std::uint64_t>(*step));
   return Done{};
 }
 
-Outcome ReplayScript::expectReplay(const std::string& verdict) {
-  const ReplayController& replay = window_.replay();
+Outcome expectReplay(const ReplayController& replay, const std::string& verdict) {
   const std::string found = replay.isActive() ? replay.verdict() : "closed";
   if (found == verdict) return Done{};
-  return unmet("the replay is " + (found.empty() ? "still running" : found) + ", not " + verdict);
+  return unmetExpectation("the replay is " + (found.empty() ? "still running" : found) + ", not " + verdict);
+}
+
+}  // namespace
+
+void addReplayCommands(ScriptCommands& scripts, ReplayController& replay) {
+  using Words = ScriptCommands::Words;
+  scripts.add("save-recording", 1,
+              [&replay](const Words& words) { return outcomeOf(replay.save(QString::fromStdString(words[0]))); });
+  scripts.add("seek", 1, [&replay](const Words& words) { return seek(replay, words[0]); });
+  scripts.add("expect-replay", 1, [&replay](const Words& words) { return expectReplay(replay, words[0]); });
 }
 
 }  // namespace glissade

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/window/main_window.h"
 #include "app/window/study_controller.h"
 #include "engine/base/file.h"
 #include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/cell_value.h"
+#include "widgets/plots/picture_file.h"
 #include "widgets/studies/report_pdf.h"
 #include "widgets/studies/study_browser.h"
 
@@ -54,20 +54,19 @@ std::string captionOf(const StudyCell& cell, const StudyRun& run, const RunOutco
 }
 
 std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun& run, const RunOutcome& outcome,
-                                      MainWindow& window) {
-  if (const auto why = window.studies().startRun(folder, run)) return why;
-  while (isRunning(*window.bridge().snapshot())) window.bridge().advance(kSlice);
-  if (window.studies().isAsInStudy(outcome) == false) {
+                                      const Workbench& bench, StudyController& studies) {
+  if (const auto why = studies.startRun(folder, run)) return why;
+  while (isRunning(*bench.session.snapshot())) bench.session.advance(kSlice);
+  if (studies.isAsInStudy(outcome) == false) {
     return Diagnostic{ErrorKind::MalformedInput, folder.path(),
                       "cell " + std::to_string(run.cell + 1) + ", seed " + std::to_string(run.seed),
                       "ends otherwise than in the study", "Use the version that made it, or make the study again."};
   }
-  window.scene().view().fit();
+  bench.scene.view().fit();
   QApplication::processEvents();
   const std::string name = pictureName(folder, run.cell);
-  if (!window.scene().picture().save(QString::fromStdString(name + ".png"))) {
-    return Diagnostic{ErrorKind::Internal, name + ".png", "", "the picture cannot be saved", "Check the folder."};
-  }
+  const Outcome picture = savePicture(bench.scene.picture(), QString::fromStdString(name + ".png"));
+  if (!picture) return picture.error();
   const Outcome saved =
       writeFileAtomically(name + ".txt", captionOf(folder.plan().study.cells[run.cell], run, outcome));
   return saved ? std::nullopt : std::optional<Diagnostic>(saved.error());
@@ -85,8 +84,8 @@ Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
 
 }  // namespace
 
-std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& window) {
-  if (window.bridge().clock() != SessionClock::Lockstep) {
+std::optional<Diagnostic> takeStudyPictures(const QString& path, const Workbench& bench, StudyController& studies) {
+  if (bench.session.clock() != SessionClock::Lockstep) {
     return Diagnostic{ErrorKind::Usage, "", "--study-pictures", "is for runs without a display", "Add --offscreen."};
   }
   const auto folder = StudyFolder::open(path.toStdString());
@@ -98,7 +97,7 @@ std::optional<Diagnostic> takeStudyPictures(const QString& path, MainWindow& win
   for (std::size_t cell = 0; cell < folder->plan().study.cells.size(); ++cell) {
     const auto run = typicalRun(cell, results);
     if (!run) continue;
-    if (const auto why = takePicture(*folder, *run, results.at(*run), window)) return why;
+    if (const auto why = takePicture(*folder, *run, results.at(*run), bench, studies)) return why;
     std::cout << pictureName(*folder, cell) << ".png" << std::endl;
   }
   return std::nullopt;

@@ -2,10 +2,9 @@
 
 #include <QFileDialog>
 
-#include "app/window/main_window.h"
-#include "app/window/work_controller.h"
+#include "app/window/study_script.h"
 #include "engine/base/file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/studies/report_pdf.h"
 #include "widgets/studies/study_browser.h"
@@ -22,27 +21,29 @@ std::optional<double> nodesOf(const RunOutcome& outcome) {
 
 }  // namespace
 
-StudyController::StudyController(MainWindow& window) : QObject(&window), window_(window) {
-  connect(window.actions()["study.open"], &QAction::triggered, this, [this] { choose(); });
-  connect(window.actions()["study.report-pdf"], &QAction::triggered, this, [this] { choosePdf(); });
-  window.actions()["study.report-pdf"]->setEnabled(false);
-  connect(window.actions()["study.zoom-out"], &QAction::triggered, this, [this] { browser_->plot()->zoomOut(); });
-  connect(window.actions()["study.copy-plot"], &QAction::triggered, this, [this] { browser_->plot()->copy(); });
-  connect(window.actions()["study.save-plot"], &QAction::triggered, this, [this] { choosePlotFile(); });
+StudyController::StudyController(const Workbench& bench, FileController& files)
+    : QObject(&bench.window), bench_(bench), files_(files) {
+  bench.onAction("study.open", this, [this] { choose(); });
+  bench.onAction("study.report-pdf", this, [this] { choosePdf(); });
+  bench.enable("study.report-pdf", false);
+  bench.onAction("study.zoom-out", this, [this] { browser_->plot()->zoomOut(); });
+  bench.onAction("study.copy-plot", this, [this] { browser_->plot()->copy(); });
+  bench.onAction("study.save-plot", this, [this] { choosePlotFile(); });
   enablePlotActions();
-  connect(&window.bridge(), &SessionBridge::snapshotChanged, this, &StudyController::watch);
+  connect(&bench.session, &SessionBridge::snapshotChanged, this, &StudyController::watch);
+  addStudyCommands(bench, *this);
 }
 
 void StudyController::choose() {
-  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Open the results of a study"));
+  const QString folder = QFileDialog::getExistingDirectory(&bench_.window, tr("Open the results of a study"));
   if (folder.isEmpty()) return;
-  window_.work().run(tr("Reading the study"), [this, folder](const WorkWatch& watch) -> BackgroundTask::Delivery {
+  bench_.work.run(tr("Reading the study"), [this, folder](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto content = std::make_shared<const Result<Content>>(read(folder, watch));
     return [this, content] {
       if (*content) {
         show(**content);
       } else {
-        window_.showError(tr("The study cannot be opened"), content->error());
+        bench_.messages.showError(tr("The study cannot be opened"), content->error());
       }
     };
   });
@@ -52,27 +53,26 @@ void StudyController::choosePdf() {
   const StudyFolder& folder = *browser_->folder();
   const QString proposed = QString::fromStdString(folder.file("report.pdf"));
   const QString file =
-      QFileDialog::getSaveFileName(&window_, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
+      QFileDialog::getSaveFileName(&bench_.window, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
   if (file.isEmpty()) return;
   Warnings warnings;
   const Outcome written = writeReportPdf(reportOf(folder, warnings, studyLanguage()), file);
-  if (!written) window_.showError(tr("The report cannot be written"), written.error());
+  if (!written) bench_.messages.showError(tr("The report cannot be written"), written.error());
 }
 
 void StudyController::choosePlotFile() {
   const QString file = QFileDialog::getSaveFileName(browser_, tr("Save the plot"), QStringLiteral("plot.svg"),
                                                     tr("Drawings (*.svg);;Pictures (*.png)"));
   if (file.isEmpty() || browser_->plot()->save(file)) return;
-  window_.showError(tr("The plot cannot be saved"),
-                    {ErrorKind::Internal, file.toStdString(), "", "cannot be written", "Choose another folder."});
+  bench_.messages.showError(tr("The plot cannot be saved"), {ErrorKind::Internal, file.toStdString(), "",
+                                                             "cannot be written", "Choose another folder."});
 }
 
 void StudyController::enablePlotActions() {
   const PlotView* plot = browser_ != nullptr ? browser_->plot() : nullptr;
-  window_.actions()["study.zoom-out"]->setEnabled(plot != nullptr && plot->isZoomed());
-  for (const char* id : {"study.copy-plot", "study.save-plot"}) {
-    window_.actions()[QLatin1String(id)]->setEnabled(plot != nullptr);
-  }
+  bench_.enable("study.zoom-out", plot != nullptr && plot->isZoomed());
+  bench_.enable("study.copy-plot", plot != nullptr);
+  bench_.enable("study.save-plot", plot != nullptr);
 }
 
 std::optional<Diagnostic> StudyController::open(const QString& path) {
@@ -92,18 +92,18 @@ Result<StudyController::Content> StudyController::read(const QString& path, cons
 
 void StudyController::show(const Content& content) {
   if (browser_ == nullptr) {
-    browser_ = new StudyBrowser(&window_);
-    browser_->resize(window_.size());
-    browser_->addPlotActions(window_.actions());
+    browser_ = new StudyBrowser(&bench_.window);
+    browser_->resize(bench_.window.size());
+    browser_->addPlotActions(bench_.actions);
     connect(browser_, &StudyBrowser::plotChanged, this, &StudyController::enablePlotActions);
     connect(browser_, &StudyBrowser::runWanted, this, [this](const StudyRun& run) {
-      if (const auto why = show(run)) window_.showError(tr("The run cannot be shown"), *why);
+      if (const auto why = show(run)) bench_.messages.showError(tr("The run cannot be shown"), *why);
     });
   }
   browser_->show(content.folder, content.results);
   shown_.reset();
   enablePlotActions();
-  window_.actions()["study.report-pdf"]->setEnabled(true);
+  bench_.enable("study.report-pdf", true);
   const auto unread = static_cast<int>(content.warnings.size());
   if (unread > 0) browser_->setMessage(tr("%n file(s) of runs could not be read and are left out.", nullptr, unread));
 }
@@ -114,22 +114,22 @@ std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, c
   if (!file) return file.error();
   const auto loaded = loadScenario(*file);
   if (!loaded) return loaded.error();
-  if (sha256(writeScenario(loaded->scenario)) != cell.scenarioSha256) {
+  if (sha256(scenarioText(loaded->scenario)) != cell.scenarioSha256) {
     return Diagnostic{ErrorKind::MalformedInput, *file, "", "the scenario has changed since the study was made",
                       "Put the old one back, or make the study again."};
   }
-  if (const auto why = window_.openScenario(QString::fromStdString(*file), true)) return why;
+  if (const auto why = files_.openScenario(QString::fromStdString(*file), true)) return why;
   ParameterValues parameters = loaded->parameters;
   for (const auto& [id, value] : cell.parameters) {
     const Outcome set = parameters.set(id, value);
     if (!set) return set.error();
   }
-  window_.bridge().startFixed({parameters, cell.strategy, run.seed, cell.operatorName});
+  bench_.session.startFixed({parameters, cell.strategy, run.seed, cell.operatorName});
   return std::nullopt;
 }
 
 std::optional<bool> StudyController::isAsInStudy(const RunOutcome& known) const {
-  const SnapshotPtr snapshot = window_.bridge().snapshot();
+  const SnapshotPtr snapshot = bench_.session.snapshot();
   const auto nodes = nodesOf(known);
   if (!snapshot || isRunning(*snapshot) || !nodes || dependsOnMachine(known.result.status)) return std::nullopt;
   return static_cast<double>(snapshot->counts.nodes) == *nodes;
@@ -141,8 +141,8 @@ std::optional<Diagnostic> StudyController::show(const StudyRun& run) {
   shown_ = run;
   browser_->selectCell(static_cast<int>(run.cell));
   browser_->setMessage(tr("Seed %1 is running in the main window.").arg(run.seed));
-  window_.activateWindow();
-  window_.raise();
+  bench_.window.activateWindow();
+  bench_.window.raise();
   return std::nullopt;
 }
 

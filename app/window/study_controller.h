@@ -1,14 +1,12 @@
 #pragma once
 
-#include <QObject>
 #include <optional>
 
+#include "app/window/file_controller.h"
 #include "engine/study/study_folder.h"
-#include "widgets/bridge/session_bridge.h"
 
 namespace glissade {
 
-class MainWindow;
 class StudyBrowser;
 
 /// Studies in the window: opens a folder of results in the browser, and shows one of its runs again.
@@ -16,7 +14,7 @@ class StudyController final : public QObject {
   Q_OBJECT
 
  public:
-  explicit StudyController(MainWindow& window);
+  StudyController(const Workbench& bench, FileController& files);
 
   /// What is wrong with the folder, or nothing.
   std::optional<Diagnostic> open(const QString& folder);
@@ -46,7 +44,8 @@ class StudyController final : public QObject {
   void enablePlotActions();
   void watch(const SnapshotPtr& snapshot);
 
-  MainWindow& window_;
+  const Workbench& bench_;
+  FileController& files_;
   StudyBrowser* browser_ = nullptr;
   std::optional<StudyRun> shown_;  ///< the browser's run that is being shown
 };

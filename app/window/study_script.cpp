@@ -4,73 +4,92 @@
 
 #include <array>
 
+#include "app/window/study_batch.h"
 #include "app/window/study_controller.h"
 #include "engine/base/number_text.h"
+#include "widgets/plots/picture_file.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/studies/study_browser.h"
 
 namespace glissade {
 namespace {
 
-Diagnostic wrong(const std::string& reason) { return {ErrorKind::MalformedInput, "", "", reason, ""}; }
+using Words = ScriptCommands::Words;
 
-Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
-
-}  // namespace
-
-std::optional<Outcome> StudyScript::carryOut(const ScriptCommand& command) {
-  if (command.name.rfind("study", 0) != 0) return std::nullopt;
-  if (command.name == "study") return outcomeOf(window_.studies().open(QString::fromStdString(command.arguments[0])));
-  if (window_.studies().browser() == nullptr) return wrong("no study is open");
-  if (command.name == "study-run") return start(command.arguments[0], command.arguments[1]);
-  if (command.name == "study-zoom") return zoom(command.arguments);
-  if (command.name == "study-save-plot") {
-    const PlotView* plot = window_.studies().browser()->plot();
-    const bool saved = plot != nullptr && plot->save(QString::fromStdString(command.arguments[0]));
-    return saved ? Outcome(Done{}) : wrong("the plot cannot be saved");
-  }
-  return choose(command);
+/// From 0; -1 where the word is not a number from 1.
+int indexOf(const std::string& word) {
+  const auto number = toNumber(word);
+  return number ? static_cast<int>(*number) - 1 : -1;
 }
 
-Outcome StudyScript::choose(const ScriptCommand& command) {
-  StudyBrowser& browser = *window_.studies().browser();
-  const std::string& word = command.arguments[0];
-  if (command.name == "study-screenshot") {
-    const bool saved = browser.grab().save(QString::fromStdString(word));
-    return saved ? Outcome(Done{}) : wrong("the picture cannot be saved");
-  }
-  const auto number = toNumber(word);
-  const int index = number ? static_cast<int>(*number) - 1 : -1;
-  if (command.name == "study-cell") {
-    return browser.selectCell(index) ? Outcome(Done{}) : wrong("there is no cell " + word);
-  }
+Outcome selectCell(StudyBrowser& browser, const std::string& word) {
+  if (browser.selectCell(indexOf(word))) return Done{};
+  return wrongCommand("there is no cell " + word);
+}
+
+Outcome selectPlot(StudyBrowser& browser, const std::string& word) {
   auto* plots = browser.findChild<QTabWidget*>();
-  if (index < 0 || index >= plots->count()) return wrong("there is no plot " + word);
+  const int index = indexOf(word);
+  if (index < 0 || index >= plots->count()) return wrongCommand("there is no plot " + word);
   plots->setCurrentIndex(index);
   return Done{};
 }
 
-Outcome StudyScript::zoom(const std::vector<std::string>& words) {
+Outcome savePlot(StudyBrowser& browser, const std::string& file) {
+  const PlotView* plot = browser.plot();
+  if (plot != nullptr && plot->save(QString::fromStdString(file))) return Done{};
+  return wrongCommand("the plot cannot be saved", "Check the folder.");
+}
+
+Outcome saveBrowser(StudyBrowser& browser, const std::string& file) {
+  return savePicture(browser.grab().toImage(), QString::fromStdString(file));
+}
+
+Outcome zoom(StudyBrowser& browser, const Words& words) {
   std::array<double, 4> corners{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto number = toNumber(words[i]);
-    if (!number) return wrong("'" + words[i] + "' is not a number");
+    if (!number) return wrongCommand("'" + words[i] + "' is not a number");
     corners[i] = *number;
   }
-  PlotView* plot = window_.studies().browser()->plot();
-  if (plot == nullptr) return wrong("no plot is in front");
+  PlotView* plot = browser.plot();
+  if (plot == nullptr) return wrongCommand("no plot is in front");
   plot->zoom(QRectF(QPointF(corners[0], corners[1]), QPointF(corners[2], corners[3])));
   return Done{};
 }
 
-Outcome StudyScript::start(const std::string& cell, const std::string& seed) {
-  const StudyBrowser& browser = *window_.studies().browser();
+Outcome start(StudyController& studies, const std::string& cell, const std::string& seed) {
+  const StudyBrowser& browser = *studies.browser();
   const auto cellNumber = toNumber(cell);
   const auto seedNumber = toNumber(seed);
-  if (!cellNumber || !seedNumber || *cellNumber < 1.0) return wrong("give the numbers of a cell and a seed");
+  if (!cellNumber || !seedNumber || *cellNumber < 1.0) return wrongCommand("give the numbers of a cell and a seed");
   const StudyRun run{static_cast<std::size_t>(*cellNumber) - 1, static_cast<std::uint64_t>(*seedNumber)};
-  if (browser.results().count(run) == 0) return wrong("the study has no run of cell " + cell + " with seed " + seed);
-  return outcomeOf(window_.studies().show(run));
+  if (browser.results().count(run) == 0)
+    return wrongCommand("the study has no run of cell " + cell + " with seed " + seed);
+  return outcomeOf(studies.show(run));
+}
+
+}  // namespace
+
+void addStudyCommands(const Workbench& bench, StudyController& studies) {
+  ScriptCommands& scripts = bench.scripts;
+  scripts.add("study", 1,
+              [&studies](const Words& words) { return outcomeOf(studies.open(QString::fromStdString(words[0]))); });
+  const auto add = [&](const char* name, std::size_t count, auto handler) {
+    scripts.add(name, count, [&studies, handler](const Words& words) -> Outcome {
+      if (studies.browser() == nullptr) return wrongCommand("no study is open");
+      return handler(words);
+    });
+  };
+  add("study-cell", 1, [&studies](const Words& words) { return selectCell(*studies.browser(), words[0]); });
+  add("study-plot", 1, [&studies](const Words& words) { return selectPlot(*studies.browser(), words[0]); });
+  add("study-zoom", 4, [&studies](const Words& words) { return zoom(*studies.browser(), words); });
+  add("study-save-plot", 1, [&studies](const Words& words) { return savePlot(*studies.browser(), words[0]); });
+  add("study-screenshot", 1, [&studies](const Words& words) { return saveBrowser(*studies.browser(), words[0]); });
+  add("study-run", 2, [&studies](const Words& words) { return start(studies, words[0], words[1]); });
+  scripts.add("study-pictures", 1, [&bench, &studies](const Words& words) {
+    return outcomeOf(takeStudyPictures(QString::fromStdString(words[0]), bench, studies));
+  });
 }
 
 }  // namespace glissade

@@ -1,26 +1,12 @@
 #pragma once
 
-#include <optional>
-
-#include "app/window/main_window.h"
-#include "app/window/script.h"
+#include "app/window/workbench.h"
 
 namespace glissade {
 
-/// The commands of a script that concern studies.
-class StudyScript {
- public:
-  explicit StudyScript(MainWindow& window) : window_(window) {}
+class StudyController;
 
-  /// Nothing where the command is not one of these. Errors name no file and line yet.
-  std::optional<Outcome> carryOut(const ScriptCommand& command);
-
- private:
-  Outcome choose(const ScriptCommand& command);
-  Outcome zoom(const std::vector<std::string>& words);
-  Outcome start(const std::string& cell, const std::string& seed);
-
-  MainWindow& window_;
-};
+/// The script commands about studies.
+void addStudyCommands(const Workbench& bench, StudyController& studies);
 
 }  // namespace glissade

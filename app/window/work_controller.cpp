@@ -3,6 +3,15 @@
 #include <utility>
 
 namespace glissade {
+namespace {
+
+/// "Reading the parts" as the middle of a sentence.
+std::string inSentence(QString what) {
+  if (!what.isEmpty()) what[0] = what[0].toLower();
+  return what.toStdString();
+}
+
+}  // namespace
 
 WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& actions, QStatusBar& bar)
     : QObject(&bar),
@@ -12,8 +21,11 @@ WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& act
       atOnce_(bridge.clock() == SessionClock::Lockstep) {
   bar.addPermanentWidget(busy_);
   busy_->hide();
+  connect(&bridge, &SessionBridge::snapshotChanged, this,
+          [this](const SnapshotPtr& snapshot) { followRun(*snapshot); });
   connect(cancel_, &QAction::triggered, this, [this] { cancelAll(); });
   connect(&task_, &BackgroundTask::progressed, busy_, &BusyBar::setShare);
+  connect(&task_, &BackgroundTask::failed, this, &WorkController::reportFailure);
   connect(&task_, &BackgroundTask::ended, this, [this] {
     busy_->end();
     toTheEnd_ = false;
@@ -32,7 +44,8 @@ void WorkController::run(const Job& job) {
 }
 
 void WorkController::begin(const Job& job) {
-  task_.start(job.work, atOnce_);
+  reportedFailure_.clear();
+  task_.start(inSentence(job.what), job.work, atOnce_);
   if (!task_.isBusy()) return;
   toTheEnd_ = job.toTheEnd;
   pathWork_ = false;
@@ -45,7 +58,7 @@ void WorkController::cancel() {
   if (!toTheEnd_) task_.cancel();
 }
 
-void WorkController::showSnapshot(const SessionSnapshot& snapshot) {
+void WorkController::followRun(const SessionSnapshot& snapshot) {
   if (task_.isBusy() || (!snapshot.pathWork && !pathWork_)) return;
   if (!pathWork_) {
     const bool smoothing = snapshot.pathWork->kind == PathWork::Kind::Smoothing;
@@ -58,6 +71,12 @@ void WorkController::showSnapshot(const SessionSnapshot& snapshot) {
     busy_->end();
   }
   enable();
+}
+
+void WorkController::reportFailure(const Diagnostic& why) {
+  failure_ = why;
+  const std::string text = toString(why);
+  if (std::exchange(reportedFailure_, text) != text) emit failed(why);
 }
 
 void WorkController::cancelAll() {

@@ -3,6 +3,8 @@
 #include <QStatusBar>
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "widgets/bridge/background_task.h"
 #include "widgets/bridge/session_bridge.h"
@@ -12,7 +14,7 @@
 namespace glissade {
 
 /// What takes its time: done in the background, one thing at a time, shown in the status bar and
-/// cancelled from there. In scripts and without a display it is done at once. Part of the main window.
+/// cancelled from there. In scripts and without a display it is done at once.
 class WorkController final : public QObject {
   Q_OBJECT
 
@@ -27,10 +29,20 @@ class WorkController final : public QObject {
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
   /// Ends what need not be finished.
   void cancel();
-  /// What is done with a path goes on in the session; it is shown and cancelled here like all else.
-  void showSnapshot(const SessionSnapshot& snapshot);
+
+  /// Tells the user of an exception: by failed(), and once only where the same comes again and again (an error in
+  /// drawing comes with every picture).
+  void reportFailure(const Diagnostic& why);
+  /// What was reported since the last call; scripts end with it.
+  std::optional<Diagnostic> takeFailure() { return std::exchange(failure_, std::nullopt); }
+
+ signals:
+  /// An exception has ended a work or an event handler.
+  void failed(const glissade::Diagnostic& why);
 
  private:
+  /// The session works on paths itself; that is shown and cancelled here, too.
+  void followRun(const SessionSnapshot& snapshot);
   struct Job {
     QString what;
     BackgroundTask::Work work;
@@ -50,6 +62,8 @@ class WorkController final : public QObject {
   bool pathWork_ = false;
   bool toTheEnd_ = false;  ///< what is under way
   std::optional<Job> waiting_;
+  std::optional<Diagnostic> failure_;  ///< the last one that nobody has taken
+  std::string reportedFailure_;        ///< the last one
 };
 
 }  // namespace glissade

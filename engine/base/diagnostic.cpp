@@ -1,5 +1,7 @@
 #include "engine/base/diagnostic.h"
 
+#include "engine/base/printable_text.h"
+
 namespace glissade {
 
 int exitCode(ErrorKind kind) {
@@ -18,12 +20,12 @@ int exitCode(ErrorKind kind) {
 std::string toString(const Diagnostic& diagnostic) {
   std::string text;
   for (const std::string* part : {&diagnostic.file, &diagnostic.place}) {
-    if (!part->empty()) text += *part + ": ";
+    if (!part->empty()) text += printableLine(*part) + ": ";
   }
-  text += diagnostic.reason;
+  text += printableText(diagnostic.reason);
   if (!diagnostic.advice.empty()) {
     if (!text.empty() && text.back() != '.') text += ".";
-    text += " " + diagnostic.advice;
+    text += " " + printableText(diagnostic.advice);
   }
   return text;
 }

@@ -3,43 +3,21 @@
 #include <fcntl.h>
 #include <openssl/evp.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+
+#include "engine/base/descriptor.h"
 
 namespace glissade {
 namespace {
 
-/// Closes a file descriptor at the end of its scope.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
-
 Diagnostic unreadable(const std::string& file, const std::string& reason, const std::string& advice) {
   return {ErrorKind::MalformedInput, file, "", reason, advice};
-}
-
-Diagnostic unwritable(const std::string& file, const std::string& what) {
-  return {ErrorKind::Internal, file, "", "cannot be saved: " + what + ": " + std::strerror(errno),
-          "The old content is untouched. Free some space or choose another folder."};
 }
 
 Result<std::string> readAll(int fd, const std::string& file, std::size_t mostBytes) {
@@ -55,23 +33,6 @@ Result<std::string> readAll(int fd, const std::string& file, std::size_t mostByt
   }
 }
 
-/// Permissions of the file that is replaced, or the usual ones.
-mode_t modeFor(const std::string& file) {
-  struct stat status {};
-  return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777 : 0644;
-}
-
-bool writeAll(int fd, const std::string& content) {
-  std::size_t done = 0;
-  while (done < content.size()) {
-    const ssize_t count = ::write(fd, content.data() + done, content.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    done += static_cast<std::size_t>(count);
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
@@ -84,31 +45,6 @@ Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
     return unreadable(file, "is not a regular file", "Give a file, not a folder, a pipe or a device.");
   }
   return readAll(descriptor.get(), file, mostBytes);
-}
-
-Outcome writeFileAtomically(const std::string& file, const std::string& content) {
-  std::error_code notThereYet;
-  const auto followed = std::filesystem::canonical(file, notThereYet);  // a link stays a link
-  const std::string target = notThereYet ? file : followed.string();
-  std::string beside = target + ".saving-XXXXXX";
-  const auto failed = [&](const std::string& what) {
-    const Diagnostic why = unwritable(file, what);
-    ::unlink(beside.c_str());
-    return why;
-  };
-  {
-    const Descriptor descriptor(::mkostemp(beside.data(), O_CLOEXEC));
-    if (!descriptor.valid()) return unwritable(file, "the folder refuses a new file");
-    if (::fchmod(descriptor.get(), modeFor(target)) != 0) return failed("setting its permissions");
-    if (!writeAll(descriptor.get(), content)) return failed("writing");
-    if (::fsync(descriptor.get()) != 0) return failed("flushing");
-  }
-  const auto written = readFile(beside, content.size());
-  if (!written || *written != content) return failed("what was written reads back differently");
-  if (::rename(beside.c_str(), target.c_str()) != 0) return failed("renaming");
-  const Descriptor folder(::open(folderOf(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.valid()) ::fsync(folder.get());
-  return Done{};
 }
 
 std::string sha256(const std::string& content) {

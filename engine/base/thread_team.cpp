@@ -1,6 +1,6 @@
 #include "engine/base/thread_team.h"
 
-#include <system_error>
+#include <exception>
 #include <utility>
 
 #include "engine/base/cpu_time.h"
@@ -14,8 +14,8 @@ ThreadTeam::ThreadTeam(std::size_t helpers) {
       Helper& self = helpers_.emplace_back();
       self.thread = std::thread([this, &self] { help(self); });
     }
-  } catch (const std::system_error&) {
-    helpers_.pop_back();  // the rest do all the work
+  } catch (const std::exception&) {  // no more threads, or no memory for one
+    helpers_.pop_back();             // the rest do all the work
   }
 }
 

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "engine/collision/collision_query.h"
+#include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/fcl_query.h"
 #include "engine/collision/kernel/kernel_query.h"
 #include "engine/collision/motion_certificate.h"
@@ -63,6 +64,7 @@ class SolidQuery final : public CollisionQuery {
   MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                           const StopToken& stop) override {
     ++counts_.motion;
+    if (!resolvesClearance(from, to, motionBound_->objectRadius(), required)) return {};
     auto check = surfaces_->checkMotion(from, to, required, seek, stop);
     if (!check) {
       const MotionCertificate certificate = certifyMotion(*this, from, to, required, stop);
@@ -114,7 +116,7 @@ CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
   auto impl = std::make_unique<Impl>(*impl_);
   impl->solids = std::make_shared<const Solids>(*impl_->solids, *object);
   if (impl_->kernel) {
-    impl->kernel = std::make_shared<const KernelGeometry>(impl_->kernel->obstacles, *object);
+    impl->kernel = std::make_shared<const KernelGeometry>(*impl_->kernel, *object);
   } else {
     impl->fcl = makeFclGeometry(*impl_->obstacles, *object);
   }

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/collision/fcl_scale.h"
+
 namespace glissade {
 
+/// All lengths are multiplied by `scale`.
 class FclGeometry {
  public:
   using Model = fcl::BVHModel<fcl::OBBRSSd>;
@@ -17,12 +20,20 @@ class FclGeometry {
   Model obstacles;
   Model object;
   std::vector<int> bodyOf;  ///< per triangle of `obstacles`
+  double scale = 1.0;
+
+  fcl::Transform3d place(const Pose& X_WB) const {
+    fcl::Transform3d transform = toIsometry(X_WB);
+    transform.translation() *= scale;
+    return transform;
+  }
 };
 
 namespace {
 
-void addMesh(FclGeometry::Model& model, const TriangleMesh& mesh) {
+void addMesh(FclGeometry::Model& model, const TriangleMesh& mesh, double scale) {
   std::vector<fcl::Vector3d> vertices(mesh.vertices.begin(), mesh.vertices.end());
+  for (fcl::Vector3d& vertex : vertices) vertex *= scale;
   std::vector<fcl::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
@@ -41,12 +52,13 @@ void warmUp(const FclGeometry& geometry) {
 std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>& obstacles,
                                                    const TriangleMesh& object) {
   auto geometry = std::make_shared<FclGeometry>();
+  geometry->scale = fclScale(obstacles, object);
   geometry->object.beginModel();
-  addMesh(geometry->object, object);
+  addMesh(geometry->object, object, geometry->scale);
   geometry->object.endModel();
   geometry->obstacles.beginModel();
   for (std::size_t body = 0; body < obstacles.size(); ++body) {
-    addMesh(geometry->obstacles, transformed(*obstacles[body].mesh, obstacles[body].X_WB));
+    addMesh(geometry->obstacles, transformed(*obstacles[body].mesh, obstacles[body].X_WB), geometry->scale);
     geometry->bodyOf.insert(geometry->bodyOf.end(), obstacles[body].mesh->triangles.size(), static_cast<int>(body));
   }
   if (!geometry->bodyOf.empty()) {
@@ -62,7 +74,7 @@ bool FclSurfaceQuery::touches(const Pose& X_WB) {
   if (geometry_->bodyOf.empty()) return false;
   const fcl::CollisionRequestd request;
   fcl::CollisionResultd result;
-  return fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB),
+  return fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, geometry_->place(X_WB),
                       request, result) > 0;
 }
 
@@ -70,7 +82,7 @@ std::optional<int> FclSurfaceQuery::touchingBody(const Pose& X_WB) {
   if (geometry_->bodyOf.empty()) return std::nullopt;
   const fcl::CollisionRequestd request(std::numeric_limits<int>::max());
   fcl::CollisionResultd result;
-  fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
+  fcl::collide(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, geometry_->place(X_WB), request,
                result);
   std::optional<int> lowest;
   for (std::size_t i = 0; i < result.numContacts(); ++i) {
@@ -86,13 +98,14 @@ NearestObstacle FclSurfaceQuery::nearest(const Pose& X_WB, double enough) {
   if (geometry_->bodyOf.empty()) return nearest;
   const fcl::DistanceRequestd request(true);
   fcl::DistanceResultd result;
-  fcl::distance(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, toIsometry(X_WB), request,
-                result);
-  if (result.min_distance > enough) return nearest;
-  nearest.distance = std::max(0.0, result.min_distance);
+  fcl::distance(&geometry_->obstacles, fcl::Transform3d::Identity(), &geometry_->object, geometry_->place(X_WB),
+                request, result);
+  const double distance = result.min_distance / geometry_->scale;
+  if (distance > enough) return nearest;
+  nearest.distance = std::max(0.0, distance);
   nearest.body = geometry_->bodyOf[static_cast<std::size_t>(result.b1)];
-  nearest.p_WPo = result.nearest_points[0];
-  nearest.p_WPn = result.nearest_points[1];
+  nearest.p_WPo = result.nearest_points[0] / geometry_->scale;
+  nearest.p_WPn = result.nearest_points[1] / geometry_->scale;
   return nearest;
 }
 

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/collision/fcl_scale.h"
 #include "engine/collision/ray_containment.h"
 
 namespace glissade {
@@ -16,9 +17,12 @@ namespace {
 
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-/// FCL's distances between triangles are good to this share, and to this many metres.
+/// FCL's distances between triangles are good to this share of them, and to this share of the largest
+/// coordinate that enters: some 16 roundings.
 constexpr double kRelativeError = 1e-9;
-constexpr double kAbsoluteError = 1e-12;
+constexpr double kCoordinateError = 4e-15;
+/// Where that comes to more than this share of the clearance, it is undecided.
+constexpr double kErrorShare = 0.05;
 /// Clearances are proved down to this share of the smallest distance met.
 constexpr double kCloseShare = 0.5;
 /// Distances asked for on one edge before it is given up as undecided.
@@ -28,18 +32,37 @@ constexpr int kMostHalvings = 48;
 /// Within this many radians of half a circle the sense of the turn is rounding.
 constexpr double kHalfCircle = 1e-6;
 
-void addTriangles(Model& model, const std::vector<Vector3>& vertices, const TriangleMesh& mesh) {
-  std::vector<fcl::Vector3d> points(vertices.begin(), vertices.end());
+void addTriangles(Model& model, const TriangleMesh& mesh) {
+  std::vector<fcl::Vector3d> points(mesh.vertices.begin(), mesh.vertices.end());
   std::vector<fcl::Triangle> triangles;
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
   model.addSubModel(points, triangles);
 }
 
-TriangleMesh inWorld(const RigidBody& body) {
+TriangleMesh inWorld(const RigidBody& body, double scale) {
   TriangleMesh mesh = *body.mesh;
   const Eigen::Matrix3d rotation = body.X_WB.orientation.toRotationMatrix();
-  for (Vector3& vertex : mesh.vertices) vertex = rotation * vertex + body.X_WB.position;
+  for (Vector3& vertex : mesh.vertices) vertex = scale * (rotation * vertex + body.X_WB.position);
   return mesh;
+}
+
+Pose scaledPose(const Pose& pose, double scale) { return {scale * pose.position, pose.orientation}; }
+
+double largestCoordinate(const TriangleMesh& mesh) {
+  double largest = 0.0;
+  for (const Vector3& vertex : mesh.vertices) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// From the scaled geometry's lengths to metres.
+MotionCertificate inMetres(MotionCertificate edge, double scale) {
+  edge.tolerance /= scale;
+  edge.minClearance /= scale;
+  edge.provedClearance /= scale;
+  edge.nearest.distance /= scale;
+  edge.nearest.p_WPo /= scale;
+  edge.nearest.p_WPn /= scale;
+  return edge;
 }
 
 /// The straight motion, as a line and a rotation vector in the object's frame.
@@ -82,7 +105,9 @@ struct Span {
 
 }  // namespace
 
+/// All lengths are multiplied by `scale`, those of the poses that are asked for too.
 struct IndependentCheck::Geometry {
+  double scale;
   TriangleMesh object;
   RaySolid objectSolid;
   std::vector<RaySolid> obstacleSolids;
@@ -90,7 +115,18 @@ struct IndependentCheck::Geometry {
   Model obstacleSurface;
   std::vector<int> bodyOf;  ///< per triangle of the obstacles
 
-  explicit Geometry(const TriangleMesh& mesh) : object(mesh), objectSolid(mesh) {}
+  double coordinates;  ///< the largest of the obstacles and of the object in its own frame, together
+
+  Geometry(const TriangleMesh& mesh, double factor)
+      : scale(factor),
+        object(scaled(mesh, Vector3::Constant(factor))),
+        objectSolid(object),
+        coordinates(largestCoordinate(object)) {}
+
+  /// Of distances where the object is placed here.
+  double errorAt(const Vector3& position) const {
+    return kCoordinateError * (coordinates + position.cwiseAbs().maxCoeff());
+  }
 
   NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
     NearestObstacle found;
@@ -104,9 +140,10 @@ struct IndependentCheck::Geometry {
       found.body = bodyAt(touch.getContact(0).b1);
       return found;
     }
+    const double error = errorAt(X_WB.translation());
     fcl::DistanceResultd gap;
     fcl::distance(&obstacleSurface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
-    found.distance = std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - kAbsoluteError);
+    found.distance = std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
     found.body = bodyAt(gap.b1);
     found.p_WPo = gap.nearest_points[0];
     found.p_WPn = gap.nearest_points[1];
@@ -129,17 +166,20 @@ struct IndependentCheck::Geometry {
 };
 
 IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object) {
-  auto geometry = std::make_unique<Geometry>(object);
+  auto geometry = std::make_unique<Geometry>(object, fclScale(obstacles, object));
   geometry->objectSurface.beginModel();
-  addTriangles(geometry->objectSurface, object.vertices, object);
+  addTriangles(geometry->objectSurface, geometry->object);
   geometry->objectSurface.endModel();
   geometry->obstacleSurface.beginModel();
+  double farthest = 0.0;
   for (std::size_t body = 0; body < obstacles.size(); ++body) {
-    TriangleMesh placed = inWorld(obstacles[body]);
-    addTriangles(geometry->obstacleSurface, placed.vertices, placed);
+    TriangleMesh placed = inWorld(obstacles[body], geometry->scale);
+    farthest = std::max(farthest, largestCoordinate(placed));
+    addTriangles(geometry->obstacleSurface, placed);
     geometry->bodyOf.insert(geometry->bodyOf.end(), placed.triangles.size(), static_cast<int>(body));
     geometry->obstacleSolids.emplace_back(std::move(placed));
   }
+  geometry->coordinates += farthest;
   if (!geometry->bodyOf.empty()) geometry->obstacleSurface.endModel();
   geometry_ = std::move(geometry);
 }
@@ -148,16 +188,20 @@ IndependentCheck::~IndependentCheck() = default;
 
 MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                                           const StopToken& stop) const {
+  const double scale = geometry_->scale;
   MotionCertificate result;
   for (std::size_t i = 0; i < demands.size(); ++i) {
-    addEdge(result, checkEdge(path[i], path[std::min(i + 1, path.size() - 1)], demands[i].clearance, stop), demands[i]);
+    const Pose& to = path[std::min(i + 1, path.size() - 1)];
+    const MotionCertificate edge =
+        checkEdge(scaledPose(path[i], scale), scaledPose(to, scale), scale * demands[i].clearance, stop);
+    addEdge(result, inMetres(edge, scale), demands[i]);
     if (result.status != CertificateStatus::Certified) break;
   }
   return result;
 }
 
-/// An interval of time is proved by the distance at its middle less what any vertex can move until its
-/// ends; what is not proved is halved, the earlier half first.
+/// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
+/// until its ends; what is not proved is halved, the earlier half first.
 MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, double required,
                                               const StopToken& stop) const {
   const Course course(from, to);
@@ -171,7 +215,8 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     result.nearest.body = body;
     return result;
   }
-  if (course.isHalfACircle()) return result;
+  const double error = std::max(geometry_->errorAt(from.position), geometry_->errorAt(to.position));
+  if (course.isHalfACircle() || !(error <= kErrorShare * required)) return result;
   std::vector<Span> open{{0.0, 1.0, 0}};
   while (!open.empty()) {
     const Span span = open.back();

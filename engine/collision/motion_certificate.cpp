@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/collision/coordinate_rounding.h"
 #include "engine/geometry/se3_metric.h"
 
 namespace glissade {
@@ -19,19 +20,22 @@ constexpr double kPathShare = 0.9;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
 /// ten metres at a gap of a millimetre takes.
 constexpr std::uint64_t kMostQueries = 200'000;
+/// Samples of one edge; beyond it, counting them in a double loses some. The limits of lengths keep below it.
+constexpr double kMostSamples = 1e15;
 
 /// Proves a motion ball by ball. A configuration with clearance c proves the motion free as long as
 /// no point of the object has moved by more than c - required: an interval on both sides of it.
 class Certifier {
  public:
-  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double bound, double required)
-      : query_(query), from_(from), to_(to), bound_(bound) {
+  Certifier(CollisionQuery& query, const Pose& from, const Pose& to, double required)
+      : query_(query), from_(from), to_(to), bound_(query.motionBound()(from, to)) {
     result_.tolerance = required;
     result_.minClearance = std::numeric_limits<double>::infinity();
     result_.provedClearance = std::numeric_limits<double>::infinity();
   }
 
   MotionCertificate run(const StopToken& stop) {
+    if (!resolvesClearance(from_, to_, query_.motionBound().objectRadius(), result_.tolerance)) return result_;
     double proved = 0.0;  // the motion is free on [0, proved]
     double probe = 0.0;
     for (bool first = true; first || proved < 1.0; first = false) {
@@ -230,7 +234,7 @@ std::size_t MotionCertificate::slidingEdges() const {
 
 MotionCertificate certifyMotion(CollisionQuery& query, const Pose& from, const Pose& to, double requiredClearance,
                                 const StopToken& stop) {
-  return Certifier(query, from, to, query.motionBound()(from, to), requiredClearance).run(stop);
+  return Certifier(query, from, to, requiredClearance).run(stop);
 }
 
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
@@ -273,6 +277,7 @@ void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeD
 double freeFraction(CollisionQuery& query, const Pose& from, const Pose& to, double step, const StopToken& stop) {
   const double length = Se3Metric(query.motionBound().objectRadius()).distance(from, to);
   if (length <= 0.0) return 1.0;
+  if (!(length <= kMostSamples * step)) return 0.0;
   return FreeSamples(query, from, to, step / length, stop).fraction();
 }
 

@@ -2,21 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <unordered_map>
+
+#include "engine/geometry/vertex_welder.h"
 
 namespace glissade {
-namespace {
-
-struct PlaceHash {
-  std::size_t operator()(const Vector3& p) const {
-    constexpr std::size_t kOdd = 0x9e3779b97f4a7c15U;
-    const std::hash<double> hash;
-    return (hash(p.x()) * kOdd + hash(p.y())) * kOdd + hash(p.z());
-  }
-};
-
-}  // namespace
 
 Box3 boundingBox(const TriangleMesh& mesh) { return boundingBox(mesh, Pose::identity()); }
 
@@ -64,18 +53,16 @@ void append(TriangleMesh& target, const TriangleMesh& addition) {
 
 TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh result;
-  std::unordered_map<Vector3, std::uint32_t, PlaceHash, std::equal_to<>> indexOf(mesh.vertices.size());
-  const auto weld = [&](std::uint32_t vertex) {
-    const Vector3& place = mesh.vertices[vertex];
-    const auto [entry, inserted] = indexOf.try_emplace(place, static_cast<std::uint32_t>(result.vertices.size()));
-    if (inserted) result.vertices.push_back(place);
-    return entry->second;
-  };
-  for (const auto& triangle : mesh.triangles) {
-    const TriangleIndices merged{weld(triangle[0]), weld(triangle[1]), weld(triangle[2])};
-    const bool degenerate = merged[0] == merged[1] || merged[1] == merged[2] || merged[2] == merged[0];
-    if (!degenerate) result.triangles.push_back(merged);
+  VertexWelder welder;
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const std::uint32_t first = welder.indexOf(mesh.vertices[a]);  // one after the other: their order counts
+    const std::uint32_t second = welder.indexOf(mesh.vertices[b]);
+    const std::uint32_t third = welder.indexOf(mesh.vertices[c]);
+    const bool degenerate = first == second || second == third || third == first;
+    if (!degenerate) result.triangles.push_back({first, second, third});
   }
+  result.vertices = std::move(welder).takeVertices();
   return result;
 }
 

@@ -4,8 +4,8 @@
 
 namespace glissade {
 
-/// The whole work of the importing process: gives up its rights, reads standard input, lets assimp
-/// parse it as a file of that ending, writes the protocol's message to standard output. Returns the
+/// The whole work of the importing process: gives up its rights, reads standard input, parses
+/// it as a file of that ending, writes the protocol's message to standard output. Returns the
 /// process's exit code.
 int confinedImport(const std::string& ending);
 

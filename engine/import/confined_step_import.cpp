@@ -13,6 +13,7 @@
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_tessellation.h"
+#include "engine/import/step_text_check.h"
 
 namespace glissade {
 namespace {
@@ -86,9 +87,14 @@ class Message {
   std::vector<std::string> paths_;
 };
 
+int failToRead(const ImportOutput& output, const std::string& reason) {
+  return output.fail("cannot be read: " + reason);
+}
+
 int import(double deflection, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
-  if (content.empty()) return output.fail("it is empty or too large");
+  if (content.empty()) return failToRead(output, "it is empty or too large");
+  if (const auto fault = faultOfStepText({content.data(), content.size()})) return failToRead(output, *fault);
   MemoryBuffer buffer(content);
   std::istream stream(&buffer);
   Message message(deflection);
@@ -100,17 +106,17 @@ int import(double deflection, const ImportOutput& output) {
 }  // namespace
 
 int confinedStepImport(double deflection) {
-  confine(protocol::kStepLimits);
   const ImportOutput output;
+  if (const Outcome confined = confine(protocol::kStepLimits); !confined) return output.refuse(confined.error());
   ::Message::DefaultMessenger()->ChangePrinters().Clear();
   try {
     return import(deflection, output);
   } catch (const Standard_Failure& failure) {
-    return output.fail(std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
+    return failToRead(output, std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
   } catch (const std::bad_alloc&) {
-    return output.fail("it needs more memory than an import may take");
+    return failToRead(output, "it needs more memory than an import may take");
   } catch (const std::exception& error) {
-    return output.fail(error.what());
+    return failToRead(output, error.what());
   }
 }
 

@@ -1,81 +1,113 @@
 #include "engine/import/confinement.h"
 
-#include <seccomp.h>
+#include <linux/capability.h>
+#include <sched.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstring>
+
+#include "engine/base/child_process.h"
+#include "engine/import/system_call_filter.h"
 
 namespace glissade {
 namespace {
 
 namespace protocol = import_protocol;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;  // its shadow memory needs terabytes of address space
-#else
-constexpr bool kSanitized = false;
-#endif
-
-void limitResources(const protocol::Limits& limits) {
-  // At the first of the two a signal says why, at the second there is no way out.
-  const rlimit seconds{limits.seconds, limits.seconds + 1};
-  setrlimit(RLIMIT_CPU, &seconds);
-  const rlimit memory{limits.memory, limits.memory};
-  if (!kSanitized) setrlimit(RLIMIT_AS, &memory);
-  const rlimit none{0, 0};
-  setrlimit(RLIMIT_CORE, &none);
+Diagnostic failed(const std::string& what) {
+  return {ErrorKind::Internal, "", "", what + ": " + std::strerror(errno), ""};
 }
 
-/// No file, no process, no network from here on.
-void forbidFiles() {
-  scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
-  if (filter == nullptr) return;
-  const std::array<int, 10> forbidden{SCMP_SYS(open),   SCMP_SYS(openat),   SCMP_SYS(openat2), SCMP_SYS(creat),
-                                      SCMP_SYS(execve), SCMP_SYS(execveat), SCMP_SYS(fork),    SCMP_SYS(socket),
-                                      SCMP_SYS(unlink), SCMP_SYS(rename)};
-  for (const int call : forbidden) seccomp_rule_add(filter, SCMP_ACT_ERRNO(EACCES), call, 0);
-  seccomp_load(filter);
-  seccomp_release(filter);
+/// Never raises a limit that is already lower.
+bool setLimit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  rlimit limit{};
+  if (::getrlimit(resource, &limit) != 0) return false;
+  limit.rlim_max = std::min(limit.rlim_max, hard);
+  limit.rlim_cur = std::min({limit.rlim_cur, limit.rlim_max, soft});
+  return ::setrlimit(resource, &limit) == 0;
+}
+
+Outcome limitResources(const protocol::Limits& limits) {
+  for (const __rlimit_resource resource :
+       {RLIMIT_CORE, RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_NPROC, RLIMIT_MEMLOCK, RLIMIT_MSGQUEUE}) {
+    if (!setLimit(resource, 0, 0)) return failed("a limit cannot be set");
+  }
+  // SIGXCPU at the first number says why the process ended; SIGKILL at the second cannot be ignored.
+  if (!setLimit(RLIMIT_CPU, limits.seconds, limits.seconds + 1)) return failed("the time cannot be limited");
+  if (kMemoryCanBeLimited && !setLimit(RLIMIT_AS, limits.memory, limits.memory)) {
+    return failed("the memory cannot be limited");
+  }
+  return Done{};
+}
+
+/// Best effort: many kernels and containers do not permit it, and the filter does not depend on it.
+void leaveNamespaces() {
+  constexpr int kNamespaces = CLONE_NEWNET | CLONE_NEWNS | CLONE_NEWIPC | CLONE_NEWPID | CLONE_NEWUTS;
+  if (::unshare(CLONE_NEWUSER | kNamespaces) != 0) ::unshare(kNamespaces);
+}
+
+Outcome dropCapabilities() {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  const std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> none{};
+  if (::syscall(SYS_capset, &header, none.data()) != 0) return failed("the capabilities cannot be given up");
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return failed("new privileges cannot be given up");
+  return Done{};
 }
 
 }  // namespace
 
-void confine(const protocol::Limits& limits) {
-  limitResources(limits);
-  forbidFiles();
+Outcome confine(const protocol::Limits& limits) {
+  leaveNamespaces();
+  if (const Outcome limited = limitResources(limits); !limited) return limited;
+  if (const Outcome dropped = dropCapabilities(); !dropped) return dropped;
+  return loadSystemCallFilter();
 }
 
 std::vector<char> readStandardInput(std::uint64_t mostBytes) {
   std::vector<char> content;
   std::array<char, 65536> buffer{};
   ssize_t count = 0;
-  while ((count = ::read(STDIN_FILENO, buffer.data(), buffer.size())) > 0) {
+  while ((count = ::read(kInputDescriptor, buffer.data(), buffer.size())) > 0) {
     content.insert(content.end(), buffer.begin(), buffer.begin() + count);
     if (content.size() > mostBytes) return {};
   }
   return content;
 }
 
-ImportOutput::ImportOutput() : descriptor_(::dup(STDOUT_FILENO)) { ::dup2(STDERR_FILENO, STDOUT_FILENO); }
+ImportOutput::ImportOutput() {
+  ::dup2(STDOUT_FILENO, kOutputDescriptor);
+  ::dup2(STDERR_FILENO, STDOUT_FILENO);
+}
 
 void ImportOutput::write(const void* data, std::size_t size) const {
   const char* bytes = static_cast<const char*>(data);
   while (size > 0) {
-    const ssize_t count = ::write(descriptor_, bytes, size);
+    const ssize_t count = ::write(kOutputDescriptor, bytes, size);
     if (count <= 0) return;
     bytes += count;
     size -= static_cast<std::size_t>(count);
   }
 }
 
-int ImportOutput::fail(const std::string& reason) const {
+int ImportOutput::fail(const std::string& reason, const std::string& place) const {
+  return writeText(protocol::kError, place, reason);
+}
+
+int ImportOutput::refuse(const Diagnostic& why) const { return writeText(protocol::kNotConfined, "", why.reason); }
+
+int ImportOutput::writeText(std::uint32_t kind, const std::string& place, const std::string& reason) const {
+  const std::string text = place + "\n" + reason;
   protocol::Header header;
-  header.kind = protocol::kError;
-  header.vertices = static_cast<std::uint32_t>(reason.size());
+  header.kind = kind;
+  header.vertices = static_cast<std::uint32_t>(text.size());
   write(&header, sizeof header);
-  write(reason.data(), reason.size());
+  write(text.data(), text.size());
   return 1;
 }
 

@@ -4,19 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/result.h"
 #include "engine/import/import_protocol.h"
 
 namespace glissade {
 
-/// Gives up for good what reading a file from standard input does not need: memory and processor time
-/// above the limits, files, processes, the network. Where the kernel refuses the filter the limits hold.
-void confine(const import_protocol::Limits& limits);
+/// Gives up for good what reading a file does not need: memory and processor time above the limits,
+/// files, processes, threads, the network, capabilities, and every system call that is not listed in
+/// system_call_filter.h. Makes namespaces of its own where the kernel permits it. An ImportOutput must
+/// exist before. Errors are Internal: the process must then read nothing and end.
+Outcome confine(const import_protocol::Limits& limits);
 
 /// All of standard input; empty where it is larger than `mostBytes`.
 std::vector<char> readStandardInput(std::uint64_t mostBytes);
 
-/// Where an importing process writes its message: what was standard output when this was made. What
-/// libraries print there from then on goes to standard error.
+/// Where an importing process writes its message: what was standard output when this was made
+/// (kOutputDescriptor). What libraries print to standard output is dropped from then on.
 class ImportOutput {
  public:
   ImportOutput();
@@ -28,11 +31,13 @@ class ImportOutput {
   void write(const std::vector<T>& values) const {
     write(values.data(), values.size() * sizeof(T));
   }
-  /// The message that there is nothing, and the exit code that goes with it.
-  int fail(const std::string& reason) const;
+  /// The message that the file cannot be read, and the exit code that goes with it. `place` is in the file.
+  int fail(const std::string& reason, const std::string& place = {}) const;
+  /// The message that this process cannot confine itself, and the exit code that goes with it.
+  int refuse(const Diagnostic& why) const;
 
  private:
-  int descriptor_;
+  int writeText(std::uint32_t kind, const std::string& place, const std::string& reason) const;
 };
 
 }  // namespace glissade

@@ -1,10 +1,11 @@
 #include "engine/import/importer_process.h"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 
-#include "engine/import/child_process.h"
+#include "engine/base/child_process.h"
 
 namespace glissade {
 namespace {
@@ -21,20 +22,39 @@ std::string besideThisProgram(const std::string& name) {
   return (self.parent_path() / name).string();
 }
 
-}  // namespace
-
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason) {
-  return {ErrorKind::MalformedInput, call.file, "", reason, call.advice};
+/// What a process says that reads nothing: the place, a line feed, the reason.
+struct Refusal {
+  std::string place;
+  std::string reason;
+};
+Refusal refusalIn(const std::string& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  return {text.substr(0, end), text.substr(std::min(end + 1, text.size()))};
 }
 
-Result<ImporterAnswer> callImporter(const ImporterCall& call, const StopToken& stop) {
-  auto child =
-      runChild(besideThisProgram(call.program), {call.argument}, call.file, call.limits.patience, kMostOutput, stop);
+}  // namespace
+
+Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& place) {
+  return {ErrorKind::MalformedInput, call.file, place, reason, call.advice};
+}
+
+Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop) {
+  ChildCommand command;
+  command.program = besideThisProgram(call.program);
+  command.arguments = {call.argument};
+  command.input = content;
+  command.environment = requiredEnvironment();
+  command.limits.seconds = std::chrono::duration<double>(call.limits.patience).count();
+  command.limits.memoryBytes = call.limits.memory;
+  command.limits.cpuSeconds = call.limits.seconds;
+  command.limits.outputBytes = std::min<std::uint64_t>(kMostOutput, call.limits.memory);
+  auto child = runChild(command, stop);
   if (!child) return child.error();
-  if (stop.stopRequested()) {
+  if (child->ending == ChildEnding::Stopped) {
     return Diagnostic{ErrorKind::Interrupted, call.file, "", "was not read to its end", "Read it again."};
   }
-  if (child->timedOut || child->signal == SIGXCPU) {
+  if (child->ending == ChildEnding::OutputTooLarge) return refusalOf(call, "is too large");
+  if (child->ending == ChildEnding::TimeOver || child->signal == SIGXCPU) {
     return refusalOf(call, "takes too long to read: it is too complex or malformed");
   }
   if (child->signal != 0) return refusalOf(call, "is malformed (the importer stopped on it)");
@@ -43,9 +63,19 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, const StopToken& s
   if (!answer.message.take(&answer.header, 1) || header.magic != protocol::kMagic) {
     return refusalOf(call, "the importer failed on it");
   }
-  if (header.kind == protocol::kError) return refusalOf(call, "cannot be read: " + answer.message.rest());
+  const bool refused = header.kind == protocol::kNotConfined || header.kind == protocol::kError;
+  const Refusal why = refused ? refusalIn(answer.message.rest()) : Refusal();
+  if (header.kind == protocol::kNotConfined) {
+    return Diagnostic{
+        ErrorKind::Internal, call.file, "",
+        "was not read: the importing process cannot give up its rights (" + why.reason + ")",
+        "Files are read only where the kernel permits seccomp filters: use another machine or container."};
+  }
+  if (header.kind == protocol::kError) return refusalOf(call, why.reason, why.place);
   if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
-    return refusalOf(call, "is too large");
+    return refusalOf(call, "holds " + std::to_string(header.vertices) + " vertices and " +
+                               std::to_string(header.triangles) + " triangles; at most " +
+                               std::to_string(protocol::kMostElements) + " of each are read");
   }
   return answer;
 }

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
@@ -15,7 +16,7 @@ namespace glissade {
 struct ImporterCall {
   std::string program;   ///< beside this one
   std::string argument;  ///< its only one
-  std::string file;
+  std::string file;      ///< for messages
   import_protocol::Limits limits;
   std::string advice;  ///< of errors
 };
@@ -27,6 +28,7 @@ class ImportMessage {
 
   template <class T>
   bool take(T* values, std::size_t count) {
+    if (count == 0) return true;
     if (count > (bytes_.size() - position_) / sizeof(T)) return false;
     std::memcpy(values, bytes_.data() + position_, count * sizeof(T));
     position_ += count * sizeof(T);
@@ -44,11 +46,11 @@ struct ImporterAnswer {
   import_protocol::Header header;
   ImportMessage message;
 };
-/// Lets the program read the file. Errors are MalformedInput with the file's name, or Interrupted.
-Result<ImporterAnswer> callImporter(const ImporterCall& call, const StopToken& stop = {});
+/// Gives the file's content to the program. Errors are MalformedInput with the file's name, or Interrupted.
+Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop = {});
 
 /// That the file, or what the program made of it, is not what it should be.
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason);
+Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& place = {});
 
 /// What is wrong with a mesh that a program wrote: a number or an index out of all measure.
 std::optional<std::string> faultOf(const TriangleMesh& mesh);

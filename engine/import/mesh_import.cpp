@@ -2,53 +2,66 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <optional>
+#include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/import/import_limits.h"
 #include "engine/import/importer_process.h"
 
 namespace glissade {
 namespace {
 
-constexpr std::array<const char*, 5> kEndings{"stl", "obj", "dae", "gltf", "glb"};
+constexpr std::array<const char*, 6> kEndings{"stl", "obj", "ply", "dae", "gltf", "glb"};
 
-/// A truncated text STL would silently lose its tail. Binary ones, which may begin with the same
-/// word, hold zero bytes.
-bool isTruncatedTextStl(const std::string& ending, const std::string& content) {
-  const bool text = ending == "stl" && content.rfind("solid", 0) == 0 && content.find('\0') == std::string::npos;
-  return text && content.find("endsolid") == std::string::npos;
+/// Largest share of a part's diagonal that the spacing of its coordinates may be.
+constexpr double kCoarsestSpacing = 1e-4;
+
+std::optional<Diagnostic> refuseCoarseCoordinates(const ImporterCall& call, const ImportedMesh& imported) {
+  const double diagonal = boundingBox(imported.mesh).diagonal().norm();
+  if (imported.coordinateSpacing <= kCoarsestSpacing * diagonal) return std::nullopt;
+  return Diagnostic{ErrorKind::MalformedInput, call.file, "",
+                    "holds 32-bit coordinates whose spacing of " + toText(imported.coordinateSpacing) +
+                        " is too coarse for a part with a diagonal of " + toText(diagonal) + " (units of the file)",
+                    "Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits."};
 }
 
-/// STL claims its size in a header: believe the file's length instead, before anything is allocated.
-std::optional<std::string> headerLie(const std::string& ending, const std::string& content) {
-  constexpr std::size_t kHeader = 84;
-  constexpr std::size_t kTriangle = 50;
-  if (ending != "stl" || content.rfind("solid", 0) == 0) return std::nullopt;
-  if (content.size() < kHeader) return "is too short for an STL file";
-  std::uint32_t claimed = 0;
-  std::memcpy(&claimed, content.data() + 80, sizeof claimed);
-  if ((content.size() - kHeader) / kTriangle >= claimed) return std::nullopt;
-  return "claims " + std::to_string(claimed) + " triangles but is only " + std::to_string(content.size()) +
-         " bytes long";
+/// A line each.
+Warnings warningsOf(const ImporterCall& call, const std::string& text) {
+  Warnings warnings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) warnings.push_back(refusalOf(call, line));
+  return warnings;
 }
 
 Result<ImportedMesh> decode(const ImporterCall& call, ImporterAnswer& answer) {
-  std::vector<float> coordinates(std::size_t{3} * answer.header.vertices);
-  std::array<float, 3> mean{};
+  import_protocol::MeshFacts facts;
+  std::vector<double> coordinates(std::size_t{3} * answer.header.vertices);
   ImportedMesh result;
   result.mesh.triangles.resize(answer.header.triangles);
-  if (!answer.message.take(coordinates.data(), coordinates.size()) || !answer.message.take(mean.data(), mean.size()) ||
-      !answer.message.take(result.mesh.triangles.data(), result.mesh.triangles.size())) {
+  if (!answer.message.take(&facts, 1) || !answer.message.take(coordinates.data(), coordinates.size()) ||
+      !answer.message.take(result.mesh.triangles.data(), result.mesh.triangles.size()) ||
+      !(facts.coordinateSpacing >= 0.0)) {
     return refusalOf(call, "the importer failed on it");
   }
   if (result.mesh.empty()) return refusalOf(call, "holds no triangle");
+  result.mesh.vertices.reserve(answer.header.vertices);
   for (std::size_t i = 0; i < coordinates.size(); i += 3) {
     result.mesh.vertices.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
   }
   if (const auto fault = faultOf(result.mesh)) return refusalOf(call, *fault);
-  result.vertexMean = Vector3(mean[0], mean[1], mean[2]);
+  result.coordinateSpacing = facts.coordinateSpacing;
+  if (const auto coarse = refuseCoarseCoordinates(call, result)) return *coarse;
+  result.vertexMean = Vector3(facts.vertexMean[0], facts.vertexMean[1], facts.vertexMean[2]);
+  if (!result.vertexMean.allFinite()) return refusalOf(call, "the importer failed on it");
+  result.warnings = warningsOf(call, answer.message.rest());
   return result;
+}
+
+Diagnostic unknownKind(const std::string& file) {
+  return {ErrorKind::MalformedInput, file, "", "is of a kind that is not read ('" + endingOf(file) + "')",
+          "Use STL, OBJ, PLY, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario."};
 }
 
 }  // namespace
@@ -58,25 +71,25 @@ bool isMeshFile(const std::string& file) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-Result<ImportedMesh> importMesh(const std::string& file) {
-  const std::string ending = endingOf(file);
-  if (!isMeshFile(file)) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is of a kind that is not read ('" + ending + "')",
-                      "Use STL, OBJ, DAE, glTF or GLB; \"step\" and \"urdf\" are shapes of their own in a scenario."};
-  }
-  ImporterCall call{"glissade-import", ending, file, import_protocol::kMeshLimits,
-                    "Export the part again, for example as binary STL or GLB."};
-  const auto content = readFile(file, call.limits.bytes);
-  if (!content) return content.error();
-  if (content->empty()) return refusalOf(call, "is empty");
-  if (const auto lie = headerLie(ending, *content)) return refusalOf(call, *lie);
-  if (isTruncatedTextStl(ending, *content)) return refusalOf(call, "ends before 'endsolid'");
-  auto answer = callImporter(call);
+Result<ImportedMesh> importMesh(const FileContent& content, const StopToken& stop) {
+  const std::string ending = endingOf(content.file);
+  if (!isMeshFile(content.file)) return unknownKind(content.file);
+  const ImporterCall call{"glissade-import", ending, content.file, meshLimits(content.bytes.size()),
+                          "Export the part again, for example as binary STL or GLB."};
+  if (content.bytes.empty()) return refusalOf(call, "is empty");
+  auto answer = callImporter(call, content.bytes, stop);
   if (answer) return decode(call, *answer);
   Diagnostic why = answer.error();
-  const bool external = why.reason.find("referenced file") != std::string::npos;
+  const bool external = why.reason.find("file of its own") != std::string::npos;
   if (external) why.advice = "Buffers in files of their own are not read: export it as one .glb file.";
   return why;
+}
+
+Result<ImportedMesh> importMesh(const std::string& file, const StopToken& stop) {
+  if (!isMeshFile(file)) return unknownKind(file);
+  const auto content = readContent(file, mostFileBytes());
+  if (!content) return content.error();
+  return importMesh(*content, stop);
 }
 
 }  // namespace glissade

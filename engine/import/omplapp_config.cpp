@@ -5,7 +5,9 @@
 #include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/base/number_text.h"
+#include "engine/base/printable_text.h"
 
 namespace glissade {
 namespace {
@@ -39,7 +41,11 @@ Result<Keys> problemSection(const std::string& text, const std::string& file) {
     }
     const auto equals = line.find('=');
     if (equals == std::string::npos) return malformed(file, "line " + std::to_string(number), "is not 'key = value'");
-    if (section == "[problem]") keys[trimmed(line.substr(0, equals))] = trimmed(line.substr(equals + 1));
+    if (section != "[problem]") continue;
+    const std::string key = trimmed(line.substr(0, equals));
+    if (!keys.emplace(key, trimmed(line.substr(equals + 1))).second) {
+      return malformed(file, "line " + std::to_string(number), "gives '" + key + "' a second time");
+    }
   }
   if (keys.empty()) return malformed(file, "[problem]", "is missing or empty");
   return keys;
@@ -58,6 +64,7 @@ class Numbers {
     }
     const auto number = toNumber(entry->second);
     if (!number) complain(key, "is not a finite number");
+    if (number && !limits::isCoordinate(*number)) complain(key, "is beyond 1e9");
     return number.value_or(0.0);
   }
 
@@ -97,7 +104,7 @@ Result<OmplAppConfig> readOmplAppConfig(const std::string& file) {
     return entry == keys->end() ? std::string() : entry->second;
   };
   OmplAppConfig config;
-  config.name = textOf("name");
+  config.name = printableLine(textOf("name"));
   config.robot = textOf("robot");
   config.world = textOf("world");
   if (config.robot.empty()) return malformed(file, "robot", "is missing");

@@ -18,7 +18,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "engine/base/utf8.h"
+#include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 
 namespace glissade {
@@ -26,6 +26,8 @@ namespace {
 
 /// An assembly that holds itself would have no end.
 constexpr int kDeepest = 64;
+/// Assemblies that use each other twice at every level would take time without end.
+constexpr std::size_t kMostOccurrences = 100'000;
 
 std::string nameOf(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
@@ -36,14 +38,12 @@ std::string nameOf(const TDF_Label& label) {
   return text;
 }
 
-/// As one step of a path: UTF-8 without '/', control characters and blanks at its ends.
+/// As one step of a path: printable, without '/', ASCII's control characters and blanks at its ends.
 std::string asStep(std::string name) {
-  for (std::size_t at = 0; at < name.size(); at += std::max<std::size_t>(utf8LengthAt(name, at), 1)) {
-    if (utf8LengthAt(name, at) == 0) name[at] = '?';
-  }
   std::replace(name.begin(), name.end(), '/', '_');
   name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }),
              name.end());
+  name = printableLine(name);
   const auto first = name.find_first_not_of(' ');
   if (first == std::string::npos) return {};
   return name.substr(first, name.find_last_not_of(' ') - first + 1);
@@ -111,6 +111,9 @@ class AssemblyWalk {
 
   void visit(const TDF_Label& product, const Place& place) {
     if (place.depth > kDeepest) throw std::runtime_error("its assemblies are nested too deeply, or hold themselves");
+    if (++occurrences_ > kMostOccurrences) {
+      throw std::runtime_error("it has more than " + std::to_string(kMostOccurrences) + " assemblies and parts");
+    }
     if (!XCAFDoc_ShapeTool::IsAssembly(product)) {
       addSolids(product, place);
       return;
@@ -186,6 +189,7 @@ class AssemblyWalk {
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
   std::vector<StepSolid> solids_;
+  std::size_t occurrences_ = 0;
 };
 
 }  // namespace

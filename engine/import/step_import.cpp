@@ -1,13 +1,11 @@
 #include "engine/import/step_import.h"
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
-#include "engine/base/utf8.h"
-#include "engine/import/importer_process.h"
+#include "engine/import/step_answer.h"
 
 namespace glissade {
 namespace {
@@ -36,88 +34,6 @@ std::optional<Diagnostic> precheck(const ImporterCall& call, std::string_view te
   return std::nullopt;
 }
 
-struct Shape {
-  MeshPtr mesh;
-  double deflection = 0.0;
-  std::size_t facesWithoutMesh = 0;
-};
-
-/// Reads what the importing program wrote.
-class Decoder {
- public:
-  Decoder(const ImporterCall& call, ImporterAnswer& answer) : call_(call), answer_(answer) {}
-
-  Result<std::vector<StepPart>> decode() {
-    protocol::AssemblyCounts counts;
-    if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts) {
-      return broken();
-    }
-    for (std::uint32_t i = 0; i < counts.shapes; ++i) {
-      if (const Outcome taken = takeShape(); !taken) return taken.error();
-    }
-    std::vector<StepPart> parts;
-    for (std::uint32_t i = 0; i < counts.parts; ++i) {
-      auto part = takePart();
-      if (!part) return part.error();
-      if (!part->mesh->empty()) parts.push_back(std::move(*part));
-    }
-    if (parts.empty()) return refusalOf(call_, "has no face that could be tessellated");
-    return parts;
-  }
-
- private:
-  Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
-
-  Outcome takeShape() {
-    protocol::Shape record;
-    if (!answer_.message.take(&record, 1) || record.vertices > answer_.header.vertices ||
-        record.triangles > answer_.header.triangles) {
-      return broken();
-    }
-    std::vector<double> coordinates(std::size_t{3} * record.vertices);
-    TriangleMesh mesh;
-    mesh.triangles.resize(record.triangles);
-    if (!answer_.message.take(coordinates.data(), coordinates.size()) ||
-        !answer_.message.take(mesh.triangles.data(), mesh.triangles.size())) {
-      return broken();
-    }
-    for (std::size_t i = 0; i < coordinates.size(); i += 3) {
-      mesh.vertices.emplace_back(kMillimetre * Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
-    }
-    if (const auto fault = faultOf(mesh)) return refusalOf(call_, *fault);
-    shapes_.push_back(
-        {std::make_shared<const TriangleMesh>(welded(mesh)), kMillimetre * record.deflection, record.facesWithoutMesh});
-    return Done{};
-  }
-
-  Result<StepPart> takePart() {
-    constexpr std::uint32_t kLongestPath = 1U << 16;
-    protocol::Part record;
-    if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size() || record.pathBytes > kLongestPath) {
-      return broken();
-    }
-    const Shape& shape = shapes_[record.shape];
-    StepPart part{std::string(record.pathBytes, ' '), shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
-    if (!answer_.message.take(part.path.data(), part.path.size()) || !isUtf8(part.path)) return broken();
-    if (!paths_.insert(part.path).second) return broken();
-    part.X_FP.position = kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
-    const auto& [x, y, z, w] = record.orientation;
-    part.X_FP.orientation = Quaternion(w, x, y, z).normalized();
-    if (!isValid(part.X_FP)) return refusalOf(call_, "has a part that is at no place in space");
-    if (record.hasColour != 0) {
-      part.colour.emplace();
-      std::transform(record.colour, record.colour + 3, part.colour->begin(),
-                     [](double value) { return std::clamp(value, 0.0, 1.0); });
-    }
-    return part;
-  }
-
-  const ImporterCall& call_;
-  ImporterAnswer& answer_;
-  std::vector<Shape> shapes_;
-  std::set<std::string> paths_;
-};
-
 }  // namespace
 
 bool isStepFile(const std::string& file) {
@@ -125,15 +41,20 @@ bool isStepFile(const std::string& file) {
   return ending == "step" || ending == "stp";
 }
 
-Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop) {
-  const ImporterCall call{"glissade-import-step", toText(deflection / kMillimetre), file, protocol::kStepLimits,
+Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop) {
+  const ImporterCall call{"glissade-import-step", toText(deflection / kMillimetre), content.file,
+                          protocol::stepLimitsFor(content.bytes.size()),
                           "Export it again as STEP AP214 or AP242, or its parts as meshes."};
-  const auto content = readFile(file, call.limits.bytes);
-  if (!content) return content.error();
-  if (const auto refused = precheck(call, *content)) return *refused;
-  auto answer = callImporter(call, stop);
+  if (const auto refused = precheck(call, content.bytes)) return *refused;
+  auto answer = callImporter(call, content.bytes, stop);
   if (!answer) return answer.error();
-  return Decoder(call, *answer).decode();
+  return decodeStepAnswer(call, *answer);
+}
+
+Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop) {
+  const auto content = readContent(file, protocol::kStepLimits.bytes);
+  if (!content) return content.error();
+  return importStep(*content, deflection, stop);
 }
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/import/file_content.h"
 
 namespace glissade {
 
@@ -28,6 +29,7 @@ struct StepPart {
 ///
 /// Takes its time: seconds for thousands of faces. Errors are MalformedInput with the file's name, or
 /// Interrupted where it was stopped.
+Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
 Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop = {});
 
 /// Whether the ending is one of STEP files.

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <map>
 
-#include "engine/base/file.h"
+#include "engine/base/limits.h"
+#include "engine/base/printable_text.h"
 #include "engine/geometry/primitives.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/safe_path.h"
@@ -17,8 +20,10 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostBytes = 16U << 20;
-/// Metres; beyond it a size is damage, and computing with it overflows.
-constexpr double kLargestSize = 1e9;
+/// urdfdom releases a chain of links recursively.
+constexpr std::size_t kMostLinks = 4000;
+/// Of all shapes together.
+constexpr std::size_t kMostTriangles = 8U << 20;
 
 Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, place, reason, "Correct the URDF file."};
@@ -54,31 +59,44 @@ Pose toPose(const urdf::Pose& pose) {
   return result;
 }
 
-bool isSound(const Pose& pose) { return isValid(pose) && pose.position.cwiseAbs().maxCoeff() <= kLargestSize; }
+bool isSound(const Pose& pose) {
+  return isValid(pose) && pose.position.cwiseAbs().maxCoeff() <= limits::kLargestLength;
+}
 
 /// Turns one parsed file into links; the first thing wrong ends it.
 class LinkBuilder {
  public:
-  LinkBuilder(std::string file, std::string packageFolder)
-      : file_(std::move(file)), packageFolder_(std::move(packageFolder)) {}
+  LinkBuilder(std::string file, std::string packageFolder, StopToken stop)
+      : file_(std::move(file)), packageFolder_(std::move(packageFolder)), stop_(std::move(stop)) {}
 
   Result<std::vector<UrdfLink>> build(const urdf::ModelInterface& model) {
     std::vector<UrdfLink> links;
     std::vector<std::pair<urdf::LinkConstSharedPtr, Pose>> open{{model.getRoot(), Pose::identity()}};
     for (std::size_t i = 0; i < open.size(); ++i) {
+      // Two joints with one child would be followed twice, and a chain of such pairs without end.
+      if (open.size() > model.links_.size()) return malformed(file_, "", "has a link that is the child of two joints");
       const auto [link, X_RL] = open[i];
+      coordinateSpacing_ = 0.0;
       auto mesh = meshOf(*link);
       if (!mesh) return mesh.error();
-      if (!mesh->empty()) links.push_back({link->name, std::move(*mesh), X_RL, colourOf(*link)});
+      triangles_ += mesh->triangles.size();
+      if (triangles_ > kMostTriangles) {
+        return malformed(file_, "", "has more than " + std::to_string(kMostTriangles) + " triangles");
+      }
+      if (!mesh->empty()) {
+        links.push_back({printableLine(link->name), std::move(*mesh), X_RL, colourOf(*link), coordinateSpacing_});
+      }
       for (const auto& joint : link->child_joints) {
         if (joint->type != urdf::Joint::FIXED) {
           return malformed(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
         }
         const Pose X_LC = toPose(joint->parent_to_joint_origin_transform);
-        if (!isSound(X_LC)) return malformed(file_, "joint '" + joint->name + "'", "has an origin that is not finite");
-        open.emplace_back(model.getLink(joint->child_link_name), X_RL * X_LC);
+        const Pose X_RC = X_RL * X_LC;
+        if (!isSound(X_LC) || !isSound(X_RC)) return malformed(file_, "joint '" + joint->name + "'", kFarOrigin);
+        open.emplace_back(model.getLink(joint->child_link_name), X_RC);
       }
     }
+    if (open.size() < model.links_.size()) return malformed(file_, "", "has links that no joint connects to its root");
     if (links.empty()) return malformed(file_, "", "holds no shape");
     return links;
   }
@@ -92,7 +110,7 @@ class LinkBuilder {
         auto part = meshOf(*shape->geometry, place);
         if (!part) return part.error();
         const Pose X_LS = toPose(shape->origin);
-        if (!isSound(X_LS)) return malformed(file_, place, "has an origin that is not finite");
+        if (!isSound(X_LS)) return malformed(file_, place, kFarOrigin);
         append(mesh, transformed(*part, X_LS));
       }
       return Done{};
@@ -104,9 +122,10 @@ class LinkBuilder {
 
   Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& place) {
     const auto sized = [](std::initializer_list<double> sizes) {
-      return std::all_of(sizes.begin(), sizes.end(), [](double size) { return size > 0.0 && size <= kLargestSize; });
+      return std::all_of(sizes.begin(), sizes.end(), limits::isSize);
     };
-    const Diagnostic badSize = malformed(file_, place, "has a shape whose size is not a positive number");
+    const Diagnostic badSize =
+        malformed(file_, place, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const auto& box = static_cast<const urdf::Box&>(geometry);
@@ -131,16 +150,21 @@ class LinkBuilder {
   Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& place) {
     constexpr const char* kPackage = "package://";
     const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
-    if (!scale.allFinite() || scale.prod() == 0.0 || scale.cwiseAbs().maxCoeff() > kLargestSize) {
-      return malformed(file_, place, "has a mesh whose scale is zero or not a number");
+    if (!limits::isSize(scale.cwiseAbs().minCoeff()) || !limits::isSize(scale.cwiseAbs().maxCoeff())) {
+      return malformed(file_, place, "has a mesh whose scale is not a number from 1e-12 to 1e9");
     }
     std::string name = mesh.filename;
     if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
     const auto path = resolveBelow(packageFolder_, name, file_, place);
     if (!path) return path.error();
-    const auto imported = importMesh(*path);
-    if (!imported) return imported.error();
-    return scaled(welded(imported->mesh), scale);
+    auto known = meshes_.find(*path);
+    if (known == meshes_.end()) {
+      auto imported = importMesh(*path, stop_);
+      if (!imported) return imported.error();
+      known = meshes_.emplace(*path, KnownMesh{welded(imported->mesh), imported->coordinateSpacing}).first;
+    }
+    coordinateSpacing_ = std::max(coordinateSpacing_, known->second.coordinateSpacing * scale.cwiseAbs().maxCoeff());
+    return scaled(known->second.mesh, scale);
   }
 
   static std::optional<std::array<double, 3>> colourOf(const urdf::Link& link) {
@@ -149,9 +173,28 @@ class LinkBuilder {
     return std::array<double, 3>{colour.r, colour.g, colour.b};
   }
 
+  static constexpr const char* kFarOrigin = "has an origin that is not finite, or beyond 1e9 m";
+
   std::string file_;
   std::string packageFolder_;
+  StopToken stop_;
+  struct KnownMesh {
+    TriangleMesh mesh;
+    double coordinateSpacing;
+  };
+  std::map<std::string, KnownMesh> meshes_;  ///< by file: each is read once
+  double coordinateSpacing_ = 0.0;           ///< of the meshes of the link that is built
+  std::size_t triangles_ = 0;
 };
+
+/// Nothing where urdfdom refuses the text, by its result or by an exception.
+urdf::ModelInterfaceSharedPtr parse(const std::string& text) {
+  try {
+    return urdf::parseURDF(text);
+  } catch (const std::exception&) {
+    return nullptr;
+  }
+}
 
 /// urdfdom drops a shape with a bad number and still returns a model: count what should be there.
 std::size_t shapesIn(const urdf::ModelInterface& model) {
@@ -162,20 +205,29 @@ std::size_t shapesIn(const urdf::ModelInterface& model) {
 
 }  // namespace
 
-Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder) {
-  const auto text = readFile(file, kMostBytes);
-  if (!text) return text.error();
-  const auto facts = precheckXml(*text, file);
+Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::string& packageFolder,
+                                         const StopToken& stop) {
+  const auto& [file, text] = content;
+  const auto facts = precheckXml(text, file);
   if (!facts) return facts.error();
+  if (facts->links > kMostLinks) {
+    return malformed(file, "", "has more than " + std::to_string(kMostLinks) + " links");
+  }
   ParserMessages messages;
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(*text);
+  const urdf::ModelInterfaceSharedPtr model = parse(text);
   if (!model || !model->getRoot()) {
     return malformed(file, "", messages.first().empty() ? "is not a URDF file" : messages.first());
   }
   if (shapesIn(*model) != facts->geometries) {
     return malformed(file, "", messages.first().empty() ? "has a shape that cannot be read" : messages.first());
   }
-  return LinkBuilder(file, packageFolder).build(*model);
+  return LinkBuilder(file, packageFolder, stop).build(*model);
+}
+
+Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder) {
+  const auto content = readContent(file, kMostBytes);
+  if (!content) return content.error();
+  return importUrdf(*content, packageFolder);
 }
 
 }  // namespace glissade

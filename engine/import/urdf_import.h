@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/base/stop_token.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/import/file_content.h"
 
 namespace glissade {
 
@@ -16,6 +18,7 @@ struct UrdfLink {
   TriangleMesh mesh;                            ///< in the link's frame L
   Pose X_RL;                                    ///< in the frame R of the root link
   std::optional<std::array<double, 3>> colour;  ///< sRGB of its material
+  double coordinateSpacing = 0.0;               ///< the largest of its meshes, as of ImportedMesh, metres
 };
 
 /// Imports a URDF file as rigid bodies: boxes, cylinders, spheres and meshes; collision shapes where a
@@ -24,6 +27,8 @@ struct UrdfLink {
 ///
 /// Errors are MalformedInput with link or joint as place: whatever urdfdom would drop in silence (a
 /// bad number, an unknown shape) is an error here.
+Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::string& packageFolder,
+                                         const StopToken& stop = {});
 Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder);
 
 }  // namespace glissade

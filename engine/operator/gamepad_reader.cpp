@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
+
+#include "engine/base/guarded.h"
 
 namespace glissade {
 namespace {
@@ -40,7 +43,7 @@ class Sdl {
 class Pad {
  public:
   explicit Pad(InputMailbox& mailbox) : mailbox_(mailbox) {}
-  ~Pad() { close(); }
+  ~Pad() { closeController(); }
   Pad(const Pad&) = delete;
   Pad& operator=(const Pad&) = delete;
 
@@ -83,9 +86,13 @@ class Pad {
 
   void close() {
     if (!isOpen()) return;
-    SDL_GameControllerClose(controller_);
-    controller_ = nullptr;
+    closeController();
     mailbox_.disconnect();
+  }
+
+  void closeController() {
+    if (isOpen()) SDL_GameControllerClose(controller_);
+    controller_ = nullptr;
   }
 
   double axis(SDL_GameControllerAxis which) const {
@@ -117,16 +124,31 @@ GamepadReader::~GamepadReader() {
 void GamepadReader::run() {
   const Sdl sdl;
   if (!sdl.works()) return;
+  do {
+    auto why = guarded("reading the gamepad", [this] { readPads(); });
+    if (why) problem_.set(std::move(why));
+    // A listener that fails learns of it with the next change.
+    (void)guarded("disconnecting the gamepad", [this] { hand_->gamepad.mailbox.disconnect(); });
+  } while (!quitWithin(kLook));
+}
+
+/// Until the end of this object.
+void GamepadReader::readPads() {
   Pad pad(hand_->gamepad.mailbox);
-  std::unique_lock lock(mutex_);
-  while (!quit_) {
-    lock.unlock();
+  do {
     ++wakeUps_;
     pad.handleEvents();
-    if (pad.isOpen()) pad.publishAxes();
-    lock.lock();
-    quitWanted_.wait_for(lock, pad.isOpen() ? kTick : kLook, [this] { return quit_; });
-  }
+    if (pad.isOpen()) {
+      problem_.set(std::nullopt);
+      pad.publishAxes();
+    }
+  } while (!quitWithin(pad.isOpen() ? kTick : kLook));
+}
+
+/// Waits; true where the end of this object has begun.
+bool GamepadReader::quitWithin(milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  return quitWanted_.wait_for(lock, patience, [this] { return quit_; });
 }
 
 }  // namespace glissade

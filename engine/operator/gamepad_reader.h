@@ -1,12 +1,15 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "engine/operator/hand_inputs.h"
+#include "engine/operator/reader_problem.h"
 
 namespace glissade {
 
@@ -16,6 +19,8 @@ namespace glissade {
 ///   left stick  right, up      triggers   left nearer, right away
 ///   right stick turn, tip      shoulders  roll
 ///
+/// An exception becomes problem(), and the reader looks for a gamepad again.
+///
 /// SDL keeps its state per process: make at most one of these at a time.
 class GamepadReader {
  public:
@@ -24,17 +29,22 @@ class GamepadReader {
   GamepadReader(const GamepadReader&) = delete;
   GamepadReader& operator=(const GamepadReader&) = delete;
 
+  /// The exception that last ended the reading; nothing while a gamepad is read again.
+  std::optional<Diagnostic> problem() const { return problem_.get(); }
   /// So often the thread has woken up: it sleeps in between.
   std::uint64_t wakeUps() const { return wakeUps_; }
 
  private:
   void run();
+  void readPads();
+  bool quitWithin(std::chrono::milliseconds patience);
 
   HandInputsPtr hand_;
   std::atomic<std::uint64_t> wakeUps_{0};
   std::mutex mutex_;
   std::condition_variable quitWanted_;
   bool quit_ = false;
+  ReaderProblem problem_;
   std::thread thread_;
 };
 

@@ -16,6 +16,8 @@
 #include <string>
 #include <thread>
 
+#include "engine/base/guarded.h"
+#include "engine/operator/reader_problem.h"
 #include "engine/operator/spacenav_protocol.h"
 
 namespace glissade {
@@ -94,14 +96,20 @@ struct SpacenavReader::Connection {
   std::atomic<bool> quit{false};
   std::atomic<bool> ended{false};
   std::atomic<std::uint64_t> wakeUps{0};
+  ReaderProblem problem;
 
   void run() {
     blockSignals();
     milliseconds backOff = firstBackOff;
     while (!quit) {
       if (daemonListens() && spnav_open() == 0) {
-        if (reachedTheRightSocket() && readUntilItDies()) backOff = firstBackOff;
-        mailbox().disconnect();
+        problem.set(std::nullopt);
+        bool talkedSense = false;
+        auto why = guarded("reading the 6D mouse", [&] { talkedSense = reachedTheRightSocket() && readUntilItDies(); });
+        if (why) problem.set(std::move(why));
+        // A listener that fails learns of it with the next change.
+        (void)guarded("disconnecting the 6D mouse", [this] { mailbox().disconnect(); });
+        if (talkedSense) backOff = firstBackOff;
         spnav_close();
       }
       wait(backOff);
@@ -229,6 +237,8 @@ SpacenavReader::~SpacenavReader() {
   // The thread ends within kPatience unless libspnav holds it; then it is left behind.
   for (int i = 0; i < 20 && !connection_->ended; ++i) std::this_thread::sleep_for(kPatience / 2);
 }
+
+std::optional<Diagnostic> SpacenavReader::problem() const { return connection_->problem.get(); }
 
 std::uint64_t SpacenavReader::wakeUps() const { return connection_->wakeUps; }
 

@@ -3,14 +3,17 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
+#include "engine/base/diagnostic.h"
 #include "engine/operator/hand_inputs.h"
 
 namespace glissade {
 
 /// Reads a 3Dconnexion mouse through the spacenavd daemon (libspnav) on a thread of its own, into the
 /// 6D mouse of `hand`. The daemon may be absent, die, fall silent, flood or send garbage: the reader
-/// reconnects with back-off, and neither the operator thread nor the window ever waits for it.
+/// reconnects with back-off, and neither the operator thread nor the window ever waits for it. An exception becomes
+/// problem(), and the reader connects again.
 /// libspnav holds one connection per process: make at most one of these at a time.
 class SpacenavReader {
  public:
@@ -20,6 +23,8 @@ class SpacenavReader {
   SpacenavReader(const SpacenavReader&) = delete;
   SpacenavReader& operator=(const SpacenavReader&) = delete;
 
+  /// The exception that last ended the connection; nothing once the daemon is connected again.
+  std::optional<Diagnostic> problem() const;
   /// So often the thread has woken up: it sleeps in between.
   std::uint64_t wakeUps() const;
 

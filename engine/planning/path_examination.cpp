@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/planning/path_bounds.h"
 #include "engine/planning/path_certificate.h"
 
 namespace glissade {
@@ -48,6 +49,11 @@ PathExamination examinePath(std::vector<PathPoint> points, const Problem& proble
   examination.ends = endsOf(points, problem);
   examination.path = {std::move(points), {}};
   Path& path = examination.path;
+  if (const auto outside = firstOutside(path.points, problem)) {
+    const bool first = *outside == 0;
+    examination.blocked = {{first ? 0 : *outside - 1, first ? 0.0 : 1.0, {}}};
+    return examination;
+  }
   path.certificate = certifyPath(*query, path.points, parameters, watch.stop);
   if (path.certificate.status != CertificateStatus::Certified) {
     examination.blocked =

@@ -6,9 +6,6 @@
 
 namespace glissade {
 
-/// Largest file of an asset, bytes; each kind may have a lower limit of its own.
-inline constexpr std::size_t kMostAssetBytes = 200U << 20;
-
 /// The file of an asset of a scenario in `folder`. An asset may lie outside the scenario's
 /// folder, since a scenario that is saved elsewhere leaves its assets where they are; what a URDF file
 /// names itself may not leave the folder of that file.

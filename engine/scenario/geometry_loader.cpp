@@ -7,6 +7,7 @@
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/geometry/primitives.h"
+#include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
 #include "engine/import/urdf_import.h"
@@ -27,6 +28,14 @@ std::string withoutLinks(const std::string& path) {
   std::error_code ignored;
   const std::filesystem::path found = std::filesystem::weakly_canonical(path, ignored);
   return found.empty() ? path : found.string();
+}
+
+/// The id of the asset that a geometry is read from; null for primitives.
+const std::string* assetOf(const Geometry& geometry) {
+  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return &mesh->asset;
+  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return &urdf->asset;
+  if (const auto* step = std::get_if<StepGeometry>(&geometry)) return &step->asset;
+  return nullptr;
 }
 
 const Asset& assetById(const std::string& id, const Scenario& scenario) {
@@ -67,15 +76,21 @@ GeometryLoader::GeometryLoader(const Scenario& scenario, std::string folder, std
 Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
   const std::string key = geometryKey(geometry, scenario_, folder_);
   LoadedGeometryPtr& loaded = loaded_[key];
-  if (loaded) return loaded;
-  if (const auto known = known_.find(key); known != known_.end()) {
-    loaded = known->second;
-    return loaded;
+  if (const auto known = known_.find(key); !loaded && known != known_.end()) loaded = known->second;
+  if (!loaded) {
+    auto read = this->read(geometry);
+    if (!read) return read.error();
+    loaded = std::make_shared<const LoadedGeometry>(std::move(*read));
   }
-  auto read = this->read(geometry);
-  if (!read) return read.error();
-  loaded = std::make_shared<const LoadedGeometry>(std::move(*read));
+  if (const std::string* asset = assetOf(geometry)) hashes_[*asset] = loaded->sha256;
   return loaded;
+}
+
+void GeometryLoader::noteHashes(Scenario& scenario) const {
+  for (Asset& asset : scenario.assets) {
+    const auto found = hashes_.find(asset.id);
+    if (found != hashes_.end()) asset.sha256 = found->second;
+  }
 }
 
 Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
@@ -91,55 +106,72 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
   return single(makeSphere(std::get<SphereGeometry>(geometry).radius));
 }
 
-/// The file of an asset; warns where it is not the one that the scenario was saved with.
-Result<std::string> GeometryLoader::fileOf(const Asset& asset) {
-  const std::string path = assetFile(asset, folder_);
-  const auto content = readFile(path, kMostAssetBytes);
+/// Reads the file of an asset, once; warns where it is not the one that the scenario was saved with.
+Result<FileContent> GeometryLoader::readAsset(const Asset& asset) {
+  auto content = readContent(assetFile(asset, folder_), mostFileBytes());
   if (!content) return content.error();
-  if (!asset.sha256.empty() && sha256(*content) != asset.sha256) {
-    warnings_.push_back({ErrorKind::MalformedInput, path, "", "has changed since the scenario was saved",
+  std::string& hash = hashes_[asset.id];
+  hash = sha256(content->bytes);
+  if (!asset.sha256.empty() && hash != asset.sha256) {
+    warnings_.push_back({ErrorKind::MalformedInput, content->file, "", "has changed since the scenario was saved",
                          "Check the scenario and save it again."});
   }
-  return path;
+  return content;
 }
 
 Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
-  const auto path = fileOf(asset);
-  if (!path) return path.error();
-  const auto imported = importMesh(*path);
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  const auto imported = importMesh(*content, stop_);
   if (!imported) return imported.error();
+  warnings_.insert(warnings_.end(), imported->warnings.begin(), imported->warnings.end());
   LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset.unit, asset.up)));
-  if (geometry.parts.front().mesh->empty()) {
-    return Diagnostic{ErrorKind::MalformedInput, *path, "", "holds no triangle with three corners",
+  GeometryPart& part = geometry.parts.front();
+  if (part.mesh->empty()) {
+    return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
                       "Export the part again."};
   }
+  warnOfRemovedTriangles(imported->mesh.triangles.size() - part.mesh->triangles.size(), content->file);
+  part.coordinateSpacing = asset.unit * imported->coordinateSpacing;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
   geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();
+  geometry.sha256 = hashes_[asset.id];
   return geometry;
+}
+
+/// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
+void GeometryLoader::warnOfRemovedTriangles(std::size_t count, const std::string& file) {
+  if (count == 0) return;
+  warnings_.push_back({ErrorKind::MalformedInput, file, "",
+                       "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
+                       "They have no area, so that no surface is missing."});
 }
 
 Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
   if (const Outcome sound = checkOwnUnit(asset, "URDF"); !sound) return sound.error();
-  const auto path = fileOf(asset);
-  if (!path) return path.error();
-  auto links = importUrdf(*path, folderOf(*path));
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  auto links = importUrdf(*content, folderOf(content->file), stop_);
   if (!links) return links.error();
   LoadedGeometry geometry;
+  geometry.sha256 = hashes_[asset.id];
   for (UrdfLink& link : *links) {
     geometry.parts.push_back(
         {link.name, std::make_shared<const TriangleMesh>(std::move(link.mesh)), link.X_RL, link.colour});
+    geometry.parts.back().coordinateSpacing = link.coordinateSpacing;
   }
   return geometry;
 }
 
 Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
-  const auto path = fileOf(asset);
-  if (!path) return path.error();
-  const auto parts = importStep(*path, asset.deflection, stop_);
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  const auto parts = importStep(*content, asset.deflection, stop_);
   if (!parts) return parts.error();
   LoadedGeometry geometry;
+  geometry.sha256 = hashes_[asset.id];
   for (const StepPart& part : *parts) {
     const std::string name = parts->size() == 1 ? "" : part.path;
     geometry.parts.push_back({name, part.mesh, part.X_FP, part.colour, part.deflection, part.facesWithoutMesh});
@@ -152,6 +184,7 @@ Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
   const auto whole = load(StepGeometry{step.asset, ""});
   if (!whole) return whole.error();
   LoadedGeometry geometry;
+  geometry.sha256 = (*whole)->sha256;
   for (const GeometryPart& part : (*whole)->parts) {
     if (!isWithin(part.name, step.part)) continue;
     geometry.parts.push_back(part);

@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
+#include "engine/import/file_content.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -22,6 +23,9 @@ class GeometryLoader {
   /// Errors are MalformedInput with the file that they are in, or Interrupted where it was stopped.
   Result<LoadedGeometryPtr> load(const Geometry& geometry);
 
+  /// Writes into the scenario's assets the hashes of the bytes that their geometry was read from.
+  void noteHashes(Scenario& scenario) const;
+
   /// What was asked for.
   GeometryCache& loaded() { return loaded_; }
   /// Files that have changed since the scenario was saved.
@@ -29,11 +33,12 @@ class GeometryLoader {
 
  private:
   Result<LoadedGeometry> read(const Geometry& geometry);
-  Result<std::string> fileOf(const Asset& asset);
+  Result<FileContent> readAsset(const Asset& asset);
   Result<LoadedGeometry> readMesh(const Asset& asset);
   Result<LoadedGeometry> readUrdf(const Asset& asset);
   Result<LoadedGeometry> readStep(const Asset& asset);
   Result<LoadedGeometry> partOf(const StepGeometry& step);
+  void warnOfRemovedTriangles(std::size_t count, const std::string& file);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const Scenario& scenario_;
@@ -42,6 +47,7 @@ class GeometryLoader {
   GeometryCache known_;
   StopToken stop_;
   GeometryCache loaded_;
+  std::map<std::string, std::string> hashes_;  ///< by asset's id, of what was read
   Warnings warnings_;
 };
 

@@ -4,6 +4,8 @@
 #include <cstring>
 #include <limits>
 
+#include "engine/scenario/json_reader.h"
+
 namespace glissade {
 namespace {
 
@@ -66,7 +68,7 @@ std::size_t GlbBuilder::addNumbers(const Eigen::MatrixXf& elements, Use use) {
 Result<std::string> GlbBuilder::bytes() const {
   Json json = json_;
   json["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);  // names may come from files' names
+  std::string text = jsonText(json);
   text.resize((text.size() + 3) / 4 * 4, ' ');  // chunks are aligned; the buffer holds whole floats
   const std::size_t size = kHeaderBytes + 2 * kChunkHeaderBytes + text.size() + buffer_.size();
   if (size > std::numeric_limits<std::uint32_t>::max()) {

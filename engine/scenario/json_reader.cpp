@@ -7,6 +7,8 @@
 #include <set>
 #include <vector>
 
+#include "engine/base/limits.h"
+#include "engine/base/printable_text.h"
 #include "engine/base/tolerances.h"
 
 namespace glissade {
@@ -54,9 +56,22 @@ JsonCursor JsonCursor::element(std::size_t index) const {
   return {(*value_)[index], file_, pointer_ + "/" + std::to_string(index)};
 }
 
+std::size_t JsonCursor::sizeUpTo(std::size_t most) const {
+  if (size() > most) fail("has more than " + std::to_string(most) + " entries");
+  return size();
+}
+
 std::string JsonCursor::text() const {
   if (!value_->is_string()) fail("is not a text");
-  return value_->get<std::string>();
+  return printableText(value_->get_ref<const std::string&>());
+}
+
+std::string JsonCursor::exactText() const {
+  if (!value_->is_string()) fail("is not a text");
+  std::string result = value_->get<std::string>();
+  if (result.empty()) fail("is empty");
+  if (result.find('\0') != std::string::npos) fail("holds a zero byte, which no file's name can");
+  return result;
 }
 
 std::string JsonCursor::nonEmptyText() const {
@@ -78,6 +93,18 @@ double JsonCursor::positiveNumber() const {
   return result;
 }
 
+double JsonCursor::coordinate() const {
+  const double result = number();
+  if (!limits::isCoordinate(result)) fail("is beyond 1e9 m", "Give metres; check the unit.");
+  return result;
+}
+
+double JsonCursor::length() const {
+  const double result = positiveNumber();
+  if (!limits::isSize(result)) fail("is not from 1e-12 m to 1e9 m", "Give metres; check the unit.");
+  return result;
+}
+
 std::uint64_t JsonCursor::wholeNumber() const {
   if (!value_->is_number_unsigned()) fail("is not a whole number of zero or more");
   return value_->get<std::uint64_t>();
@@ -90,7 +117,7 @@ bool JsonCursor::boolean() const {
 
 Vector3 JsonCursor::vector() const {
   if (size() != 3) fail("is not a list of three numbers");
-  return {element(0).number(), element(1).number(), element(2).number()};
+  return {element(0).coordinate(), element(1).coordinate(), element(2).coordinate()};
 }
 
 Pose JsonCursor::pose() const {
@@ -117,23 +144,34 @@ struct Refusal {
   std::string reason;
 };
 
-/// Watches the parser: keys given twice would lose a value in silence, deep documents would
-/// take many times their size in memory.
+/// Watches the parser: keys given twice would lose a value in silence, deep documents and documents of many small
+/// values would take many times their size in memory, and objects of many keys time that is quadratic in them.
 class ParserGuard {
  public:
+  explicit ParserGuard(std::size_t& valuesLeft) : valuesLeft_(valuesLeft) {}
+
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     using Event = Json::parse_event_t;
     constexpr int kDeepest = 32;
     if (depth > kDeepest) throw Refusal{"is nested too deeply"};
+    const bool value = event == Event::value || event == Event::object_start || event == Event::array_start;
+    if (value && valuesLeft_-- == 0) throw Refusal{"holds too many values"};
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
-      throw Refusal{"holds the key '" + parsed.get<std::string>() + "' twice in one object"};
-    }
+    if (event == Event::key) take(parsed.get_ref<const std::string&>());
     return true;
   }
 
  private:
+  void take(const std::string& key) {
+    constexpr std::size_t kMostKeys = 20'000;
+    if (!keys_.back().insert(key).second) throw Refusal{"holds the key '" + key + "' twice in one object"};
+    if (keys_.back().size() > kMostKeys) {
+      throw Refusal{"holds an object with more than " + std::to_string(kMostKeys) + " keys"};
+    }
+  }
+
+  std::size_t& valuesLeft_;
   std::vector<std::set<std::string>> keys_;
 };
 
@@ -178,11 +216,17 @@ Diagnostic notReadToItsEnd(const std::string& file) {
 }
 
 Result<Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch) {
+  std::size_t valuesLeft = kMostJsonValues;
+  return parseJson(text, file, watch, valuesLeft);
+}
+
+Result<Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch,
+                       std::size_t& valuesLeft) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "is empty", "Give a file with content."};
   }
   try {
-    ParserGuard guard;
+    ParserGuard guard(valuesLeft);
     return Json::parse(WatchedText(text, 0, watch), WatchedText(text, text.size(), watch), std::ref(guard));
   } catch (const Stopped&) {
     return notReadToItsEnd(file);
@@ -200,6 +244,10 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a number that is out of range",
                       "Correct the number."};
   }
+}
+
+std::string jsonText(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 Json toJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }

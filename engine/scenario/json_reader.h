@@ -36,14 +36,19 @@ class JsonCursor {
   std::size_t size() const;  ///< of an array
   JsonCursor element(std::size_t index) const;
 
-  std::string text() const;
+  std::size_t sizeUpTo(std::size_t most) const;  ///< of an array; longer ones are refused
+
+  std::string text() const;  ///< printable: see printableText()
   std::string nonEmptyText() const;
+  std::string exactText() const;  ///< a file's path; not empty
   double number() const;
   double positiveNumber() const;
+  double coordinate() const;  ///< metres, at most limits::kLargestLength in magnitude
+  double length() const;      ///< a size in metres, within the limits
   std::uint64_t wholeNumber() const;
   bool boolean() const;
-  Vector3 vector() const;
-  Pose pose() const;  ///< {"position": [x,y,z], "orientation": [x,y,z,w]}
+  Vector3 vector() const;  ///< three coordinates
+  Pose pose() const;       ///< {"position": [x,y,z], "orientation": [x,y,z,w]}
 
  private:
   const Json* value_;
@@ -56,8 +61,20 @@ struct JsonError {
   Diagnostic diagnostic;
 };
 
-/// Parses text into a document; syntax errors name line and column. Stopped: an Interrupted error.
+/// Values that the documents of one file may hold together: 20 million of the largest kind take 1.3 GB.
+inline constexpr std::size_t kMostJsonValues = 20'000'000;
+
+/// Parses text into a document; syntax errors name line and column. Refused: nesting deeper than 32, a key given twice
+/// in an object, more than 20,000 keys in an object (looking one up is linear), more values than `valuesLeft`, which is
+/// lowered by those read. Stopped: an Interrupted error.
+Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch,
+                                   std::size_t& valuesLeft);
 Result<JsonCursor::Json> parseJson(const std::string& text, const std::string& file, const WorkWatch& watch = {});
+
+/// The text of a document, which is valid UTF-8 whatever the document holds (U+FFFD stands for invalid bytes). -1: on
+/// one line.
+std::string jsonText(const JsonCursor::Json& json, int indent = -1);
+
 /// Parses text and gives the document to `read`, which takes a JsonCursor and may throw JsonError.
 template <class Read>
 auto readJson(const std::string& text, const std::string& file, const Read& read)

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/base/file.h"
+#include "engine/base/printable_text.h"
 #include "engine/import/step_import.h"
 #include "engine/scenario/asset_path.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string stemOf(const PartFile& part) { return fs::path(part.path).stem().string(); }
+std::string stemOf(const PartFile& part) { return printableLine(fs::path(part.path).stem().string()); }
 
 /// What a body of the part is called, and known by: a '/' has its meaning in ids.
 std::string nameOf(const PartFile& part) { return part.part.empty() ? stemOf(part) : part.part; }

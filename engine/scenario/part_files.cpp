@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
 #include "engine/scenario/geometry_loader.h"
@@ -26,8 +27,8 @@ bool moves(const PartFile& part) { return part.role == PartRole::Moves; }
 Outcome checkParts(const std::vector<PartFile>& parts) {
   if (parts.empty()) return usage("", "there is no part", "Give the files of the parts.");
   for (const PartFile& part : parts) {
-    if (std::isfinite(part.unit) && part.unit > 0.0) continue;
-    return usage(part.path, "has a unit that is not above zero", "Give the metres in a unit of the file.");
+    if (limits::isSize(part.unit)) continue;
+    return usage(part.path, "has a unit that is not from 1e-12 m to 1e9 m", "Give the metres in a unit of the file.");
   }
   return Done{};
 }
@@ -124,6 +125,7 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   if (!object) return object.error();
   const auto bodies = boxOfBodies(loader, scenario, 0);
   if (!bodies) return bodies.error();
+  loader.noteHashes(scenario);
   if (read != nullptr) read->merge(loader.loaded());
   scenario.name = scenario.object.name;
   chooseReferencePoint(scenario.object, **object);
@@ -155,6 +157,7 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
   if (!added) return added.error();
   const auto object = loader.load(scenario.object.geometry);
   if (!object) return object.error();
+  loader.noteHashes(scenario);
   if (read != nullptr) read->merge(loader.loaded());
   if (!std::holds_alternative<GoalOut>(scenario.goal)) return scenario;
   scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, **object))));

@@ -4,9 +4,12 @@
 #include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/base/number_text.h"
+#include "engine/base/printable_text.h"
 #include "engine/base/tolerances.h"
 #include "engine/scenario/author_names.h"
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
@@ -15,6 +18,10 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostBytes = 256U << 20;
+/// Twelve numbers as the longest texts that doubles have.
+constexpr std::size_t kLongestLine = 8192;
+/// Half a gigabyte.
+constexpr std::size_t kMostConfigurations = 5'000'000;
 constexpr const char* kJsonFormat = "glissade-path";
 constexpr const char* kCsvHeader = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author";
 
@@ -29,6 +36,12 @@ std::vector<std::string> split(const std::string& line, const char* separators) 
   return words;
 }
 
+/// What of a file is shown in a message.
+std::string quoted(const std::string& word) {
+  constexpr std::size_t kLongest = 40;
+  return "'" + printableLine(word.substr(0, kLongest)) + (word.size() > kLongest ? "...'" : "'");
+}
+
 /// One of the two text formats, line by line.
 class TextPathReader {
  public:
@@ -40,6 +53,7 @@ class TextPathReader {
     std::vector<PathPoint> points;
     for (line_ = 1; std::getline(stream, line); ++line_) {
       if (!line.empty() && line.back() == '\r') line.pop_back();
+      if (line.size() > kLongestLine) return malformed("is longer than " + std::to_string(kLongestLine) + " bytes");
       if (line_ == 1 && line == kCsvHeader) {
         csv_ = true;
         continue;
@@ -48,6 +62,10 @@ class TextPathReader {
       if (words.empty()) continue;
       const auto point = readPoint(words);
       if (!point) return point.error();
+      if (points.size() == kMostConfigurations) {
+        return malformed("is one too many: a path has at most " + std::to_string(kMostConfigurations) +
+                         " configurations");
+      }
       points.push_back(*point);
     }
     if (points.empty())
@@ -67,8 +85,10 @@ class TextPathReader {
     if (words.size() != expected) return malformed("does not have " + std::to_string(expected) + " columns");
     std::array<double, 7> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const auto number = toNumber(words[i + (csv_ ? 2 : 0)]);
-      if (!number) return malformed("holds '" + words[i + (csv_ ? 2 : 0)] + "', which is not a finite number");
+      const std::string& word = words[i + (csv_ ? 2 : 0)];
+      const auto number = toNumber(word);
+      if (!number) return malformed("holds " + quoted(word) + ", which is not a finite number");
+      if (!limits::isCoordinate(*number)) return malformed("holds " + quoted(word) + ", which is beyond 1e9 m");
       values[i] = *number;
     }
     PathPoint point;
@@ -79,7 +99,7 @@ class TextPathReader {
     }
     if (csv_) {
       const auto author = authorByName(words[11]);
-      if (!author) return malformed("names an unknown author '" + words[11] + "'");
+      if (!author) return malformed("names an unknown author " + quoted(words[11]));
       point.author = *author;
     }
     return point;
@@ -91,8 +111,9 @@ class TextPathReader {
 };
 
 Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::string& file) {
-  const auto document = parseJson(text, file);
+  auto document = parseJson(text, file);
   if (!document) return document.error();
+  const ChecksumState checksum = takeChecksum(*document);
   try {
     const JsonCursor root(*document, file, "");
     if (root.at("format").text() != kJsonFormat) root.at("format").fail("is not \"glissade-path\"");
@@ -110,6 +131,9 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
       points.push_back(point);
     }
     if (points.empty()) list.fail("is empty", "Give a path.");
+    if (checksum == ChecksumState::Wrong) {
+      return wrongChecksum(file, "Plan again. To check an edited path, remove its checksum.");
+    }
     return points;
   } catch (const JsonError& error) {
     return error.diagnostic;

@@ -5,6 +5,7 @@
 #include "engine/base/number_text.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 
 namespace glissade {
@@ -60,7 +61,8 @@ Result<std::string> pathAsJson(const Path& path, const LoadedScenario& scenario,
     configuration["author"] = authorName(point.author);
     json["configurations"].push_back(configuration);
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";  // names may come from files' names
+  addChecksum(json);
+  return jsonText(json, 2) + "\n";
 }
 
 Json provenanceJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {

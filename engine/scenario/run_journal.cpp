@@ -9,6 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "engine/base/descriptor.h"
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/run_record_json.h"
 
 namespace glissade {
@@ -24,6 +26,88 @@ constexpr const char* kFirst = R"({"format":"glissade-run",)";
 Diagnostic failed(const std::string& file, const std::string& what) {
   return {ErrorKind::Internal, file, "", what + ": " + std::strerror(errno), "The run is not recorded on disk."};
 }
+
+std::string withChecksum(Json line) {
+  addChecksum(line);
+  return jsonText(line) + "\n";
+}
+
+/// The largest step that a record speaks of so far.
+std::uint64_t lastStepOf(const Json& record) {
+  std::uint64_t last = 0;
+  const auto look = [&](const Json& step) {
+    if (step.is_number_unsigned()) last = std::max(last, step.get<std::uint64_t>());
+  };
+  for (const auto& item : record.items()) {
+    if (!item.value().is_array() || item.value().empty()) continue;
+    const Json& entry = item.value().back();
+    if (entry.is_array() && !entry.empty()) look(entry.front());
+    if (entry.is_object() && entry.contains("step")) look(entry["step"]);
+  }
+  return last;
+}
+
+/// Puts the lines of a journal together. Lines of earlier versions carry no checksum.
+class JournalMerger {
+ public:
+  explicit JournalMerger(std::string file) : file_(std::move(file)) {}
+
+  /// Errors: the first line is damaged, or the reading was stopped.
+  Outcome add(const std::string& text, const StopToken& stop) {
+    auto line = parseJson(text, file_, {stop}, valuesLeft_);
+    if (!line && line.error().kind == ErrorKind::Interrupted) return line.error();
+    const ChecksumState checksum = line ? takeChecksum(*line) : ChecksumState::Wrong;
+    const bool whole =
+        line && line->is_object() && checksum != ChecksumState::Wrong && (record_.is_null() || checksum == ofHead_);
+    if (record_.is_null()) return begin(line, whole, checksum);
+    if (whole && hasOnlyKnownKeys(*line)) {
+      append(*line);
+    } else {
+      if (!loss_) loss_ = RunRecord::Loss{0, lastStepOf(record_)};
+      ++loss_->lines;
+    }
+    return Done{};
+  }
+
+  Json record() && {
+    addLoss(loss_, record_);
+    return std::move(record_);
+  }
+
+ private:
+  Outcome begin(Result<Json>& line, bool whole, ChecksumState checksum) {
+    if (!whole) {
+      return Diagnostic{ErrorKind::MalformedInput, file_, "line 1", "is damaged: it says what was run",
+                        "Use an undamaged copy."};
+    }
+    record_ = std::move(*line);
+    ofHead_ = checksum;
+    return Done{};
+  }
+
+  /// A line that adds keys is none of ours, whatever its checksum: many of them would take hours.
+  bool hasOnlyKnownKeys(const Json& line) const {
+    const auto items = line.items();
+    return std::all_of(items.begin(), items.end(), [this](const auto& item) { return record_.contains(item.key()); });
+  }
+
+  void append(Json& line) {
+    for (auto& item : line.items()) {
+      Json& known = record_[item.key()];
+      if (known.is_array() && item.value().is_array()) {
+        for (Json& entry : item.value()) known.push_back(std::move(entry));
+      } else if (!item.value().is_null()) {
+        known = std::move(item.value());
+      }
+    }
+  }
+
+  std::string file_;
+  std::size_t valuesLeft_ = kMostJsonValues;
+  Json record_;
+  ChecksumState ofHead_ = ChecksumState::Missing;
+  std::optional<RunRecord::Loss> loss_;
+};
 
 /// Nobody holds it open for writing.
 bool isAbandoned(const fs::path& file) {
@@ -46,7 +130,7 @@ Result<std::unique_ptr<RunJournal>> RunJournal::begin(const RunRecord& record, c
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return failed(file, "cannot be locked");
   Json head = headToJson(record);
   addEvents({}, head);
-  const Outcome written = journal->write(head.dump());
+  const Outcome written = journal->writeLine(withChecksum(std::move(head)));
   if (!written) return written.error();
   return journal;
 }
@@ -56,20 +140,20 @@ RunJournal::~RunJournal() { ::close(descriptor_); }
 Outcome RunJournal::append(const RunLog& part) {
   Json events;
   addEvents(part, events);
-  return write(events.dump());
+  return writeLine(withChecksum(std::move(events)));
 }
 
 void RunJournal::discard() { ::unlink(file_.c_str()); }
 
-Outcome RunJournal::write(const std::string& line) {
-  const std::string text = line + "\n";
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = ::write(descriptor_, text.data() + done, text.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return failed(file_, "cannot be written");
-    done += static_cast<std::size_t>(count);
+Outcome RunJournal::writeLine(const std::string& line) {
+  const bool written = writeAll(descriptor_, line) && ::fdatasync(descriptor_) == 0;
+  if (written) {
+    size_ += static_cast<long>(line.size());
+    return Done{};
   }
-  return Done{};
+  const Diagnostic why = failed(file_, "cannot be written");
+  (void)::ftruncate(descriptor_, size_);  // else the next line would be one with the rest of this one
+  return why;
 }
 
 std::vector<std::string> abandonedJournals(const std::string& folder) {
@@ -96,32 +180,16 @@ Outcome saveJournal(const std::string& journal, const std::string& target, const
 bool isJournal(const std::string& text) { return text.rfind(kFirst, 0) == 0; }
 
 Result<Json> mergedJournal(const std::string& text, const std::string& file, const WorkWatch& watch) {
-  Json record;
+  JournalMerger merger(file);
   for (std::size_t begin = 0; begin < text.size();) {
     if (watch.stop.stopRequested()) return notReadToItsEnd(file);
     watch.report(static_cast<double>(begin) / static_cast<double>(text.size()));
-    const std::size_t end = text.find('\n', begin);
-    if (end == std::string::npos && !record.is_null()) break;  // cut off
-    auto line = parseJson(text.substr(begin, end - begin), file);
-    if (!line) return line.error();
-    begin = end == std::string::npos ? text.size() : end + 1;
-    if (record.is_null()) {
-      record = std::move(*line);
-      continue;
-    }
-    if (!line->is_object()) {
-      return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a line that is no object", "Correct the file."};
-    }
-    for (auto& item : line->items()) {
-      Json& known = record[item.key()];
-      if (known.is_array() && item.value().is_array()) {
-        for (Json& entry : item.value()) known.push_back(std::move(entry));
-      } else if (!item.value().is_null()) {
-        known = std::move(item.value());
-      }
-    }
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const Outcome added = merger.add(text.substr(begin, end - begin), watch.stop);
+    if (!added) return added.error();
+    begin = end + 1;
   }
-  return record;
+  return std::move(merger).record();
 }
 
 }  // namespace glissade

@@ -9,8 +9,9 @@
 namespace glissade {
 
 /// The record of a run while it goes on: each part is one more line of the file as soon as it is
-/// there, so that a killed program leaves all but the last second. readRunRecord reads it; a line that
-/// was cut off is left out. The file is locked as long as its writer lives.
+/// there, so that a killed program leaves all but the last second. Each line carries a checksum and is flushed
+/// to the disk, which takes milliseconds: not for the GUI thread. readRunRecord reads the file; a damaged line costs
+/// that line only. The file is locked as long as its writer lives.
 class RunJournal {
  public:
   /// A new file in the folder, which is made where it is missing. Begins with the record's head.
@@ -19,6 +20,7 @@ class RunJournal {
   RunJournal(const RunJournal&) = delete;
   RunJournal& operator=(const RunJournal&) = delete;
 
+  /// Errors: the disk does not take the line; the lines before it stay whole.
   Outcome append(const RunLog& part);
   /// Nobody needs it any more.
   void discard();
@@ -26,9 +28,10 @@ class RunJournal {
 
  private:
   RunJournal(int descriptor, std::string file) : descriptor_(descriptor), file_(std::move(file)) {}
-  Outcome write(const std::string& line);
+  Outcome writeLine(const std::string& line);
 
   int descriptor_;
+  long size_ = 0;  ///< bytes of the whole lines
   std::string file_;
 };
 

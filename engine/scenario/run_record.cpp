@@ -5,8 +5,9 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/run_record_json.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 
 namespace glissade {
 namespace {
@@ -20,14 +21,14 @@ constexpr std::size_t kMostBytes = 256U << 20;
 std::string text(const Json& json) {
   std::string result = "{";
   for (const auto& item : json.items()) {
-    result += (result.size() > 1 ? ",\n " : "\n ") + Json(item.key()).dump() + ": ";
+    result += (result.size() > 1 ? ",\n " : "\n ") + jsonText(item.key()) + ": ";
     if (!item.value().is_array() || item.value().empty()) {
-      result += item.value().dump();
+      result += jsonText(item.value());
       continue;
     }
     std::string separator = "[\n  ";
     for (const Json& entry : item.value()) {
-      result += separator + entry.dump();
+      result += separator + jsonText(entry);
       separator = ",\n  ";
     }
     result += "\n ]";
@@ -67,7 +68,7 @@ std::string problemSha256(const Scenario& scenario) {
     asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since
     asset.sha256.clear();                                   // those that were used are compared
   }
-  return sha256(writeScenario(problem));
+  return sha256(scenarioText(problem));
 }
 
 Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log) {
@@ -95,6 +96,8 @@ Outcome writeRunRecord(const RunRecord& record, const std::string& file) {
   Json json = headToJson(record);
   json["scenario"] = relativeTo(folderOf(file), record.scenario);
   addEvents(record.log, json);
+  addLoss(record.loss, json);
+  addChecksum(json);
   return writeFileAtomically(file, text(json));
 }
 
@@ -102,16 +105,28 @@ Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch)
   constexpr double kParsing = 0.8;  // of the work; the rest is taking the values
   const auto content = readFile(file, kMostBytes);
   if (!content) return content.error();
-  const auto document = isJournal(*content) ? mergedJournal(*content, file, watch.part(0.0, kParsing))
-                                            : parseJson(*content, file, watch.part(0.0, kParsing));
+  auto document = isJournal(*content) ? mergedJournal(*content, file, watch.part(0.0, kParsing))
+                                      : parseJson(*content, file, watch.part(0.0, kParsing));
   if (!document) return document.error();
+  const ChecksumState checksum = takeChecksum(*document);
   try {
     RunRecord record = readRecord(JsonCursor(*document, file, ""), watch.part(kParsing, 1.0));
+    if (checksum == ChecksumState::Wrong) {
+      return wrongChecksum(file, "Use an undamaged copy. To replay an edited recording, remove its checksum.");
+    }
     record.scenario = findScenario(record.scenario, file);
     return record;
   } catch (const JsonError& error) {
     return error.diagnostic;
   }
+}
+
+std::optional<Diagnostic> lossWarning(const RunRecord& record, const std::string& file) {
+  if (!record.loss) return std::nullopt;
+  return Diagnostic{ErrorKind::MalformedInput, file, "",
+                    "is damaged: " + std::to_string(record.loss->lines) + " lines of the journal are lost",
+                    "Nothing is missing until step " + std::to_string(record.loss->afterStep) +
+                        "; the replay may differ from the run after it."};
 }
 
 }  // namespace glissade

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct RunRecord {
     std::string sha256;
   };
 
+  /// What a damaged journal does not tell any more.
+  struct Loss {
+    std::size_t lines = 0;        ///< how many of its lines are damaged or cut off
+    std::uint64_t afterStep = 0;  ///< up to here nothing is missing
+  };
+
   int version = 2;            ///< of the file; 1 knows no semantic edits and no checkpoints
   std::string program;        ///< "Glissade 0.1.0"
   std::string build;          ///< compiler, processor, flags
@@ -25,6 +32,7 @@ struct RunRecord {
   std::vector<AssetHash> assets;
   std::map<ParameterId, double> parameters;  ///< at the start
   RunLog log;                                ///< its start.parameters are set by replayLog()
+  std::optional<Loss> loss;                  ///< nothing: the record is whole
 };
 
 /// The record of a run of this scenario. Errors: an asset can no longer be read.
@@ -37,10 +45,14 @@ void setLog(RunLog log, RunRecord& record);
 /// environment and rules. What a record holds itself (edits, planner, parameters, seed) is left out.
 std::string problemSha256(const Scenario& scenario);
 
-/// Version 2, saved atomically.
+/// Version 2 with a checksum, saved atomically.
 Outcome writeRunRecord(const RunRecord& record, const std::string& file);
-/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds.
+/// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds. A checksum that
+/// does not fit is an error; a record without one is read as it is. Of a journal only the damaged lines are lost.
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch = {});
+
+/// What a damaged journal costs; nothing where the record is whole.
+std::optional<Diagnostic> lossWarning(const RunRecord& record, const std::string& file);
 
 /// The record's log for this scenario, its parameters and edits checked. Refused (MalformedInput, or
 /// Usage where the scenario is another): what would not be the recorded run.

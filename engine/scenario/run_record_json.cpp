@@ -66,7 +66,7 @@ EditsPtr readEdits(const JsonCursor& at) {
 KnowledgeSource readKnowledge(const JsonCursor& at) {
   at.allowOnly({"environment", "semantics", "required_clearance"});
   return {readEnvironmentOptions(at.at("environment")), readEdits(at.at("semantics")),
-          at.at("required_clearance").positiveNumber()};
+          at.at("required_clearance").length()};
 }
 
 RunCheckpoint readCheckpoint(const JsonCursor& at) {
@@ -91,7 +91,7 @@ RunLog::HandPose readHandPose(const JsonCursor& at, const std::vector<RunLog::Ha
   RunLog::HandPose entry{readStep(at.element(0), before), std::nullopt};
   if (size == 1) return entry;
   Pose q;
-  for (std::size_t i = 0; i < 3; ++i) q.position[static_cast<Eigen::Index>(i)] = at.element(1 + i).number();
+  for (std::size_t i = 0; i < 3; ++i) q.position[static_cast<Eigen::Index>(i)] = at.element(1 + i).coordinate();
   for (std::size_t i = 0; i < 4; ++i) {
     q.orientation.coeffs()[static_cast<Eigen::Index>(i)] = at.element(4 + i).number();
   }
@@ -130,7 +130,7 @@ void readParameterChanges(const JsonCursor& changes, RunLog& log) {
 
 void readCommon(const JsonCursor& root, const WorkWatch& watch, RunRecord& record) {
   if (const auto program = root.find("program")) record.program = program->text();
-  record.scenario = root.at("scenario").text();
+  record.scenario = root.at("scenario").exactText();
   record.log.start.planner = root.at("planner").nonEmptyText();
   record.log.start.seed = root.at("seed").wholeNumber();
   const JsonCursor parameters = root.at("parameters");
@@ -153,10 +153,17 @@ void readVersion1(const JsonCursor& root, RunRecord& record) {
   record.log.end = end;
 }
 
+RunRecord::Loss readLoss(const JsonCursor& at) {
+  at.allowOnly({"lines", "after_step"});
+  const RunRecord::Loss loss{at.at("lines").wholeNumber(), at.at("after_step").wholeNumber()};
+  if (loss.lines == 0) at.at("lines").fail("is 0");
+  return loss;
+}
+
 void readVersion2(const JsonCursor& root, RunRecord& record) {
   root.allowOnly({"format", "version", "program", "build", "scenario", "problem_sha256", "assets", "planner", "seed",
                   "parameters", "semantics", "knowledge", "parameter_changes", "semantic_changes", "operator_stream",
-                  "checkpoints", "end", "cut_short"});
+                  "checkpoints", "end", "cut_short", "lost"});
   record.build = root.at("build").text();
   record.problemSha256 = root.at("problem_sha256").nonEmptyText();
   const JsonCursor assets = root.at("assets");
@@ -183,6 +190,7 @@ void readVersion2(const JsonCursor& root, RunRecord& record) {
     root.at("end").at("step").fail("comes before the last checkpoint");
   }
   log.cutShort = root.at("cut_short").boolean();
+  if (const auto lost = root.find("lost")) record.loss = readLoss(*lost);
 }
 
 Json toJson(const RunLog::ParameterChange& change) {
@@ -230,6 +238,10 @@ void addEvents(const RunLog& log, Json& json) {
   json["checkpoints"] = listOf(log.checkpoints);
   json["end"] = log.end ? toJson(*log.end) : Json(nullptr);
   json["cut_short"] = log.cutShort;
+}
+
+void addLoss(const std::optional<RunRecord::Loss>& loss, Json& json) {
+  if (loss) json["lost"] = {{"lines", loss->lines}, {"after_step", loss->afterStep}};
 }
 
 RunRecord readRecord(const JsonCursor& root, const WorkWatch& watch) {

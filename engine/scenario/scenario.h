@@ -20,7 +20,7 @@ enum class UpAxis { Y, Z };
 struct Asset {
   std::string id;
   std::string path;    ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
-  std::string sha256;  ///< of the content when the scenario was saved; empty: unknown
+  std::string sha256;  ///< of the content that was loaded, or when the scenario was saved; empty: unknown
   double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
   UpAxis up = UpAxis::Z;
   double deflection = 0.0;  ///< metres that triangles may be off a STEP surface; 0: by the size of each part
@@ -110,10 +110,12 @@ struct GeometryPart {
   std::optional<Colour> colour;
   double deflection = 0.0;           ///< metres that the mesh is off a STEP surface, about; else 0
   std::size_t facesWithoutMesh = 0;  ///< of STEP, that are missing because they could not be tessellated
+  double coordinateSpacing = 0.0;    ///< metres that vertices may be off for want of digits in the file; else 0
 };
 struct LoadedGeometry {
   std::vector<GeometryPart> parts;
   Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
+  std::string sha256;                    ///< of the bytes that it was read from; empty for primitives
 };
 using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
 /// By what was asked for: a file and how it is interpreted, or a primitive's sizes.
@@ -128,6 +130,8 @@ struct LoadedScenario {
   GeometryCache geometry;            ///< what the bodies and the object are made of
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;
+  /// Metres that vertices may be off because their file holds 32-bit numbers, by rigid body's id.
+  std::map<std::string, double> coordinateSpacings;
   Problem problem;
   ParameterValues parameters{1.0};
   Warnings warnings;
@@ -136,5 +140,9 @@ struct LoadedScenario {
 /// How far the surfaces of the object and of an obstacle may be, together, from where their triangles are:
 /// certificates are about the triangles. 0 where those are what there is.
 double surfaceDeviation(const LoadedScenario& scenario);
+
+/// How far vertices of the object and of an obstacle may be, together, from where the programs that wrote their
+/// files had them: the spacing of 32-bit numbers at their coordinates. 0 where the files hold decimal numbers.
+double coordinateSpacing(const LoadedScenario& scenario);
 
 }  // namespace glissade

@@ -25,10 +25,10 @@ Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& st
 Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
                                        const GeometryCache& known = {}, const StopToken& stop = {});
 
-/// SHA-256 of an asset's file as it is now. Errors: it cannot be read.
+/// SHA-256 of what was loaded as the asset; of its file as it is now where nothing was. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);
 
-/// Fills in the content hashes of the assets, then saves atomically (write, fsync, read back,
+/// Fills in the content hashes of assets that were not loaded, then saves atomically (write, fsync, read back,
 /// rename, fsync the folder). The old file survives any failure.
 Outcome saveScenario(const Scenario& scenario, const std::string& file);
 

@@ -2,11 +2,16 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/base/file_versions.h"
+#include "engine/base/utf8.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/import/file_content.h"
+#include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/extent_check.h"
 #include "engine/scenario/geometry_loader.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 
 namespace glissade {
 namespace {
@@ -46,14 +51,31 @@ void warnIfIncomplete(const LoadedGeometry& geometry, const std::string& id, con
   }
 }
 
-/// `merged`: all parts are one rigid body.
-void noteDeflections(const LoadedGeometry& geometry, const std::string& bodyId, bool merged,
-                     std::map<std::string, double>& deflections) {
+/// The largest of a body's values; nothing is noted where all are zero.
+void noteLargest(double value, const std::string& bodyId, std::map<std::string, double>& values) {
+  if (value == 0.0) return;
+  double& largest = values[bodyId];
+  largest = std::max(largest, value);
+}
+
+/// How far the geometry may be off. `merged`: all parts are one rigid body.
+void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId, bool merged, LoadedScenario& loaded) {
   for (const GeometryPart& part : geometry.parts) {
-    if (part.deflection == 0.0) continue;
-    double& deflection = deflections[merged ? bodyId : idOf(bodyId, part)];
-    deflection = std::max(deflection, part.deflection);
+    const std::string id = merged ? bodyId : idOf(bodyId, part);
+    noteLargest(part.deflection, id, loaded.deflections);
+    noteLargest(part.coordinateSpacing, id, loaded.coordinateSpacings);
   }
+}
+
+/// The largest of the object and the largest of an obstacle, together.
+double largestOfBoth(const std::map<std::string, double>& values, const std::string& objectId) {
+  double object = 0.0;
+  double obstacle = 0.0;
+  for (const auto& [id, value] : values) {
+    double& largest = id == objectId ? object : obstacle;
+    largest = std::max(largest, value);
+  }
+  return object + obstacle;
 }
 
 std::vector<RigidBody> toBodies(const BodyDescription& description, const LoadedGeometry& geometry) {
@@ -134,23 +156,43 @@ Scenario toScenario(const OmplAppConfig& config) {
   return scenario;
 }
 
-Result<Scenario> readScenario(const std::string& file) {
+struct ReadScenario {
+  Scenario scenario;
+  std::string sha256;  ///< of a scenario's file
+  Warnings warnings;
+};
+
+Result<ReadScenario> readScenario(const std::string& file) {
   if (std::filesystem::path(file).extension() == ".cfg") {
     const auto config = readOmplAppConfig(file);
     if (!config) return config.error();
-    return toScenario(*config);
+    return ReadScenario{toScenario(*config), "", {}};
   }
   const auto text = readFile(file, kMostScenarioBytes);
   if (!text) return text.error();
-  return parseScenario(*text, file);
+  Warnings warnings;
+  auto scenario = parseScenario(*text, file, warnings);
+  if (!scenario) return scenario.error();
+  return ReadScenario{std::move(*scenario), sha256(*text), std::move(warnings)};
 }
+
+SaveResult notSaved(const Diagnostic& why) { return {SaveStatus::Failed, why, {}, {}}; }
 
 }  // namespace
 
 Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop) {
-  auto scenario = readScenario(file);
-  if (!scenario) return scenario.error();
-  return realiseScenario(std::move(*scenario), folderOf(file), file, {}, stop);
+  auto opened = openScenarioFile(file, stop);
+  if (!opened) return opened.error();
+  return std::move(opened->scenario);
+}
+
+Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop) {
+  auto read = readScenario(file);
+  if (!read) return read.error();
+  auto loaded = realiseScenario(std::move(read->scenario), folderOf(file), file, {}, stop);
+  if (!loaded) return loaded.error();
+  loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
+  return ScenarioFile{std::move(*loaded), std::move(read->sha256)};
 }
 
 Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
@@ -162,18 +204,21 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
     warnIfIncomplete(**geometry, body.id, file, loader.warnings());
-    noteDeflections(**geometry, body.id, false, loaded.deflections);
+    noteUncertainties(**geometry, body.id, false, loaded);
     for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
+    if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();
   }
   auto object = loadObject(scenario, file, loader);
   if (!object) return object.error();
-  noteDeflections(**loader.load(scenario.object.geometry), scenario.object.id, true, loaded.deflections);
+  noteUncertainties(**loader.load(scenario.object.geometry), scenario.object.id, true, loaded);
+  loader.noteHashes(scenario);
   loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());
   for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, loaded.warnings);
   warnIfOpen(loaded.object, file, loaded.warnings);
 
+  if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();
   loaded.problem.world = CollisionWorld::build(loaded.obstacles, loaded.object.mesh);
   // Files may be off by kQuaternionNorm; a rotation that stretches would falsify every distance.
   loaded.problem.start = normalized(scenario.start);
@@ -189,31 +234,41 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
 }
 
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile) {
-  const auto content = readFile(assetFile(asset, folderOf(scenarioFile)), kMostAssetBytes);
+  if (!asset.sha256.empty()) return asset.sha256;
+  const auto content = readContent(assetFile(asset, folderOf(scenarioFile)), mostFileBytes());
   if (!content) return content.error();
-  return sha256(*content);
+  return sha256(content->bytes);
 }
 
-Outcome saveScenario(const Scenario& scenario, const std::string& file) {
+SaveResult saveScenarioFile(const Scenario& scenario, const std::string& file,
+                            const std::optional<std::string>& replaces) {
   Scenario hashed = scenario;
   for (Asset& asset : hashed.assets) {
+    if (!isUtf8(asset.path)) {
+      return notSaved({ErrorKind::MalformedInput, asset.path, "",
+                       "has a name that is not valid UTF-8, which a scenario file cannot hold",
+                       "Rename the file or its folder."});
+    }
     const auto hash = assetSha256(asset, file);
-    if (!hash) return hash.error();
+    if (!hash) return notSaved(hash.error());
     asset.sha256 = *hash;
   }
   const std::string text = writeScenario(hashed);
-  if (const auto readBack = parseScenario(text, file); !readBack) return readBack.error();
-  return writeFileAtomically(file, text);
+  if (const auto readBack = parseScenario(text, file); !readBack) return notSaved(readBack.error());
+  return saveFile(file, text, {replaces, kKeptVersions, !replaces});
+}
+
+Outcome saveScenario(const Scenario& scenario, const std::string& file) {
+  const SaveResult saved = saveScenarioFile(scenario, file, std::nullopt);
+  return saved ? Outcome(Done{}) : Outcome(saved.why);
 }
 
 double surfaceDeviation(const LoadedScenario& scenario) {
-  double object = 0.0;
-  double obstacle = 0.0;
-  for (const auto& [id, deflection] : scenario.deflections) {
-    double& largest = id == scenario.object.id ? object : obstacle;
-    largest = std::max(largest, deflection);
-  }
-  return object + obstacle;
+  return largestOfBoth(scenario.deflections, scenario.object.id);
+}
+
+double coordinateSpacing(const LoadedScenario& scenario) {
+  return largestOfBoth(scenario.coordinateSpacings, scenario.object.id);
 }
 
 }  // namespace glissade

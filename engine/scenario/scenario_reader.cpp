@@ -1,8 +1,10 @@
 #include <array>
 #include <set>
 
+#include "engine/base/limits.h"
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 
 namespace glissade {
@@ -27,15 +29,15 @@ Asset readAsset(const JsonCursor& at) {
   at.allowOnly({"id", "path", "sha256", "unit", "up_axis", "deflection"});
   Asset asset;
   asset.id = at.at("id").nonEmptyText();
-  asset.path = at.at("path").nonEmptyText();
+  asset.path = at.at("path").exactText();
   if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
-  if (const auto unit = at.find("unit")) asset.unit = unit->positiveNumber();
+  if (const auto unit = at.find("unit")) asset.unit = unit->length();
   if (const auto up = at.find("up_axis")) {
     const std::string axis = up->text();
     if (axis != "y" && axis != "z") up->fail("is neither \"y\" nor \"z\"");
     asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
   }
-  if (const auto deflection = at.find("deflection")) asset.deflection = deflection->positiveNumber();
+  if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
   return asset;
 }
 
@@ -56,16 +58,16 @@ Geometry readGeometry(const JsonCursor& at, const std::set<std::string>& assets)
   }
   if (const auto box = at.find("box")) {
     const Vector3 size = box->vector();
-    if (size.minCoeff() <= 0.0) box->fail("has a size that is not above zero");
+    if (!limits::isSize(size.minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
     return BoxGeometry{size};
   }
   if (const auto cylinder = at.find("cylinder")) {
     cylinder->allowOnly({"radius", "length"});
-    return CylinderGeometry{cylinder->at("radius").positiveNumber(), cylinder->at("length").positiveNumber()};
+    return CylinderGeometry{cylinder->at("radius").length(), cylinder->at("length").length()};
   }
   const JsonCursor sphere = at.at("sphere");
   sphere.allowOnly({"radius"});
-  return SphereGeometry{sphere.at("radius").positiveNumber()};
+  return SphereGeometry{sphere.at("radius").length()};
 }
 
 BodyDescription readBody(const JsonCursor& at, const std::set<std::string>& assets) {
@@ -145,13 +147,13 @@ Scenario readScenario(const JsonCursor& root) {
   if (const auto description = root.find("description")) scenario.description = description->text();
   std::set<std::string> assets;
   const auto assetList = root.find("assets");
-  for (std::size_t i = 0; assetList && i < assetList->size(); ++i) {
+  for (std::size_t i = 0; assetList && i < assetList->sizeUpTo(limits::kMostBodies); ++i) {
     scenario.assets.push_back(readAsset(assetList->element(i)));
     checkId(assets, scenario.assets.back().id, assetList->element(i));
   }
   std::set<std::string> bodies;
   const JsonCursor bodyList = root.at("bodies");
-  for (std::size_t i = 0; i < bodyList.size(); ++i) {
+  for (std::size_t i = 0; i < bodyList.sizeUpTo(limits::kMostBodies); ++i) {
     scenario.bodies.push_back(readBody(bodyList.element(i), assets));
     checkId(bodies, scenario.bodies.back().id, bodyList.element(i));
   }
@@ -185,8 +187,16 @@ std::uint64_t readVersion(const JsonCursor& root) {
 }  // namespace
 
 Result<Scenario> parseScenario(const std::string& text, const std::string& file) {
+  Warnings ignored;
+  return parseScenario(text, file, ignored);
+}
+
+Result<Scenario> parseScenario(const std::string& text, const std::string& file, Warnings& warnings) {
   auto document = parseJson(text, file);
   if (!document) return document.error();
+  if (takeChecksum(*document) == ChecksumState::Wrong) {
+    warnings.push_back(wrongChecksum(file, "Check the scenario, then save it again or remove the checksum."));
+  }
   try {
     const std::uint64_t version = readVersion(JsonCursor(*document, file, ""));
     for (std::size_t v = version - 1; v < kMigrations.size(); ++v) kMigrations[v](*document);

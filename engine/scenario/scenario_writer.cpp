@@ -1,5 +1,6 @@
+#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 
 namespace glissade {
@@ -92,9 +93,7 @@ Json listOf(const Range& range) {
   return json;
 }
 
-}  // namespace
-
-std::string writeScenario(const Scenario& scenario) {
+Json scenarioJson(const Scenario& scenario) {
   Json json;
   json["format"] = "glissade-scenario";
   json["version"] = 1;
@@ -103,18 +102,30 @@ std::string writeScenario(const Scenario& scenario) {
   json["assets"] = listOf(scenario.assets);
   json["bodies"] = listOf(scenario.bodies);
   json["object"] = toJson(scenario.object);
-  json["start"] = toJson(scenario.start);
+  json["start"] = glissade::toJson(scenario.start);
   const Pose* goal = std::get_if<Pose>(&scenario.goal);
-  json["goal"] = goal != nullptr ? toJson(*goal) : Json("out");
-  json["workspace"] = {{"min", toJson(Vector3(scenario.workspace.min()))},
-                       {"max", toJson(Vector3(scenario.workspace.max()))}};
+  json["goal"] = goal != nullptr ? glissade::toJson(*goal) : Json("out");
+  json["workspace"] = {{"min", glissade::toJson(Vector3(scenario.workspace.min()))},
+                       {"max", glissade::toJson(Vector3(scenario.workspace.max()))}};
   json["way_points"] = listOf(scenario.wayPoints);
   json["planner"] = scenario.planner;
   json["parameters"] = Json::object();
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   addSemantics(scenario, json);
   json["seed"] = scenario.seed;
-  return json.dump(2) + "\n";
+  return json;
+}
+
+std::string textOf(const Json& json) { return jsonText(json, 2) + "\n"; }
+
+}  // namespace
+
+std::string scenarioText(const Scenario& scenario) { return textOf(scenarioJson(scenario)); }
+
+std::string writeScenario(const Scenario& scenario) {
+  Json json = scenarioJson(scenario);
+  addChecksum(json);
+  return textOf(json);
 }
 
 }  // namespace glissade

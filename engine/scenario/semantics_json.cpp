@@ -1,5 +1,6 @@
 #include "engine/scenario/semantics_json.h"
 
+#include "engine/base/limits.h"
 #include "engine/planning/planner.h"
 
 namespace glissade {
@@ -7,6 +8,11 @@ namespace glissade {
 using Json = JsonCursor::Json;
 
 namespace {
+
+/// Of an attribute; they are searched one after another.
+constexpr std::size_t kMostChoices = 1000;
+/// Of a strategy; they are tried one after another.
+constexpr std::size_t kMostRules = 1000;
 
 AttributeValue readValue(const JsonCursor& at) {
   if (at.json().is_boolean()) return at.boolean();
@@ -30,7 +36,7 @@ EnvironmentOptions readEnvironmentOptions(const JsonCursor& at) {
   at.allowOnly({"cell_size", "memory", "topology_level", "places"});
   EnvironmentOptions options;
   if (const auto size = at.find("cell_size")) {
-    options.cellSize = size->number();
+    options.cellSize = size->coordinate();
     if (options.cellSize < 0.0) size->fail("is below zero", "Give metres, or 0 for as fine as the memory allows.");
   }
   if (const auto memory = at.find("memory")) options.memory = memory->positiveNumber();
@@ -69,7 +75,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   if (const auto minimum = at.find("minimum")) definition.minimum = minimum->number();
   if (const auto maximum = at.find("maximum")) definition.maximum = maximum->number();
   const auto choices = at.find("choices");
-  for (std::size_t i = 0; choices && i < choices->size(); ++i) {
+  for (std::size_t i = 0; choices && i < choices->sizeUpTo(kMostChoices); ++i) {
     definition.choices.push_back(choices->element(i).nonEmptyText());
   }
   if (const auto description = at.find("description")) definition.description = description->text();
@@ -98,7 +104,7 @@ StrategyRules readRules(const JsonCursor& at) {
   rules.node = at.at("node").nonEmptyText();
   rules.edge = at.at("edge").nonEmptyText();
   const JsonCursor fine = at.at("fine");
-  for (std::size_t i = 0; i < fine.size(); ++i) {
+  for (std::size_t i = 0; i < fine.sizeUpTo(kMostRules); ++i) {
     const JsonCursor rule = fine.element(i);
     rule.allowOnly({"when", "geometrical", "local"});
     rules.fine.push_back({rule.at("when").nonEmptyText(), rule.has("geometrical") && rule.at("geometrical").boolean(),
@@ -141,7 +147,7 @@ template <class Item, class Read>
 std::vector<Item> readList(const JsonCursor& root, const char* key, Read read) {
   std::vector<Item> items;
   const auto list = root.find(key);
-  for (std::size_t i = 0; list && i < list->size(); ++i) items.push_back(read(list->element(i)));
+  for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) items.push_back(read(list->element(i)));
   return items;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/session/guidance_target.h"
 #include "engine/session/operator_hand.h"
 #include "engine/session/session_core.h"
+#include "engine/session/session_with_planners.h"
 #include "engine/session/start_tree_distance.h"
 
 namespace glissade {
@@ -12,10 +13,10 @@ namespace {
 /// One thread, one clock: every planner step is 1 / steps_per_second of the operator's time.
 class Lockstep final : public LockstepSession {
  public:
-  explicit Lockstep(SessionConfig config)
-      : core_(config.problem, config.parameters, config.plannerId, config.seed),
-        hand_(config.problem, std::move(config.device)),
-        tree_(config.problem.metric()) {
+  Lockstep(SessionConfig config, std::unique_ptr<OperatorDevice> device, PlannerRegistry planners)
+      : core_(std::move(config), std::move(planners)),
+        hand_(core_.problem(), std::move(device)),
+        tree_(core_.problem().metric()) {
     publish();
   }
 
@@ -27,11 +28,11 @@ class Lockstep final : public LockstepSession {
   void advance(std::uint64_t steps, const StopToken& stop) override {
     carryOutCommands();
     if (core_.state() == SessionState::Planning) {
-      plan(steps, stop);
+      core_.attempt("planning", [&] { plan(steps, stop); });
     } else if (core_.state() != SessionState::Paused) {
       for (std::uint64_t i = 0; i < steps; ++i) tick();
     }
-    publish();
+    core_.publish([this] { publish(); });
     if (wakeUp_) wakeUp_();
   }
 
@@ -40,10 +41,11 @@ class Lockstep final : public LockstepSession {
     for (const Command& command : std::exchange(commands_, {})) {
       if (const auto* put = std::get_if<command::SetDevicePose>(&command)) hand_.put(put->q_device);
       const std::uint64_t runBefore = core_.run();
-      core_.carryOut(command);
+      core_.attempt(workOf(command), [&] { core_.carryOut(command); });
       if (core_.run() != runBefore) {
+        deviceProblem_.reset();
         tree_.reset();
-        hand_.restart();
+        guardHand([this] { hand_.restart(); });
       }
     }
   }
@@ -63,8 +65,15 @@ class Lockstep final : public LockstepSession {
   }
 
   void tick() {
-    if (core_.planner() != nullptr) tree_.update(core_.planner()->nodes());
-    hand_.advance(secondsPerStep(), frame_, tree_, guidance());
+    guardHand([this] {
+      if (core_.planner() != nullptr) tree_.update(core_.planner()->nodes());
+      hand_.advance(secondsPerStep(), frame_, tree_, guidance());
+    });
+  }
+
+  template <class Work>
+  void guardHand(const Work& work) {
+    if (auto why = guarded(OperatorHand::kWork, work)) deviceProblem_ = hand_.giveUp(std::move(*why));
   }
 
   Guidance guidance() {
@@ -81,6 +90,7 @@ class Lockstep final : public LockstepSession {
     next->virtualSeconds = static_cast<double>(next->counts.steps) * secondsPerStep();
     next->device = hand_.sample();
     next->deviceConnected = hand_.connected();
+    if (deviceProblem_) next->problem = deviceProblem_;
     snapshot_ = std::move(next);
   }
 
@@ -90,6 +100,7 @@ class Lockstep final : public LockstepSession {
   OperatorHand hand_;
   StartTreeDistance tree_;
   OperatorFrame frame_;
+  std::optional<Diagnostic> deviceProblem_;
   std::vector<Command> commands_;
   std::function<void()> wakeUp_;
   std::uint64_t revision_ = 0;
@@ -99,7 +110,12 @@ class Lockstep final : public LockstepSession {
 }  // namespace
 
 std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config) {
-  return std::make_unique<Lockstep>(std::move(config));
+  return makeLockstepSession(std::move(config), makePlannerRegistry());
+}
+
+std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config, PlannerRegistry planners) {
+  auto device = std::move(config.device);
+  return std::make_unique<Lockstep>(std::move(config), std::move(device), std::move(planners));
 }
 
 }  // namespace glissade

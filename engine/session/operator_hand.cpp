@@ -1,5 +1,7 @@
 #include "engine/session/operator_hand.h"
 
+#include "engine/base/guarded.h"
+
 namespace glissade {
 
 OperatorHand::OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device)
@@ -23,12 +25,26 @@ void OperatorHand::restart() {
   if (device_) device_->restart();
 }
 
+Diagnostic OperatorHand::giveUp(Diagnostic why) {
+  device_.reset();
+  // Where memory does not even suffice for these words, the diagnostic stays as it is.
+  (void)guarded(kWork, [&] {
+    why.place = "device";
+    why.advice = "Choose a device again.";
+  });
+  return why;
+}
+
 void OperatorHand::advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree,
                            const Guidance& guidance) {
   guidance_ = guidance;
   if (!device_) return;
-  const OperatorView view{sample_.q_device, frame, [&tree](const Pose& q) { return tree(q); }, tree.contactNodes(),
-                          [this] { return sample().nearest.distance; }, guidance};
+  const OperatorView view{sample_.q_device,
+                          frame,
+                          [&tree](const Pose& q) { return tree(q); },
+                          tree.contactNodes(),
+                          [this] { return sample().nearest.distance; },
+                          guidance};
   put(device_->advance(dt, view, bounds_));
 }
 

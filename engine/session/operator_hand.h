@@ -2,7 +2,9 @@
 
 #include <memory>
 #include <optional>
+#include <string_view>
 
+#include "engine/base/diagnostic.h"
 #include "engine/operator/operator_input.h"
 #include "engine/planning/operator_sample.h"
 #include "engine/planning/problem.h"
@@ -30,8 +32,10 @@ class OperatorHand {
   void put(const Pose& q_device);
   /// A new run: the object is back at the start and the device begins anew.
   void restart();
-  /// Lets the object go for good (its device failed).
-  void release() { device_.reset(); }
+  /// What advance() is called for, for the diagnostic of an exception that leaves it.
+  static constexpr std::string_view kWork = "moving the object with the device";
+  /// Lets the object go for good because its device has failed, and returns what to tell the user.
+  Diagnostic giveUp(Diagnostic why);
   /// `guidance` also holds for sample().
   void advance(double dt, const OperatorFrame& frame, const StartTreeDistance& tree, const Guidance& guidance);
   /// Nothing where nobody holds the object.

@@ -26,7 +26,8 @@ Problem atStart(Problem problem, const RunStart& start) {
 class Replay final : public ReplaySession {
  public:
   Replay(const Problem& problem, std::shared_ptr<const RunLog> log, ReplayEnd end)
-      : core_(atStart(problem, log->start), parametersOf(*log, end), log->start.planner, log->start.seed),
+      : core_({atStart(problem, log->start), parametersOf(*log, end), log->start.planner, log->start.seed, nullptr},
+              makePlannerRegistry()),
         log_(std::move(log)),
         end_(end),
         query_(problem.world->makeQuery()),
@@ -46,19 +47,19 @@ class Replay final : public ReplaySession {
     std::uint64_t left = steps;
     while (left > 0 && core_.state() == SessionState::Planning && !stop.stopRequested()) {
       if (atEnd()) {
-        core_.carryOut(command::Stop{});
+        core_.attempt("stopping the planner", [this] { core_.carryOut(command::Stop{}); });
       } else {
-        plan(left, stop);
+        core_.attempt("planning", [&] { plan(left, stop); });
       }
     }
-    publish();
+    core_.publish([this] { publish(); });
     if (wakeUp_) wakeUp_();
   }
 
  private:
   void carryOut(const Command& command) {
     const std::uint64_t runBefore = core_.run();
-    core_.carryOut(command);
+    core_.attempt(workOf(command), [&] { core_.carryOut(command); });
     if (core_.run() == runBefore) return;
     nextPose_ = nextParameter_ = nextEdits_ = 0;
     held_ = false;

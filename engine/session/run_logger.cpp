@@ -51,11 +51,13 @@ void RunLogger::stepDone(const Planner& planner, double seconds, bool whole) {
 const RunLogParts& RunLogger::parts(bool ended) {
   const auto now = std::chrono::steady_clock::now();
   if (!news_ || (!ended && !parts_.empty() && now - lastPart_ < kPartInterval)) return parts_;
-  lastPart_ = now;
   RunLog next;
   next.start = pending_.start;
   next.cutShort = pending_.cutShort;
-  parts_.push_back(std::make_shared<const RunLog>(std::exchange(pending_, std::move(next))));
+  const auto part = std::make_shared<RunLog>();
+  parts_.push_back(part);
+  *part = std::exchange(pending_, std::move(next));  // throws nothing: no entry is lost where memory ends
+  lastPart_ = now;
   news_ = false;
   return parts_;
 }

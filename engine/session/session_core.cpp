@@ -1,7 +1,7 @@
 #include "engine/session/session_core.h"
 
-#include <exception>
 #include <sstream>
+#include <utility>
 
 #include "engine/base/cpu_time.h"
 #include "engine/planning/coarse/scene_knowledge.h"
@@ -26,6 +26,14 @@ std::string grouped(std::uint64_t count) {
 double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + planner.helpersCpuSeconds(); }
 
 }  // namespace
+
+std::string_view workOf(const Command& command) {
+  if (std::holds_alternative<command::Start>(command)) return "starting the planner";
+  if (std::holds_alternative<command::SmoothPath>(command)) return "smoothing the path";
+  if (std::holds_alternative<command::ExaminePath>(command)) return "examining the path";
+  if (std::holds_alternative<command::Stop>(command)) return "stopping the planner";
+  return "changing the settings of the run";
+}
 
 /// The planner's view of the session.
 class SessionCore::Host final : public PlannerHost {
@@ -61,14 +69,31 @@ class SessionCore::Host final : public PlannerHost {
   StopToken stop_;
 };
 
-SessionCore::SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed)
-    : problem_(std::move(problem)),
-      registry_(makePlannerRegistry()),
-      parameters_(parameters),
-      plannerId_(std::move(plannerId)),
-      seed_(seed) {}
+SessionCore::SessionCore(SessionConfig config, PlannerRegistry planners)
+    : problem_(std::move(config.problem)),
+      registry_(std::move(planners)),
+      parameters_(config.parameters),
+      plannerId_(std::move(config.plannerId)),
+      seed_(config.seed) {}
 
 SessionCore::~SessionCore() = default;
+
+/// The planner may be left in the middle of a step: what it grew is collected as far as that is possible.
+void SessionCore::endAfterException(Diagnostic why) {
+  trouble_ = std::move(why);
+  stopClock();
+  if (state_ != SessionState::Planning && state_ != SessionState::Paused) return;
+  state_ = path_ ? SessionState::Solved : SessionState::Failed;
+  const auto second = guarded("completing the roadmap", [this] {
+    trouble_->place = plannerId_ + ", seed " + std::to_string(seed_);
+    if (planner_) planner_->completeRoadmap();
+  });
+  if (second) setPlannerAside();
+}
+
+void SessionCore::setPlannerAside() {
+  if (planner_) plannerAside_ = std::move(planner_);
+}
 
 void SessionCore::carryOut(const Command& wanted, const WorkWatch& watch) {
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
@@ -92,7 +117,9 @@ void SessionCore::carryOut(const Command& wanted, const WorkWatch& watch) {
   } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
     problem_.scene.knowledge = known->knowledge;
   } else if (const auto* smooth = std::get_if<command::SmoothPath>(&wanted)) {
-    if (state_ == SessionState::Solved) smoothPath(smooth->attempts, watch);
+    if (state_ != SessionState::Solved) return;
+    trouble_.reset();
+    smoothPath(smooth->attempts, watch);
   } else if (const auto* given = std::get_if<command::ExaminePath>(&wanted)) {
     if (run_ == 0) examine(*given, watch);
   }
@@ -122,11 +149,13 @@ void SessionCore::setParameter(ParameterId id, double value) {
 
 void SessionCore::startRun() {
   ++run_;
+  state_ = SessionState::Planning;
   trouble_.reset();
   path_.reset();
   refused_.reset();
   provenance_ = {plannerId_, seed_};
   planner_.reset();
+  plannerAside_.reset();
   roadmap_.reset();
   const SceneDescription& scene = problem_.scene;
   logger_.start({plannerId_, seed_, parameters_, scene.edits,
@@ -145,28 +174,37 @@ void SessionCore::startRun() {
     return;
   }
   planner_ = entry->make(problem_, seed_);
-  state_ = SessionState::Planning;
 }
 
 void SessionCore::plan(const Hooks& hooks) {
   Host host(*this, hooks);
+  cpuBefore_ = cpuSeconds(*planner_);
   planningSince_ = std::chrono::steady_clock::now();
-  const double cpuBefore = cpuSeconds(*planner_);
-  try {
-    if (planner_->solve(host)) {
-      planned_ = std::make_shared<const Path>(*planner_->path());
-      smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(hooks.stop));
-      endRun(SessionState::Solved);
-    } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
-      fail(*why);
-    }
-  } catch (const std::exception& error) {
-    fail({ErrorKind::Internal, "", plannerId_, std::string("the planner failed: ") + error.what(),
-          "Please report it with the scenario and the seed " + std::to_string(seed_) + "."});
+  if (planner_->solve(host)) {
+    deliverPath(hooks.stop);
+    endRun(SessionState::Solved);
+  } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
+    fail(*why);
   }
+  stopClock();
+}
+
+void SessionCore::stopClock() {
+  if (!planningSince_) return;
   spent_ += std::chrono::steady_clock::now() - *planningSince_;
   planningSince_.reset();
-  cpuSpent_ += cpuSeconds(*planner_) - cpuBefore;
+  cpuSpent_ += cpuSeconds(*planner_) - cpuBefore_;
+}
+
+/// Where smoothing fails, the path is delivered as it was planned.
+void SessionCore::deliverPath(const StopToken& stop) {
+  planned_ = std::make_shared<const Path>(*planner_->path());
+  auto why = guarded("smoothing the path",
+                     [&] { smoothPath(parameters_.integer(ParameterId::Smoothing), withTimeLimit(stop)); });
+  if (!why) return;
+  trouble_ = std::move(why);
+  path_ = planned_;
+  smoothed_ = false;
 }
 
 void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {

@@ -5,7 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
+#include "engine/base/guarded.h"
 #include "engine/base/work_watch.h"
 #include "engine/session/roadmap_publisher.h"
 #include "engine/session/run_logger.h"
@@ -13,16 +16,38 @@
 
 namespace glissade {
 
+/// What is done for a command, as guarded() names it.
+std::string_view workOf(const Command& command);
+
 /// What a session's two implementations share: the state machine of a run. Lives on the planning
 /// thread (or in the lockstep loop) and knows neither threads nor clocks of the operator.
 class SessionCore {
  public:
-  SessionCore(Problem problem, ParameterValues parameters, std::string plannerId, std::uint64_t seed);
+  /// Takes everything but the device.
+  SessionCore(SessionConfig config, PlannerRegistry planners);
   ~SessionCore();
 
   /// Every command but SetDevicePose, which is the operator side's and does nothing here. `watch` is for
   /// SmoothPath and ExaminePath, which take their time: stopped, all stays as it was.
   void carryOut(const Command& command, const WorkWatch& watch = {});
+
+  /// Calls `work`, which calls carryOut() or plan(). An exception becomes the session's problem here and nowhere
+  /// else: a run under way ends as Failed, or as Solved where its path was delivered. The next Start begins anew.
+  template <class Work>
+  void attempt(std::string_view doing, const Work& work) {
+    if (auto why = guarded(doing, work)) endAfterException(std::move(*why));
+  }
+  /// Calls `publish`, which calls describe(), between two turns of the planner. Where that fails the run ends, its
+  /// planner is set aside and `publish` is called once more.
+  template <class Publish>
+  void publish(const Publish& publish) {
+    constexpr std::string_view kDoing = "publishing the roadmap";
+    auto why = guarded(kDoing, publish);
+    if (!why) return;
+    endAfterException(std::move(*why));
+    setPlannerAside();
+    attempt(kDoing, publish);
+  }
 
   SessionState state() const { return state_; }
   /// Counts the runs started so far.
@@ -41,7 +66,7 @@ class SessionCore {
     StopToken stop;
   };
   /// Grows the roadmap until the run ends or a hook ends the call. Precondition: state() == Planning.
-  /// Exceptions of the planner end the run as an internal error.
+  /// Passes on the exceptions of the planner.
   void plan(const Hooks& hooks);
 
   /// Fills in the planning side of a snapshot and publishes new roadmap nodes.
@@ -63,8 +88,12 @@ class SessionCore {
   void setParameter(ParameterId id, double value);
   void smoothPath(int attempts, const WorkWatch& watch);
   void examine(const command::ExaminePath& given, const WorkWatch& watch);
+  void deliverPath(const StopToken& stop);
   void endRun(SessionState state);
   void fail(Diagnostic why);
+  void endAfterException(Diagnostic why);
+  void setPlannerAside();
+  void stopClock();
   std::optional<Diagnostic> limitReached() const;
   StopToken withTimeLimit(const StopToken& stop) const;
 
@@ -78,6 +107,9 @@ class SessionCore {
   std::optional<Diagnostic> trouble_;
   std::uint64_t run_ = 0;
   std::unique_ptr<Planner> planner_;
+  /// Not to be asked any more. It lives until the next Start, because OMPL's destructors allocate memory and end the
+  /// program where there is none.
+  std::unique_ptr<Planner> plannerAside_;
   RoadmapPublisher roadmap_;
   std::shared_ptr<const Path> path_;     ///< delivered
   std::shared_ptr<const Path> planned_;  ///< the same before it was smoothed
@@ -86,7 +118,8 @@ class SessionCore {
   PathProvenance provenance_;  ///< of path_ or refused_
   RunLogger logger_;
   std::chrono::duration<double> spent_{0};
-  double cpuSpent_ = 0.0;  ///< seconds
+  double cpuSpent_ = 0.0;   ///< seconds
+  double cpuBefore_ = 0.0;  ///< seconds at planningSince_
   std::optional<std::chrono::steady_clock::time_point> planningSince_;
 };
 

@@ -2,14 +2,15 @@
 #include <atomic>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <mutex>
 #include <thread>
 #include <utility>
 
+#include "engine/base/guarded.h"
 #include "engine/session/guidance_target.h"
 #include "engine/session/operator_hand.h"
 #include "engine/session/session_core.h"
+#include "engine/session/session_with_planners.h"
 #include "engine/session/start_tree_distance.h"
 
 namespace glissade {
@@ -28,27 +29,23 @@ constexpr std::chrono::milliseconds kPublishInterval{16};
 /// lie a command queue, a mailbox each way, and the parts that a snapshot is put together from.
 class Threaded final : public Session {
  public:
-  explicit Threaded(SessionConfig config)
-      : core_(config.problem, config.parameters, config.plannerId, config.seed),
-        hand_(config.problem, std::move(config.device)),
-        tree_(config.problem.metric()) {
+  Threaded(SessionConfig config, std::unique_ptr<OperatorDevice> device, PlannerRegistry planners)
+      : core_(std::move(config), std::move(planners)),
+        hand_(core_.problem(), std::move(device)),
+        tree_(core_.problem().metric()) {
     core_.describe(planning_);
     operatorSample_ = hand_.sample();
     held_ = hand_.held();
-    operatorThread_ = std::thread([this] { operatorLoop(); });
-    plannerThread_ = std::thread([this] { plannerLoop(); });
+    try {
+      operatorThread_ = std::thread([this] { operatorLoop(); });
+      plannerThread_ = std::thread([this] { plannerLoop(); });
+    } catch (...) {  // the system gives no more threads
+      endThreads();
+      throw;
+    }
   }
 
-  ~Threaded() override {
-    {
-      const std::lock_guard lock(mutex_);
-      quit_ = true;
-      stop_.requestStop();
-    }
-    commandsArrived_.notify_all();
-    plannerThread_.join();
-    operatorThread_.join();
-  }
+  ~Threaded() override { endThreads(); }
 
   void post(Command command) override {
     {
@@ -90,35 +87,46 @@ class Threaded final : public Session {
   }
 
  private:
+  void endThreads() {
+    {
+      const std::lock_guard lock(mutex_);
+      quit_ = true;
+      stop_.requestStop();
+    }
+    commandsArrived_.notify_all();
+    if (plannerThread_.joinable()) plannerThread_.join();
+    if (operatorThread_.joinable()) operatorThread_.join();
+  }
+
   // ---- planner thread ----
 
   void plannerLoop() {
     while (waitForWork()) {
-      if (core_.state() == SessionState::Planning) {
-        SessionCore::Hooks hooks;
-        hooks.hand = [this] { return readOperator(); };
-        hooks.operatorSample = [this] { return operatorSeen_; };
-        hooks.seconds = [this] { return core_.planningSeconds(); };
-        hooks.afterStep = [this] { return afterStep(); };
-        hooks.stop = freshStopToken();
-        core_.plan(hooks);
-      }
-      publishPlanning();
+      while (const auto command = nextCommand()) carryOut(*command);
+      if (core_.state() == SessionState::Planning) core_.attempt("planning", [this] { plan(); });
+      core_.publish([this] { publishPlanning(); });
     }
   }
 
-  /// Carries out what was asked for; sleeps while there is nothing to do. False: the session ends.
+  /// Sleeps while there is nothing to do. False: the session ends.
   bool waitForWork() {
-    std::deque<Command> commands;
-    {
-      std::unique_lock lock(mutex_);
-      commandsArrived_.wait(lock,
-                            [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
-      if (quit_) return false;
-      commands.swap(commands_);
-    }
-    for (const Command& command : commands) {
-      const std::uint64_t runBefore = core_.run();
+    std::unique_lock lock(mutex_);
+    commandsArrived_.wait(lock,
+                          [this] { return quit_ || !commands_.empty() || core_.state() == SessionState::Planning; });
+    return !quit_;
+  }
+
+  std::optional<Command> nextCommand() {
+    const std::lock_guard lock(mutex_);
+    if (quit_ || commands_.empty()) return std::nullopt;
+    std::optional<Command> next = std::move(commands_.front());
+    commands_.pop_front();
+    return next;
+  }
+
+  void carryOut(const Command& command) {
+    const std::uint64_t runBefore = core_.run();
+    core_.attempt(workOf(command), [&] {
       if (std::holds_alternative<command::SmoothPath>(command)) {
         work(command, PathWork::Kind::Smoothing);
       } else if (std::holds_alternative<command::ExaminePath>(command)) {
@@ -126,12 +134,22 @@ class Threaded final : public Session {
       } else {
         core_.carryOut(command);
       }
-      if (core_.run() == runBefore) continue;
-      const std::lock_guard lock(mutex_);
-      restartWanted_ = true;
-      chunks_.clear();
-    }
-    return true;
+    });
+    if (core_.run() == runBefore) return;
+    const std::lock_guard lock(mutex_);
+    restartWanted_ = true;
+    operatorTrouble_.reset();
+    chunks_.clear();
+  }
+
+  void plan() {
+    SessionCore::Hooks hooks;
+    hooks.hand = [this] { return readOperator(); };
+    hooks.operatorSample = [this] { return operatorSeen_; };
+    hooks.seconds = [this] { return core_.planningSeconds(); };
+    hooks.afterStep = [this] { return afterStep(); };
+    hooks.stop = freshStopToken();
+    core_.plan(hooks);
   }
 
   /// Publishes how far it is.
@@ -191,14 +209,17 @@ class Threaded final : public Session {
 
   void operatorLoop() {
     auto last = Clock::now();
-    while (operatorTick(std::min(kLongestTick, std::chrono::duration<double>(Clock::now() - last).count()), last)) {
+    for (bool goesOn = true; goesOn; std::this_thread::sleep_until(last + kOperatorTick)) {
+      const double dt = std::min(kLongestTick, std::chrono::duration<double>(Clock::now() - last).count());
+      last = Clock::now();
+      auto why = guarded(OperatorHand::kWork, [&] { goesOn = operatorTick(dt); });
+      if (why) giveUpDevice(std::move(*why));
       wakeWindow();
-      std::this_thread::sleep_until(last + kOperatorTick);
     }
   }
 
-  bool operatorTick(double dt, Clock::time_point& last) {
-    last = Clock::now();
+  /// False: the session ends.
+  bool operatorTick(double dt) {
     OperatorFrame frame;
     std::optional<Pose> put;
     bool restart = false;
@@ -211,16 +232,18 @@ class Threaded final : public Session {
       restart = std::exchange(restartWanted_, false);
       sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan};
     }
-    try {
-      moveHand(dt, frame, put, restart, sight);
-    } catch (const std::exception& error) {
-      hand_.release();
-      const std::lock_guard lock(mutex_);
-      operatorTrouble_ = Diagnostic{ErrorKind::Internal, "", "device",
-                                    std::string("the device failed: ") + error.what(), "Choose a device again."};
-    }
+    moveHand(dt, frame, put, restart, sight);
     publishOperator();
     return true;
+  }
+
+  void giveUpDevice(Diagnostic why) {
+    Diagnostic problem = hand_.giveUp(std::move(why));
+    const std::lock_guard lock(mutex_);
+    operatorTrouble_ = std::move(problem);
+    held_ = false;
+    deviceConnected_ = true;  // there is none
+    dirty_ = true;
   }
 
   void moveHand(double dt, const OperatorFrame& frame, const std::optional<Pose>& put, bool restart,
@@ -259,7 +282,9 @@ class Threaded final : public Session {
       wakeUpPending_ = true;
       lastWakeUp_ = now;
     }
-    wakeUp_();
+    if (!guarded("announcing a snapshot", wakeUp_)) return;
+    const std::lock_guard lock(mutex_);
+    wakeUpPending_ = false;  // the next tick tries again
   }
 
   SessionCore core_;                   ///< planner thread
@@ -298,7 +323,12 @@ class Threaded final : public Session {
 }  // namespace
 
 std::unique_ptr<Session> makeThreadedSession(SessionConfig config) {
-  return std::make_unique<Threaded>(std::move(config));
+  return makeThreadedSession(std::move(config), makePlannerRegistry());
+}
+
+std::unique_ptr<Session> makeThreadedSession(SessionConfig config, PlannerRegistry planners) {
+  auto device = std::move(config.device);
+  return std::make_unique<Threaded>(std::move(config), std::move(device), std::move(planners));
 }
 
 }  // namespace glissade

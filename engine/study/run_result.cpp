@@ -57,12 +57,11 @@ std::string textAt(const Json& report, const char* pointer) {
   return report.contains(where) && report.at(where).is_string() ? report.at(where).get<std::string>() : "";
 }
 
-/// What the standard library says where memory ends: in the error of a planner that caught it, or
-/// on standard error.
+/// What guarded() and the standard library say where memory ends: in the error of the report, or on standard error.
 bool saysOutOfMemory(const std::string& text) { return text.find("bad_alloc") != std::string::npos; }
 
-RunStatus statusOf(const ProcessEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {
-  if (end.killed) return RunStatus::Time;
+RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& outcome, double timeLimit) {
+  if (end.ending == ChildEnding::TimeOver) return RunStatus::Time;
   if (saysOutOfMemory(end.errors) || saysOutOfMemory(outcome.result.message)) return RunStatus::Memory;
   if (end.signal != 0 || !report.is_object()) return RunStatus::Crashed;
   const std::string said = textAt(report, "/status");
@@ -73,8 +72,9 @@ RunStatus statusOf(const ProcessEnd& end, const Json& report, const RunOutcome& 
   return *status == RunStatus::LimitReached && outOfTime ? RunStatus::Time : *status;
 }
 
-std::string messageOf(const ProcessEnd& end, const Json& report) {
-  if (end.killed) return "killed over its time limit";
+std::string messageOf(const ChildEnd& end, const Json& report) {
+  if (end.ending == ChildEnding::TimeOver) return "killed at the end of its time limit";
+  if (end.ending == ChildEnding::OutputTooLarge) return "killed because it wrote too much output";
   if (end.signal != 0) return "ended by signal " + std::to_string(end.signal);
   const std::string reason = textAt(report, "/error/reason");
   if (!reason.empty()) return firstLine(reason);
@@ -99,7 +99,7 @@ bool dependsOnMachine(RunStatus status) {
          status == RunStatus::Error;
 }
 
-RunOutcome outcomeOf(const ProcessEnd& end, double timeLimit) {
+RunOutcome outcomeOf(const ChildEnd& end, double timeLimit) {
   RunOutcome outcome;
   outcome.timing.wallSeconds = end.wallSeconds;
   outcome.timing.cpuSeconds = end.cpuSeconds;
@@ -139,7 +139,7 @@ std::string writeRunRow(const RunRow& row) {
   json["timing"]["wall_s"] = timing.wallSeconds;
   json["timing"]["cpu_s"] = timing.cpuSeconds ? Json(*timing.cpuSeconds) : Json(nullptr);
   json["timing"]["peak_memory_mb"] = timing.peakMemoryMb;
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 namespace {

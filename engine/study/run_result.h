@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/child_process.h"
 #include "engine/base/result.h"
 
 namespace glissade {
@@ -65,20 +66,8 @@ struct RunOutcome {
   RunTiming timing;
 };
 
-/// What a run's process left behind.
-struct ProcessEnd {
-  std::string output;
-  std::string errors;
-  bool killed = false;  ///< by us, over its time
-  int signal = 0;       ///< that ended it; 0: it ended by itself
-  int exitCode = 0;     ///< meaningful when signal is 0
-  double wallSeconds = 0.0;
-  double cpuSeconds = 0.0;  ///< user's and system's, with its children
-  double peakMemoryMb = 0.0;
-};
-
 /// Reads the end of a `glissade-cli plan --json`. Never fails: what cannot be understood is Crashed.
-RunOutcome outcomeOf(const ProcessEnd& end, double timeLimit);
+RunOutcome outcomeOf(const ChildEnd& end, double timeLimit);
 
 /// The file of a run (JSON), and back. `plan` is the hash of the plan that the run belongs to.
 struct RunRow {

@@ -7,7 +7,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/scenario_file.h"
 #include "engine/study/study_reader.h"
 
 namespace glissade {
@@ -25,7 +25,7 @@ Result<KnownScenario> look(const std::string& file, Warnings& warnings) {
   auto loaded = loadScenario(file);
   if (!loaded) return loaded.error();
   warnings.insert(warnings.end(), loaded->warnings.begin(), loaded->warnings.end());
-  return KnownScenario{sha256(writeScenario(loaded->scenario)), loaded->parameters};
+  return KnownScenario{sha256(scenarioText(loaded->scenario)), loaded->parameters};
 }
 
 Outcome resolve(StudyCell& cell, const KnownScenario& known, const std::string& studyFile) {

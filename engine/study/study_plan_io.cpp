@@ -1,3 +1,4 @@
+#include "engine/scenario/json_reader.h"
 #include "engine/study/finding_reader.h"
 #include "engine/study/study_json.h"
 #include "engine/study/study_plan.h"
@@ -119,7 +120,7 @@ std::string writePlan(const StudyPlan& plan) {
   study_json::addHeading(json, plan.study.heading);
   json["cells"] = Json::array();
   for (const StudyCell& cell : plan.study.cells) json["cells"].push_back(toJson(cell));
-  return json.dump(1) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 Result<StudyPlan> readPlan(const std::string& text, const std::string& file) { return readJson(text, file, read); }

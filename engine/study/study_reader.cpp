@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::uint64_t kMostRuns = 10'000'000;
 constexpr double kMostCells = 100'000;
+/// And findings, and scenarios of a row: their names are looked up one after another.
+constexpr std::size_t kMostRows = 1000;
+constexpr std::uint64_t kMostMegabytes = 1ULL << 40U;  // in bytes it is still a 64-bit number
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -111,6 +114,7 @@ class Reader {
   /// The keys that study, rows and quick section have in common.
   void readAxes(const JsonCursor& at, StudyAxes& axes) const {
     if (const auto list = at.find("scenarios")) {
+      list->sizeUpTo(kMostRows);
       axes.scenarios = readSet(*list, [](const JsonCursor& name) { return name.nonEmptyText(); });
     }
     if (const auto list = at.find("strategies")) {
@@ -159,6 +163,7 @@ class Reader {
         axes.settings[*id] = at.number();
       } else {
         axes.memoryLimitMb = at.wholeNumber();
+        if (axes.memoryLimitMb > kMostMegabytes) at.fail("is beyond " + std::to_string(kMostMegabytes));
       }
     }
   }
@@ -187,6 +192,7 @@ class Reader {
       return;
     }
     std::set<std::string> labels;
+    list->sizeUpTo(kMostRows);
     rows_ = readList(*list, [&](const JsonCursor& at) {
       StudyRow row = readRow(at, axes);
       if (!labels.insert(row.label).second) at.at("label").fail("is there a second time", "Labels name rows.");
@@ -195,12 +201,18 @@ class Reader {
     });
   }
 
-  StudyRow readRow(const JsonCursor& at, const StudyAxes& axes) const {
+  StudyRow readRow(const JsonCursor& at, const StudyAxes& axes) {
     at.allowOnly({"label", "scenarios", "strategies", "operators", "parameters", "grid", "limits", "seeds", "paper"});
     StudyRow row{at.at("label").nonEmptyText(), axes, {}, ""};
     readAxes(at, row.axes);
+    countSeeds(row, at);
     if (const auto paper = at.find("paper")) row.paper = readPaper(*paper);
     return row;
+  }
+
+  void countSeeds(const StudyRow& row, const JsonCursor& at) {
+    seedsOfRows_ += row.axes.seeds.size();
+    if (seedsOfRows_ > kMostRuns) at.fail("makes too many runs", "Vary less, or less finely.");
   }
 
   std::map<std::string, PaperValue> readPaper(const JsonCursor& paper) const {
@@ -223,6 +235,7 @@ class Reader {
   void readFindings() {
     const auto list = root_.find("findings");
     if (!list) return;
+    list->sizeUpTo(kMostRows);
     study_.heading.findings = readList(*list, study_json::readFinding);
     for (std::size_t i = 0; i < list->size(); ++i) {
       const JsonCursor at = list->element(i);
@@ -257,8 +270,10 @@ class Reader {
     }
     quick->allowOnly({"seeds", "rows", "operators", "limits"});
     std::vector<StudyRow> kept;
+    seedsOfRows_ = 0;
     for (StudyRow& row : quickRows(*quick)) {
       readAxes(*quick, row.axes);
+      countSeeds(row, *quick);
       kept.push_back(std::move(row));
     }
     if (wanted) rows_ = std::move(kept);
@@ -282,10 +297,11 @@ class Reader {
 
   void spellOut() {
     double runs = 0.0;
+    double cells = 0.0;
     for (const StudyRow& row : rows_) {
       expectComplete(row);
-      const double cells = cellCount(row);
-      runs += cells * static_cast<double>(row.axes.seeds.size());
+      cells += cellCount(row);
+      runs += cellCount(row) * static_cast<double>(row.axes.seeds.size());
       if (cells > kMostCells || runs > kMostRuns)
         placeOf(row).fail("makes too many runs", "Vary less, or less finely.");
       for (StudyCell& cell : cellsOf(row)) study_.cells.push_back(std::move(cell));
@@ -310,6 +326,7 @@ class Reader {
   const JsonCursor& root_;
   std::vector<std::string> strategies_;
   std::vector<StudyRow> rows_;
+  std::uint64_t seedsOfRows_ = 0;  ///< of all rows together, which hold them in memory
   Study study_;
 };
 

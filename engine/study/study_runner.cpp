@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <deque>
+#include <list>
 #include <thread>
 
-#include "engine/study/limited_process.h"
+#include "engine/base/child_process.h"
 
 namespace glissade {
 namespace {
@@ -14,7 +15,7 @@ constexpr auto kNap = std::chrono::milliseconds(5);
 double timeLimitOf(const StudyCell& cell) { return cell.parameters.at(ParameterId::TimeLimit); }
 
 /// A run ends by itself at its time limit; one that does not (a long load, a hang) is killed later.
-double patienceOf(const StudyCell& cell) {
+double longestLifeOf(const StudyCell& cell) {
   const double limit = timeLimitOf(cell);
   return limit > 0.0 ? 1.25 * limit + 30.0 : 0.0;
 }
@@ -78,7 +79,7 @@ class Runner {
  private:
   struct Job {
     StudyRun run;
-    std::unique_ptr<LimitedProcess> process;
+    ChildProcess process;
   };
 
   const StudyCell& cellOf(const StudyRun& run) const { return folder_.plan().study.cells[run.cell]; }
@@ -87,9 +88,13 @@ class Runner {
     while (jobs_.size() < options_.jobs && !waiting_.empty()) {
       const StudyRun run = waiting_.front();
       const StudyCell& cell = cellOf(run);
-      auto process = LimitedProcess::start(options_.program,
-                                           planArguments(cell, run.seed, scenarioFileOf(options_.studyFile, cell)),
-                                           {patienceOf(cell), cell.memoryLimitMb});
+      ChildCommand command;
+      command.program = options_.program;
+      command.arguments = planArguments(cell, run.seed, scenarioFileOf(options_.studyFile, cell));
+      command.environment = requiredEnvironment();
+      command.limits.seconds = longestLifeOf(cell);
+      command.limits.memoryBytes = cell.memoryLimitMb << 20U;
+      auto process = ChildProcess::start(command);
       if (!process) return process.error();
       waiting_.pop_front();
       jobs_.push_back({run, std::move(*process)});
@@ -101,7 +106,7 @@ class Runner {
   Result<std::size_t> collect() {
     std::size_t ended = 0;
     for (auto job = jobs_.begin(); job != jobs_.end();) {
-      const auto end = job->process->poll();
+      const auto end = job->process.poll();
       if (!end) {
         ++job;
         continue;
@@ -147,7 +152,7 @@ class Runner {
   const std::function<void(const StudyProgress&)>& tell_;
   Estimate estimate_;
   std::deque<StudyRun> waiting_;
-  std::vector<Job> jobs_;
+  std::list<Job> jobs_;
   StudyProgress progress_;
 };
 

@@ -1,5 +1,6 @@
 #include "engine/study/summary_json.h"
 
+#include "engine/scenario/json_reader.h"
 #include "engine/study/repeat_command.h"
 #include "engine/study/study_json.h"
 
@@ -61,7 +62,7 @@ std::string summaryJson(const StudyFolder& folder, const std::vector<CellSummary
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     json["cells"].push_back(toJson(i, plan.study.cells[i], summaries[i]));
   }
-  return json.dump(1) + "\n";
+  return jsonText(json, 1) + "\n";
 }
 
 }  // namespace glissade

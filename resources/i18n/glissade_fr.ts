@@ -927,6 +927,80 @@
     </message>
 </context>
 <context>
+    <name>HelpPages</name>
+    <message>
+        <source>Keys and shortcuts</source>
+        <translation>Touches et raccourcis</translation>
+    </message>
+    <message>
+        <source>Steering</source>
+        <translation>Pilotage</translation>
+    </message>
+    <message>
+        <source>While the 3D view has the focus; directions are those of the view.</source>
+        <translation>Quand la vue 3D a le focus ; les directions sont celles de la vue.</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Raccourcis</translation>
+    </message>
+    <message>
+        <source>About Glissade</source>
+        <translation>À propos de Glissade</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;Assembly</source>
+        <translation>&amp;Assemblage</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Calcul</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tude</translation>
+    </message>
+    <message>
+        <source>&amp;Operator</source>
+        <translation>&amp;Opérateur</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>Lay&amp;ers</source>
+        <translation>&amp;Couches</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Panneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+</context>
+<context>
     <name>Parameters</name>
     <message>
         <source>Authority</source>
@@ -1181,6 +1255,49 @@
     </message>
 </context>
 <context>
+    <name>SaveConflict</name>
+    <message>
+        <source>The file is gone</source>
+        <translation>Le fichier n&apos;est plus là</translation>
+    </message>
+    <message>
+        <source>The file was changed</source>
+        <translation>Le fichier a été modifié</translation>
+    </message>
+    <message>
+        <source>Another program has removed or renamed the file since it was opened:</source>
+        <translation>Un autre programme a supprimé ou renommé le fichier depuis son ouverture :</translation>
+    </message>
+    <message>
+        <source>Another program has changed the file since it was opened:</source>
+        <translation>Un autre programme a modifié le fichier depuis son ouverture :</translation>
+    </message>
+    <message>
+        <source>Save it there again, or under another name.</source>
+        <translation>Enregistrez-le de nouveau à cet endroit, ou sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Overwrite it with your version: the other version stays under File &gt; Earlier versions. Or open the other version: your edits are lost. Or save your version under another name.</source>
+        <translation>Remplacez-le par votre version : l&apos;autre version reste sous Fichier &gt; Versions antérieures. Ou ouvrez l&apos;autre version : vos modifications sont perdues. Ou enregistrez votre version sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Save &amp;again</source>
+        <translation>Enregistrer de &amp;nouveau</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Remplacer</translation>
+    </message>
+    <message>
+        <source>Open the other &amp;version</source>
+        <translation>Ouvrir l&apos;autre &amp;version</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Enregistrer &amp;sous...</translation>
+    </message>
+</context>
+<context>
     <name>Status</name>
     <message>
         <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
@@ -1240,6 +1357,49 @@
     </message>
 </context>
 <context>
+    <name>UnsavedEditsDialog</name>
+    <message>
+        <source>The scenario was never saved.</source>
+        <translation>Le scénario n&apos;a jamais été enregistré.</translation>
+    </message>
+    <message>
+        <source>%1: the file is not there any more.</source>
+        <translation>%1 : le fichier n&apos;est plus là.</translation>
+    </message>
+    <message>
+        <source>%1: the file is as it was before these edits.</source>
+        <translation>%1 : le fichier est tel qu&apos;il était avant ces modifications.</translation>
+    </message>
+    <message>
+        <source>%1: the file has changed since. You will be asked before it is overwritten.</source>
+        <translation>%1 : le fichier a changé depuis. Une question sera posée avant de le remplacer.</translation>
+    </message>
+    <message>
+        <source>Unsaved edits were left</source>
+        <translation>Des modifications non enregistrées sont restées</translation>
+    </message>
+    <message>
+        <source>&amp;Open them</source>
+        <translation>&amp;Les ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Discard them</source>
+        <translation>Les &amp;supprimer</translation>
+    </message>
+    <message>
+        <source>Ask &amp;later</source>
+        <translation>Demander &amp;plus tard</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly. Edits of the scenario &quot;%1&quot; from %2 are still there.</source>
+        <translation>Glissade s&apos;est arrêté de façon inattendue. Des modifications du scénario « %1 » du %2 sont encore là.</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.</source>
+        <translation>Glissade s&apos;est arrêté de façon inattendue. Les modifications du %1 sont endommagées et ne peuvent pas être ouvertes.</translation>
+    </message>
+</context>
+<context>
     <name>glissade::AssemblyController</name>
     <message>
         <source>Goal out</source>
@@ -1293,20 +1453,13 @@
         <source>the goal</source>
         <translation>le but</translation>
     </message>
-</context>
-<context>
-    <name>glissade::AssemblyDocument</name>
     <message>
-        <source>Move %1</source>
-        <translation>Déplacer %1</translation>
+        <source>This cannot be done</source>
+        <translation>Cela ne peut pas se faire</translation>
     </message>
     <message>
-        <source>the start</source>
-        <translation>le départ</translation>
-    </message>
-    <message>
-        <source>the goal</source>
-        <translation>le but</translation>
+        <source>Moving the ends clear</source>
+        <translation>Dégagement du départ et du but</translation>
     </message>
 </context>
 <context>
@@ -1795,6 +1948,10 @@
         <source>Moves: object</source>
         <translation>Déplace : objet</translation>
     </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
 </context>
 <context>
     <name>glissade::DifficultyController</name>
@@ -1855,10 +2012,91 @@
     </message>
 </context>
 <context>
+    <name>glissade::EarlierVersionsMenu</name>
+    <message>
+        <source>Earlier &amp;versions</source>
+        <translation>&amp;Versions antérieures</translation>
+    </message>
+    <message>
+        <source>Version %1, saved %2</source>
+        <translation>Version %1, enregistrée le %2</translation>
+    </message>
+    <message>
+        <source>No earlier version yet</source>
+        <translation>Pas encore de version antérieure</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::EnvironmentController</name>
+    <message>
+        <source>The places cannot be found</source>
+        <translation>Les lieux ne peuvent pas être trouvés</translation>
+    </message>
+</context>
+<context>
     <name>glissade::ExportDialog</name>
     <message>
         <source>Export the path</source>
         <translation>Exporter le chemin</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FileController</name>
+    <message>
+        <source>Open re&amp;cent</source>
+        <translation>Fichiers ré&amp;cents</translation>
+    </message>
+    <message>
+        <source>Opening the scenario</source>
+        <translation>Ouverture du scénario</translation>
+    </message>
+    <message>
+        <source>The scenario cannot be opened</source>
+        <translation>Le scénario ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>The scenario was opened, with a warning</source>
+        <translation>Le scénario est ouvert, avec un avertissement</translation>
+    </message>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Ouvrir un scénario</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.json *.cfg);;All files (*)</source>
+        <translation>Scénarios (*.json *.cfg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Enregistrer le scénario</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.json)</source>
+        <translation>Scénarios (*.json)</translation>
+    </message>
+    <message>
+        <source>The scenario cannot be saved</source>
+        <translation>Le scénario ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>Unsaved edits</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>The scenario has edits that are not saved.</source>
+        <translation>Le scénario a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>%1 (not there)</source>
+        <translation>%1 (absent)</translation>
+    </message>
+    <message>
+        <source>No file yet</source>
+        <translation>Aucun fichier</translation>
+    </message>
+    <message>
+        <source>The scenario was saved, with a warning</source>
+        <translation>Le scénario a été enregistré, avec un avertissement</translation>
     </message>
 </context>
 <context>
@@ -1950,10 +2188,6 @@
 <context>
     <name>glissade::MainWindow</name>
     <message>
-        <source>No scenario is open.</source>
-        <translation>Aucun scénario n&apos;est ouvert.</translation>
-    </message>
-    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
     </message>
@@ -1970,74 +2204,6 @@
         <translation>Chemin</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Calcul</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Vue</translation>
-    </message>
-    <message>
-        <source>Lay&amp;ers</source>
-        <translation>&amp;Couches</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>&amp;Panneaux</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>Outils</translation>
-    </message>
-    <message>
-        <source>The scenario cannot be opened</source>
-        <translation>Le scénario ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>The scenario was opened, with a warning</source>
-        <translation>Le scénario est ouvert, avec un avertissement</translation>
-    </message>
-    <message>
-        <source>Open a scenario</source>
-        <translation>Ouvrir un scénario</translation>
-    </message>
-    <message>
-        <source>Scenarios (*.json *.cfg);;All files (*)</source>
-        <translation>Scénarios (*.json *.cfg);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Keys and shortcuts</source>
-        <translation>Touches et raccourcis</translation>
-    </message>
-    <message>
-        <source>Steering</source>
-        <translation>Pilotage</translation>
-    </message>
-    <message>
-        <source>While the 3D view has the focus; directions are those of the view.</source>
-        <translation>Quand la vue 3D a le focus ; les directions sont celles de la vue.</translation>
-    </message>
-    <message>
-        <source>Shortcuts</source>
-        <translation>Raccourcis</translation>
-    </message>
-    <message>
-        <source>About Glissade</source>
-        <translation>À propos de Glissade</translation>
-    </message>
-    <message>
-        <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
-    </message>
-    <message>
         <source>Semantics</source>
         <translation>Sémantique</translation>
     </message>
@@ -2046,160 +2212,12 @@
         <translation>Plan</translation>
     </message>
     <message>
-        <source>The places cannot be found</source>
-        <translation>Les lieux ne peuvent pas être trouvés</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>É&amp;dition</translation>
-    </message>
-    <message>
-        <source>The scenario cannot be saved</source>
-        <translation>Le scénario ne peut pas être enregistré</translation>
-    </message>
-    <message>
-        <source>Save the scenario</source>
-        <translation>Enregistrer le scénario</translation>
-    </message>
-    <message>
-        <source>Scenarios (*.json)</source>
-        <translation>Scénarios (*.json)</translation>
-    </message>
-    <message>
-        <source>Unsaved edits</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
-        <source>The scenario has edits that are not saved.</source>
-        <translation>Le scénario a des modifications non enregistrées.</translation>
-    </message>
-    <message>
-        <source>&amp;Operator</source>
-        <translation>&amp;Opérateur</translation>
-    </message>
-    <message>
-        <source>No journal of this run on disk: %1</source>
-        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
-    </message>
-    <message>
-        <source>The recording cannot be replayed</source>
-        <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
-    </message>
-    <message>
-        <source>The recording cannot be opened</source>
-        <translation>L&apos;enregistrement ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>Open a recording</source>
-        <translation>Ouvrir un enregistrement</translation>
-    </message>
-    <message>
-        <source>Recordings (*.json *.journal);;All files (*)</source>
-        <translation>Enregistrements (*.json *.journal);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Save the recording</source>
-        <translation>Enregistrer la session</translation>
-    </message>
-    <message>
-        <source>Recordings (*.json)</source>
-        <translation>Enregistrements (*.json)</translation>
-    </message>
-    <message>
-        <source>The recording cannot be saved</source>
-        <translation>L&apos;enregistrement ne peut pas être sauvegardé</translation>
-    </message>
-    <message>
-        <source>A recording was left</source>
-        <translation>Un enregistrement est resté</translation>
-    </message>
-    <message>
-        <source>&amp;Save...</source>
-        <translation>&amp;Enregistrer...</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Supprimer</translation>
-    </message>
-    <message>
-        <source>&amp;Later</source>
-        <translation>&amp;Plus tard</translation>
-    </message>
-    <message>
-        <source>&amp;Study</source>
-        <translation>É&amp;tude</translation>
-    </message>
-    <message>
-        <source>%1 (not there)</source>
-        <translation>%1 (absent)</translation>
-    </message>
-    <message>
-        <source>No file yet</source>
-        <translation>Aucun fichier</translation>
-    </message>
-    <message>
-        <source>Reading the recording</source>
-        <translation>Lecture de l&apos;enregistrement</translation>
-    </message>
-    <message>
-        <source>A run has begun meanwhile: open the recording after it.</source>
-        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement après lui.</translation>
-    </message>
-    <message>
         <source>Difficulty</source>
         <translation>Difficulté</translation>
     </message>
     <message>
-        <source>Open re&amp;cent</source>
-        <translation>Fichiers ré&amp;cents</translation>
-    </message>
-    <message>
-        <source>Saving the recording</source>
-        <translation>Sauvegarde de l&apos;enregistrement</translation>
-    </message>
-    <message>
         <source>This cannot be done</source>
         <translation>Cela ne peut pas se faire</translation>
-    </message>
-    <message>
-        <source>The parts cannot be taken</source>
-        <translation>Les pièces ne peuvent pas être prises</translation>
-    </message>
-    <message>
-        <source>Change the rules</source>
-        <translation>Changer les règles</translation>
-    </message>
-    <message>
-        <source>The rules cannot be changed</source>
-        <translation>Les règles ne peuvent pas être changées</translation>
-    </message>
-    <message>
-        <source>The recording was saved</source>
-        <translation>L&apos;enregistrement est sauvé</translation>
-    </message>
-    <message>
-        <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
-        <translation>Il nomme le fichier du scénario, qui n&apos;a pas les corps tels qu&apos;ils sont ici. Enregistrez aussi le scénario : alors seulement l&apos;enregistrement pourra être rejoué.</translation>
-    </message>
-    <message>
-        <source>&amp;Assembly</source>
-        <translation>&amp;Assemblage</translation>
-    </message>
-    <message>
-        <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
-        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvé. Il est toujours là.</translation>
-    </message>
-    <message>
-        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>This cannot be done with the path</source>
-        <translation>C&apos;est impossible avec ce chemin</translation>
-    </message>
-    <message>
-        <source>Opening the scenario</source>
-        <translation>Ouverture du scénario</translation>
     </message>
 </context>
 <context>
@@ -2230,6 +2248,10 @@
     <message>
         <source>Add parts</source>
         <translation>Ajouter des pièces</translation>
+    </message>
+    <message>
+        <source>The parts cannot be taken</source>
+        <translation>Les pièces ne peuvent pas être prises</translation>
     </message>
 </context>
 <context>
@@ -2387,12 +2409,12 @@
         <translation>Ce que la pièce est dans le scénario ; fixe ou mobile : toutes les lignes sélectionnées ensemble</translation>
     </message>
     <message>
-        <source>Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)</source>
-        <translation>Pièces (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Select several rows to choose their role, unit or axis together.</source>
         <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
+    </message>
+    <message>
+        <source>Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)</source>
+        <translation>Pièces (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2430,10 @@
     <message>
         <source>The path was saved as %1</source>
         <translation>Le chemin a été enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>This cannot be done with the path</source>
+        <translation>C&apos;est impossible avec ce chemin</translation>
     </message>
 </context>
 <context>
@@ -2461,12 +2487,20 @@
         <translation>Il ne finit pas au but.</translation>
     </message>
     <message>
+        <source>It leaves the workspace at configuration %1.</source>
+        <translation>Il quitte l’espace de travail à la configuration %1.</translation>
+    </message>
+    <message>
         <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
         <translation>%1 arêtes sur %2 sont bloquées, la première à %3 % par %4.</translation>
     </message>
     <message>
         <source>This path does not hold here</source>
         <translation>Ce chemin ne tient pas ici</translation>
+    </message>
+    <message>
+        <source>of 32-bit coordinates, which may be %1 mm nearer</source>
+        <translation>des coordonnées de 32 bits, qui peuvent être %1 mm plus près</translation>
     </message>
     <message>
         <source>of triangles; STEP surfaces may be %1 mm nearer</source>
@@ -2576,6 +2610,77 @@
     </message>
 </context>
 <context>
+    <name>glissade::RecordingController</name>
+    <message>
+        <source>The recording cannot be opened</source>
+        <translation>L&apos;enregistrement ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json *.journal);;All files (*)</source>
+        <translation>Enregistrements (*.json *.journal);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Lecture de l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>A run has begun meanwhile: open the recording after it.</source>
+        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement après lui.</translation>
+    </message>
+    <message>
+        <source>Save the recording</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Recordings (*.json)</source>
+        <translation>Enregistrements (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording cannot be saved</source>
+        <translation>L&apos;enregistrement ne peut pas être sauvegardé</translation>
+    </message>
+    <message>
+        <source>The recording was saved</source>
+        <translation>L&apos;enregistrement est sauvé</translation>
+    </message>
+    <message>
+        <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
+        <translation>Il nomme le fichier du scénario, qui n&apos;a pas les corps tels qu&apos;ils sont ici. Enregistrez aussi le scénario : alors seulement l&apos;enregistrement pourra être rejoué.</translation>
+    </message>
+    <message>
+        <source>A recording was left</source>
+        <translation>Un enregistrement est resté</translation>
+    </message>
+    <message>
+        <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
+        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvé. Il est toujours là.</translation>
+    </message>
+    <message>
+        <source>&amp;Save...</source>
+        <translation>&amp;Enregistrer...</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Plus tard</translation>
+    </message>
+    <message>
+        <source>Saving the recording</source>
+        <translation>Sauvegarde de l&apos;enregistrement</translation>
+    </message>
+    <message>
+        <source>The recording is damaged</source>
+        <translation>L&apos;enregistrement est endommagé</translation>
+    </message>
+</context>
+<context>
     <name>glissade::ReplayBar</name>
     <message>
         <source>Replay</source>
@@ -2651,6 +2756,14 @@
     <message>
         <source>Replay. %1</source>
         <translation>Relecture. %1</translation>
+    </message>
+    <message>
+        <source>No journal of this run on disk: %1</source>
+        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+    </message>
+    <message>
+        <source>The recording cannot be replayed</source>
+        <translation>L&apos;enregistrement ne peut pas être rejoué</translation>
     </message>
 </context>
 <context>
@@ -2765,6 +2878,36 @@
     <message>
         <source>of places (place., a., b.): %1; of the object (object.): %2</source>
         <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::RunController</name>
+    <message>
+        <source>No scenario is open.</source>
+        <translation>Aucun scénario n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>Change the rules</source>
+        <translation>Changer les règles</translation>
+    </message>
+    <message>
+        <source>The rules cannot be changed</source>
+        <translation>Les règles ne peuvent pas être changées</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SaveController</name>
+    <message>
+        <source>Edits are not saved automatically</source>
+        <translation>Les modifications ne sont pas enregistrées automatiquement</translation>
+    </message>
+    <message>
+        <source>The earlier version cannot be opened</source>
+        <translation>La version antérieure ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>The edits cannot be opened</source>
+        <translation>Les modifications ne peuvent pas être ouvertes</translation>
     </message>
 </context>
 <context>
@@ -3093,6 +3236,13 @@
     </message>
 </context>
 <context>
+    <name>glissade::ViewController</name>
+    <message>
+        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
     <name>glissade::WorkController</name>
     <message>
         <source>Smoothing the path</source>
@@ -3101,6 +3251,21 @@
     <message>
         <source>Examining the path</source>
         <translation>Examen du chemin</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WorkbenchDocument</name>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>the start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>the goal</source>
+        <translation>le but</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -165,6 +166,15 @@ void writeFile(const std::string& path, const std::string& text) {
   }
 }
 
+/// The shortest text of the nearest 32-bit number. The importer used to round coordinates to 32 bits, and the
+/// published results on the pump were measured then; they stay the same because the file holds these numbers.
+std::string singleNumber(double value) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, static_cast<double>(static_cast<float>(value))).ptr;
+  const std::string number(text, end);
+  return number == "-0" ? "0" : number;
+}
+
 /// Vertices and triangles are sorted, as corefinement numbers them by address; what rounding merges is welded.
 void writeObj(const std::string& path, const Mesh& mesh) {
   if (!CGAL::is_closed(mesh)) throw std::runtime_error(path + " is not closed");
@@ -178,7 +188,9 @@ void writeObj(const std::string& path, const Mesh& mesh) {
   int count = 0;
   for (auto& [p, number] : numbering) {
     number = ++count;
-    text += "v " + numbers(Point(p[0] * 1e-6, p[1] * 1e-6, p[2] * 1e-6), " ") + "\n";
+    text += "v";
+    for (const long micrometres : p) text += " " + singleNumber(std::stod(shortNumber(1e-6 * micrometres)));
+    text += "\n";
   }
   std::set<std::array<int, 3>> triangles;
   for (const auto f : mesh.faces()) {

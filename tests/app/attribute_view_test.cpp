@@ -9,6 +9,7 @@
 
 #include "app/window/editor_in_use.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/directories.h"
 #include "widgets/editors/semantics_panel.h"
 
 namespace glissade {
@@ -17,13 +18,13 @@ namespace {
 class AttributeViewTest : public testing::Test {
  protected:
   AttributeViewTest() : actions(&window), panel(new SemanticsPanel(document, actions, &window)) {
-    auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/teaching/scenario.json");
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
     scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
-    document.open(scenario);
+    document.open(*scenario);
     document.setKnowledge(*buildSceneKnowledge(scenario->problem, 1e-6));
     window.setCentralWidget(panel);
     window.addAction(actions["edit.undo"]);
-    QObject::connect(actions["edit.undo"], &QAction::triggered, &document.undoStack(), &QUndoStack::undo);
+    QObject::connect(actions["edit.undo"], &QAction::triggered, &undo, &QUndoStack::undo);
     window.resize(400, 800);
     window.show();
     window.activateWindow();
@@ -50,7 +51,8 @@ class AttributeViewTest : public testing::Test {
   }
 
   std::shared_ptr<const LoadedScenario> scenario;
-  SemanticDocument document;
+  QUndoStack undo;
+  SemanticDocument document{undo};
   QMainWindow window;
   ActionCatalogue actions;
   SemanticsPanel* panel;
@@ -60,15 +62,15 @@ TEST_F(AttributeViewTest, TheWheelOnlyTurnsTheEditorThatHasTheFocus) {
   const AttributeValue before = value("complexity");
   for (const char* attribute : {"complexity", "preference"}) turnWheel(editor(attribute), 1);
   EXPECT_EQ(value("complexity"), before);
-  EXPECT_EQ(document.undoStack().count(), 0);
+  EXPECT_EQ(undo.count(), 0);
   editor("complexity")->setFocus();
   turnWheel(editor("complexity"), 1);
-  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_EQ(undo.count(), 1);
   SemanticSelection body;
   body.bodies.insert(QStringLiteral("O5"));
   document.select(body);
   turnWheel(editor("mobility"), -1);
-  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_EQ(undo.count(), 1);
 }
 
 TEST_F(AttributeViewTest, NoStepAndNoKeyLeadsBelowTheRange) {
@@ -102,7 +104,7 @@ TEST_F(AttributeViewTest, EveryCommittedEditIsOneStepBackAlsoFromInsideTheEditor
     QTest::keyClicks(box, QLatin1String(number));
     QTest::keyClick(box, Qt::Key_Return);
   }
-  ASSERT_EQ(document.undoStack().count(), 3);
+  ASSERT_EQ(undo.count(), 3);
   QTest::keyClick(box, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(value("complexity"), AttributeValue(3.0));
   EXPECT_EQ(box->value(), 3);
@@ -186,7 +188,7 @@ TEST_F(AttributeViewTest, AnEditThatCountsNowhereIsSaid) {
   EXPECT_FALSE(warning->isVisible());
   auto other = std::make_shared<LoadedScenario>(*scenario);
   other->scenario.places = {{{5, 5, 5}, "Nowhere", {}}};
-  document.rearrange(other);
+  document.rearrange(*other);
   EXPECT_TRUE(warning->isVisible());
   EXPECT_TRUE(warning->text().contains(QStringLiteral("/places/0: lies in no place"))) << warning->text().toStdString();
 }

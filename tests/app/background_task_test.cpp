@@ -25,6 +25,7 @@ TEST(BackgroundTask, DeliversOnItsOwnThreadWhatWasFoundOnAnother) {
   QThread* worked = nullptr;
   QThread* delivered = nullptr;
   task.start(
+      "looking",
       [&](const WorkWatch&) -> BackgroundTask::Delivery {
         worked = QThread::currentThread();
         return [&] { delivered = QThread::currentThread(); };
@@ -43,7 +44,7 @@ TEST(BackgroundTask, TellsHowFarItIsAndForgetsWhatIsCancelled) {
   QSignalSpy progressed(&task, &BackgroundTask::progressed);
   std::atomic<bool> stopped{false};
   bool delivered = false;
-  task.start(endless(stopped, delivered), false);
+  task.start("waiting", endless(stopped, delivered), false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !progressed.isEmpty(); }));
   EXPECT_EQ(progressed.last().first().toDouble(), 0.5);
   task.cancel();
@@ -58,8 +59,9 @@ TEST(BackgroundTask, AnotherStartTakesThePlaceOfTheOneUnderWay) {
   std::atomic<bool> stopped{false};
   bool first = false;
   bool second = false;
-  task.start(endless(stopped, first), false);
-  task.start([&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { second = true; }; }, false);
+  task.start("waiting", endless(stopped, first), false);
+  task.start(
+      "looking", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { second = true; }; }, false);
   ASSERT_TRUE(QTest::qWaitFor([&] { return second && stopped.load(); }));
   QTest::qWait(20);
   EXPECT_FALSE(first);
@@ -68,7 +70,8 @@ TEST(BackgroundTask, AnotherStartTakesThePlaceOfTheOneUnderWay) {
 TEST(BackgroundTask, AtOnceItIsDoneBeforeStartReturns) {
   BackgroundTask task;
   bool delivered = false;
-  task.start([&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; }, true);
+  task.start(
+      "looking", [&](const WorkWatch&) -> BackgroundTask::Delivery { return [&] { delivered = true; }; }, true);
   EXPECT_TRUE(delivered);
   EXPECT_FALSE(task.isBusy());
 }

@@ -20,10 +20,9 @@ TEST(CameraController, WhatWasFittedStaysInViewWhateverShapeTheViewTakes) {
 }
 
 TEST(CameraController, ACameraThatWasMovedIsLeftAlone) {
-  const auto moves = {+[](CameraController& camera) { camera.orbit(0.1, 0.0); },
-                      +[](CameraController& camera) { camera.roll(0.1); },
-                      +[](CameraController& camera) { camera.pan(0.1, 0.0); },
-                      +[](CameraController& camera) { camera.zoom(1.1); }};
+  const auto moves = {
+      +[](CameraController& camera) { camera.orbit(0.1, 0.0); }, +[](CameraController& camera) { camera.roll(0.1); },
+      +[](CameraController& camera) { camera.pan(0.1, 0.0); }, +[](CameraController& camera) { camera.zoom(1.1); }};
   for (const auto& move : moves) {
     CameraController camera;
     camera.fit(kWide);

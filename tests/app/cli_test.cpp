@@ -12,12 +12,14 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/engine/support/directories.h"
 #include "tests/engine/support/part_fixture.h"
 #include "tests/engine/support/step_files.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+namespace test = glissade::test;
 using Json = nlohmann::json;
 
 struct Finished {
@@ -38,7 +40,7 @@ class Cli : public testing::Test {
 
   Finished run(const std::string& arguments) const {
     const std::string err = (folder / "stderr").string();
-    const std::string command = std::string(GLISSADE_BIN_DIR) + "/glissade-cli " + arguments + " 2>" + err;
+    const std::string command = test::programDirectory() + "/glissade-cli " + arguments + " 2>" + err;
     Finished result;
     FILE* pipe = popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
@@ -60,7 +62,7 @@ class Cli : public testing::Test {
     return (folder / name).string();
   }
   static std::string sample(const std::string& name) {
-    return std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + "/scenario.json";
+    return test::sourceDirectory() + "/samples/" + name + "/scenario.json";
   }
 
   /// A scenario of primitives with something about it changed.
@@ -139,6 +141,68 @@ TEST_F(Cli, ReportsWhatSetItself) {
     EXPECT_FALSE(report["tuning"][which].contains("contact_samples")) << which;
   }
   EXPECT_FALSE(Json::parse(run("plan " + file + " --operator expert --json").out).contains("tuning"));
+}
+
+/// Such a path was called valid.
+TEST_F(Cli, APathThatLeavesTheWorkspaceIsInvalidAndTheEdgeIsNamed) {
+  const std::string file = scenario([](Json&) {});
+  const auto path = [&](const std::string& y) {
+    return write("far.path", "-1 0 0 0 0 0 1\n-1 " + y + " 0 0 0 0 1\n1 " + y + " 0 0 0 0 1\n1 0 0 0 0 0 1\n");
+  };
+  EXPECT_EQ(run("check " + file + " " + path("1.5")).exitCode, 0);
+  for (const std::string y : {"2.1", "1e6", "1e9"}) {
+    const Finished check = run("check " + file + " " + path(y) + " --json");
+    EXPECT_EQ(check.exitCode, 1) << y;
+    const Json report = Json::parse(check.out);
+    EXPECT_EQ(report["valid"], false);
+    EXPECT_EQ(report["outside_workspace"], 1);
+    EXPECT_EQ(report["certificate"]["edge"], 0);
+    EXPECT_NE(run("check " + file + " " + path(y)).out.find("edge 0: configuration 1"), std::string::npos);
+  }
+  for (const std::string y : {"1e12", "1e19", "1e300"}) {
+    const Finished check = run("check " + file + " " + path(y));
+    EXPECT_EQ(check.exitCode, 3) << y;
+    EXPECT_NE(check.err.find("line 2"), std::string::npos) << check.err;
+    EXPECT_NE(check.err.find("1e9 m"), std::string::npos) << check.err;
+  }
+}
+
+/// These ended with exit 70.
+TEST_F(Cli, BytesThatAreNoUtf8AndControlCharactersDoNoHarm) {
+  const std::string sound = scenario([](Json& json) { json["name"] = "red\x1b[31m"; });
+  const std::string header = "index,s,x,y,z,qx,qy,qz,qw,clearance,contact,author\n";
+  const std::string csv = write("bad.csv", header + "0,0,\xff\xfe\x1b[31m,0,0,0,0,0,1,1,0,operator\n");
+  const Finished check = run("check " + sound + " " + csv + " --json");
+  EXPECT_EQ(check.exitCode, 3) << check.err;
+  EXPECT_EQ(Json::parse(check.out)["error"]["place"], "line 2");
+  EXPECT_EQ((check.out + check.err).find('\x1b'), std::string::npos);
+
+  const std::string odd = (folder / "n\xff\x1b[31m.json").string();
+  fs::copy_file(sound, odd);
+  EXPECT_EQ(run("info '" + odd + "' --json").exitCode, 0);
+  const Finished info = run("info '" + odd + "'");
+  EXPECT_EQ(info.exitCode, 0);
+  EXPECT_EQ(info.out.find('\x1b'), std::string::npos);
+  const std::string record = (folder / "run.json").string();
+  const Finished plan = run("plan '" + odd + "' --json --out " + (folder / "p.json").string() + " --record " + record);
+  EXPECT_EQ(plan.exitCode, 0) << plan.err;
+  EXPECT_EQ(run("replay " + record + " --scenario '" + odd + "'").exitCode, 0);
+  const Finished gone = run("info '" + odd + ".gone' --json");
+  EXPECT_EQ(gone.exitCode, 3);
+  EXPECT_EQ(gone.err.find('\x1b'), std::string::npos);
+  EXPECT_TRUE(Json::accept(gone.out)) << gone.out;
+
+  const std::string part = (folder / "part\xe9.obj").string();
+  std::ofstream(part) << "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const Finished made = run("new " + (folder / "made.json").string() + " --moves '" + part + "'");
+  EXPECT_EQ(made.exitCode, 3);
+  EXPECT_NE(made.err.find("UTF-8"), std::string::npos) << made.err;
+}
+
+TEST_F(Cli, LengthsBeyondTheLimitAreWrongUsage) {
+  const std::string file = scenario([](Json&) {});
+  EXPECT_EQ(run("plan " + file + " --contact-distance 1e12").exitCode, 2);
+  EXPECT_EQ(run("new " + (folder / "made.json").string() + " --moves a.stl --unit 1e10").exitCode, 2);
 }
 
 TEST_F(Cli, APathThroughTheWallIsInvalid) {
@@ -269,6 +333,8 @@ TEST_F(Cli, AReplayIsComparedBitByBit) {
     Json& x = altered["operator_stream"][i][1];
     x = x.get<double>() + 1e-9;
   }
+  EXPECT_EQ(run("replay " + write("damaged.json", altered.dump())).exitCode, 3) << "its checksum does not fit";
+  altered.erase("checksum");
   const std::string other = write("other.json", altered.dump());
   const Finished different = run("replay " + other + " --scenario " + sample("environment-1") + " --json");
   ASSERT_EQ(different.exitCode, 1) << different.err;
@@ -427,7 +493,7 @@ TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {
 }
 
 TEST_F(Cli, OmplAppsProblemsAreReadAsOmplAppReadsThem) {
-  const fs::path problems = fs::path(GLISSADE_SOURCE_DIR) / "../shared/problems/omplapp";
+  const fs::path problems = fs::path(test::sourceDirectory()) / "../shared/problems/omplapp";
   if (!fs::exists(problems)) GTEST_SKIP() << "the public problems are not here";
   for (const std::string name : {"Easy", "cubicles", "alpha-1.5"}) {
     const Finished check = run("check " + (problems / (name + ".cfg")).string() + " " +

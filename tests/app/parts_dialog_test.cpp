@@ -1,12 +1,14 @@
 #include "widgets/editors/parts_dialog.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QTest>
 
+#include <cerrno>
 #include <set>
 
 #include "tests/engine/support/part_fixture.h"
@@ -245,6 +247,9 @@ TEST_F(PartsPage, FilesAreMeasuredOneAfterTheOtherInTheBackground) {
 
 TEST_F(PartsPage, ClosingDoesNotWaitForTheRest) {
   for (int i = 0; i < 5; ++i) PartsDialog(Purpose::NewScenario, files(), false).reject();
+  // No process that imports is left behind.
+  EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1);
+  EXPECT_EQ(errno, ECHILD);
 }
 
 TEST_F(PartsPage, EveryChoiceIsReachedByTab) {

@@ -1,4 +1,5 @@
 #include "widgets/panels/path_panel.h"
+#include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 class PathPanelTest : public testing::Test {
  protected:
   PathPanelTest() {
-    auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/sliding-plane/scenario.json");
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/sliding-plane/scenario.json");
     scenario = std::move(*loaded);
     scenario.obstacles[1].name = "Cover <11 kW>";
   }
@@ -66,6 +67,10 @@ TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer
   scenario.deflections = {{scenario.object.id, 1e-4}, {"a", 2e-4}, {"b", 5e-5}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
   EXPECT_TRUE(text().contains(QStringLiteral("0.300 mm nearer"))) << text().toStdString();
+  EXPECT_FALSE(text().contains(QStringLiteral("32-bit"))) << text().toStdString();
+  scenario.coordinateSpacings = {{scenario.object.id, 1e-6}, {"a", 2e-6}};
+  panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
+  EXPECT_TRUE(text().contains(QStringLiteral("0.003 mm nearer"))) << text().toStdString();
 }
 
 }  // namespace

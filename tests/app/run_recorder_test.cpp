@@ -1,4 +1,5 @@
 #include "widgets/bridge/run_recorder.h"
+#include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace glissade {
 namespace {
 
 ScenarioPtr closedScenario() {
-  auto loaded = loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/environment-2/scenario.json");
+  auto loaded = loadScenario(test::sourceDirectory() + "/samples/environment-2/scenario.json");
   return std::make_shared<const LoadedScenario>(std::move(*loaded));
 }
 
@@ -47,6 +48,7 @@ TEST(RunRecorder, AKilledProgramLeavesAJournalThatReplays) {
     bridge.post(command::Start{});
     // Two parts of the log: more than a second of it is on disk.
     ASSERT_TRUE(until([&] { return bridge.snapshot()->log.size() > 2; }));
+    recorder.waitUntilJournalled();
     ASSERT_FALSE(recorder.trouble());
     EXPECT_TRUE(abandonedJournals(recordings).empty());
     // What a killed program leaves is the file as it is now.
@@ -71,6 +73,21 @@ TEST(RunRecorder, AKilledProgramLeavesAJournalThatReplays) {
   ASSERT_TRUE(until([&] { return last.ended; }));
   EXPECT_EQ(last.track->lastStep(), log->end->step);
   EXPECT_FALSE(firstDifference(*log, joined(last.latest->log)));
+}
+
+TEST(RunRecorder, SaysWhyTheDiskHoldsNoJournal) {
+  const QTemporaryDir folder;
+  QFile inTheWay(folder.filePath(QStringLiteral("recordings")));
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  RunRecorder recorder;
+  recorder.keepJournals(inTheWay.fileName().toStdString());
+  recorder.open(closedScenario());
+  SessionSnapshot snapshot;
+  snapshot.log = {std::make_shared<const RunLog>()};
+  EXPECT_TRUE(recorder.follow(snapshot));
+  recorder.waitUntilJournalled();
+  ASSERT_TRUE(recorder.trouble());
+  EXPECT_FALSE(recorder.trouble()->advice.empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -11,13 +12,13 @@ namespace {
 
 TEST(Samples, TheShapeGameIsWhatItsGeneratorWrites) {
   const test::TemporaryFolder folder;
-  const std::string command = std::string(GLISSADE_BIN_DIR "/generate-shape-game ") + folder.path();
+  const std::string command = test::programDirectory() + "/generate-shape-game " + folder.path();
   ASSERT_EQ(std::system(command.c_str()), 0);
   int compared = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
     EXPECT_EQ(test::readWhole(entry.path().string()),
-              test::readWhole(GLISSADE_SOURCE_DIR "/samples/shape-game/" + name))
+              test::readWhole(test::sourceDirectory() + "/samples/shape-game/" + name))
         << name;
     ++compared;
   }

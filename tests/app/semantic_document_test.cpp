@@ -3,7 +3,8 @@
 #include <QSignalSpy>
 
 #include "engine/scenario/scenario_io.h"
-#include "widgets/model/semantic_document.h"
+#include "tests/engine/support/directories.h"
+#include "widgets/document/semantic_document.h"
 
 namespace glissade {
 namespace {
@@ -11,9 +12,9 @@ namespace {
 class SemanticDocumentTest : public testing::Test {
  protected:
   SemanticDocumentTest() {
-    auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/teaching/scenario.json");
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
     scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
-    document.open(scenario);
+    document.open(*scenario);
     document.setKnowledge(*buildSceneKnowledge(scenario->problem, 1e-6));
   }
 
@@ -27,7 +28,8 @@ class SemanticDocumentTest : public testing::Test {
   }
 
   std::shared_ptr<const LoadedScenario> scenario;
-  SemanticDocument document;
+  QUndoStack undo;
+  SemanticDocument document{undo};
 };
 
 TEST_F(SemanticDocumentTest, AnEditOfSeveralPlacesIsOneStepBack) {
@@ -35,10 +37,10 @@ TEST_F(SemanticDocumentTest, AnEditOfSeveralPlacesIsOneStepBack) {
   ASSERT_TRUE(document.setAttribute(places({0, 1}), "complexity", AttributeValue(7.0)).ok());
   EXPECT_EQ(complexity(0), 7.0);
   EXPECT_EQ(complexity(1), 7.0);
-  EXPECT_EQ(document.undoStack().count(), 1);
-  document.undoStack().undo();
+  EXPECT_EQ(undo.count(), 1);
+  undo.undo();
   EXPECT_TRUE(document.edits() == before);
-  document.undoStack().redo();
+  undo.redo();
   EXPECT_EQ(complexity(1), 7.0);
 }
 
@@ -46,9 +48,9 @@ TEST_F(SemanticDocumentTest, ADragOfOneEditorIsOneStepAndBackToTheStartIsNone) {
   for (const double value : {5.0, 6.0, 7.0}) {
     ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(value)).ok());
   }
-  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_EQ(undo.count(), 1);
   ASSERT_TRUE(document.setAttribute(places({3}), "complexity", AttributeValue(5.0)).ok());
-  EXPECT_EQ(document.undoStack().count(), 2);
+  EXPECT_EQ(undo.count(), 2);
 }
 
 TEST_F(SemanticDocumentTest, ResetGivesTheComputedValueBackAndLeavesNothingBehind) {
@@ -65,7 +67,7 @@ TEST_F(SemanticDocumentTest, WhatIsRefusedChangesNothing) {
   EXPECT_FALSE(document.setAttribute(places({0}), "complexity", AttributeValue(std::string("hard"))).ok());
   EXPECT_FALSE(document.setAttribute(places({0}), "no_such", AttributeValue(1.0)).ok());
   EXPECT_TRUE(document.edits() == before);
-  EXPECT_EQ(document.undoStack().count(), 0);
+  EXPECT_EQ(undo.count(), 0);
 }
 
 TEST_F(SemanticDocumentTest, AttributesOfOnesOwnAreAddedRenamedAndRemovedWithTheirValues) {
@@ -81,7 +83,7 @@ TEST_F(SemanticDocumentTest, AttributesOfOnesOwnAreAddedRenamedAndRemovedWithThe
   EXPECT_FALSE(document.renameDefinition(AttributeOwner::Place, "very_hot", "complexity").ok());
   ASSERT_TRUE(document.removeDefinition(AttributeOwner::Place, "very_hot").ok());
   EXPECT_EQ(document.table().find(AttributeOwner::Place, "very_hot"), nullptr);
-  document.undoStack().undo();
+  undo.undo();
   EXPECT_EQ(document.semantics()->ofPlace(0, "very_hot").value, AttributeValue(true));
 }
 
@@ -115,13 +117,13 @@ TEST_F(SemanticDocumentTest, EditsThatCountNowhereAreRemovedAndComeBack) {
   EXPECT_FALSE(document.hasStrays());
   auto other = std::make_shared<LoadedScenario>(*scenario);
   other->scenario.places.push_back({{50.0, 50.0, 50.0}, "Hall", {}});
-  document.rearrange(other);
+  document.rearrange(*other);
   ASSERT_TRUE(document.hasStrays());
   ASSERT_FALSE(document.warnings().empty());
   document.removeStrays();
   EXPECT_FALSE(document.hasStrays());
   EXPECT_TRUE(document.warnings().empty());
-  document.undoStack().undo();
+  undo.undo();
   EXPECT_TRUE(document.hasStrays());
 }
 
@@ -131,7 +133,7 @@ TEST_F(SemanticDocumentTest, TwoEditsOfAPlaceAreTakenBackTogether) {
   twice.places = {{at, "", {{"forbidden", true}}}, {at, "", {{"complexity", 5.0}}}};
   auto other = std::make_shared<LoadedScenario>(*scenario);
   other->scenario = twice;
-  document.rearrange(other);
+  document.rearrange(*other);
   EXPECT_EQ(document.warnings().size(), 1U);
   ASSERT_TRUE(document.setAttribute(places({0}), "forbidden", std::nullopt).ok());
   EXPECT_EQ(document.semantics()->ofPlace(0, "forbidden").value, AttributeValue(false));
@@ -143,12 +145,12 @@ TEST_F(SemanticDocumentTest, AnotherGestureIsAnotherStepBack) {
     ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(value)).ok());
     document.endGesture();
   }
-  EXPECT_EQ(document.undoStack().count(), 3);
-  document.undoStack().undo();
+  EXPECT_EQ(undo.count(), 3);
+  undo.undo();
   EXPECT_EQ(complexity(2), 3.0);
   // What follows an undo is no part of what came before it.
   ASSERT_TRUE(document.setAttribute(places({2}), "complexity", AttributeValue(8.0)).ok());
-  document.undoStack().undo();
+  undo.undo();
   EXPECT_EQ(complexity(2), 3.0);
 }
 
@@ -161,7 +163,7 @@ TEST_F(SemanticDocumentTest, AnAttributeThatARuleUsesStaysAsItIs) {
   other->scenario.attributeDefinitions = {hazard};
   other->scenario.rules = presetRules("gts");
   other->scenario.rules->edge = "distance * (1 + place.hazard)";
-  document.rearrange(other);
+  document.rearrange(*other);
   const SemanticEdits before = document.edits();
   for (const Outcome& refused : {document.renameDefinition(AttributeOwner::Place, "hazard", "danger"),
                                  document.removeDefinition(AttributeOwner::Place, "hazard")}) {
@@ -172,11 +174,11 @@ TEST_F(SemanticDocumentTest, AnAttributeThatARuleUsesStaysAsItIs) {
   EXPECT_TRUE(document.edits() == before);
 }
 
-TEST_F(SemanticDocumentTest, SelectionIsToldOnceAChange) {
-  QSignalSpy told(&document, &SemanticDocument::selectionChanged);
+TEST_F(SemanticDocumentTest, ASelectionIsAnnouncedOnceAChange) {
+  QSignalSpy changes(&document, &SemanticDocument::selectionChanged);
   document.select(places({1}));
   document.select(places({1}));
-  EXPECT_EQ(told.count(), 1);
+  EXPECT_EQ(changes.count(), 1);
 }
 
 TEST_F(SemanticDocumentTest, PlacesHaveNamesOfTheirOwn) {

@@ -1,4 +1,5 @@
 #include "widgets/bridge/session_bridge.h"
+#include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace glissade {
 namespace {
 
 ScenarioPtr sample(const std::string& name) {
-  auto loaded = loadScenario(GLISSADE_SOURCE_DIR "/samples/" + name + "/scenario.json");
+  auto loaded = loadScenario(test::sourceDirectory() + "/samples/" + name + "/scenario.json");
   return std::make_shared<const LoadedScenario>(std::move(*loaded));
 }
 

@@ -11,8 +11,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "engine/study/limited_process.h"
+#include "engine/base/child_process.h"
 #include "tests/engine/study/study_fixture.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade {
 namespace {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-const std::string kCli = GLISSADE_BIN_DIR "/glissade-cli";
+const std::string kCli = test::programDirectory() + "/glissade-cli";
 
 class StudyCli : public testing::Test {
  protected:
@@ -77,7 +78,7 @@ class StudyCli : public testing::Test {
   /// Interactive runs of some 50 ms each, so that a signal comes in their midst.
   static Json slidingStudy() {
     Json study = test::tinyStudy();
-    study["scenarios"] = {GLISSADE_SOURCE_DIR "/samples/sliding-plane/scenario.json"};
+    study["scenarios"] = {test::sourceDirectory() + "/samples/sliding-plane/scenario.json"};
     study["strategies"] = {"contact-birrt", "birrt"};
     study["operators"] = {"expert", "novice"};
     study["limits"]["max_steps"] = 800;
@@ -112,7 +113,7 @@ TEST_F(StudyCli, TwoShardsMergedAreTheStudyInOneProcess) {
 }
 
 TEST_F(StudyCli, ASlurmTaskIsAShard) {
-  const std::string script = GLISSADE_SOURCE_DIR "/samples/studies/slurm.sh";
+  const std::string script = test::sourceDirectory() + "/samples/studies/slurm.sh";
   const std::string common = "CLI=" + kCli + " STUDY=" + files.file + " OUT=" + path("array") + " ";
   for (const std::string task : {"1", "2", "3"}) {
     const std::string slurm = "SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=2 SLURM_ARRAY_TASK_ID=" + task + " ";
@@ -198,9 +199,9 @@ TEST_F(StudyCli, ADryRunWritesNothing) {
 
 /// Every shipped study can be run, in both sizes.
 TEST_F(StudyCli, ShippedStudiesAreSound) {
-  for (const char* name :
-       {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like", "automatic", "tuned"}) {
-    const std::string study = std::string(GLISSADE_SOURCE_DIR "/samples/studies/") + name + ".json";
+  for (const char* name : {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like",
+                           "automatic", "tuned"}) {
+    const std::string study = test::sourceDirectory() + "/samples/studies/" + name + ".json";
     for (const char* size : {"", "--quick"}) {
       EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run " + size), 0) << said;
       EXPECT_THAT(said, HasSubstr("0 of them done"));
@@ -209,8 +210,8 @@ TEST_F(StudyCli, ShippedStudiesAreSound) {
 }
 
 TEST_F(StudyCli, PublicProblemsAreSoundOrSaidToBeMissing) {
-  const std::string study = GLISSADE_SOURCE_DIR "/samples/studies/public-problems.json";
-  const bool there = fs::exists(GLISSADE_SOURCE_DIR "/../shared/problems/omplapp");
+  const std::string study = test::sourceDirectory() + "/samples/studies/public-problems.json";
+  const bool there = fs::exists(test::sourceDirectory() + "/../shared/problems/omplapp");
   EXPECT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --dry-run"), there ? 0 : 3) << said;
   EXPECT_THAT(said, HasSubstr(there ? "55 cells" : "Easy.cfg"));
 }
@@ -241,7 +242,7 @@ TEST_F(StudyCli, PeersRunBesideOurs) {
 }
 
 TEST_F(StudyCli, AQuickStudyOfThePaperHoldsItsNumbers) {
-  const std::string study = GLISSADE_SOURCE_DIR "/samples/studies/table-2.json";
+  const std::string study = test::sourceDirectory() + "/samples/studies/table-2.json";
   ASSERT_EQ(shell(kCli + " study " + study + " --out " + path("out") + " --quick --jobs 2 --shard 1/3"), 0) << said;
   const Json summary = Json::parse(test::readWhole(path("out") + "/summary.json"));
   ASSERT_EQ(summary["cells"].size(), 10U);

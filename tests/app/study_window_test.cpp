@@ -6,6 +6,7 @@
 #include <QXmlStreamReader>
 
 #include "tests/app/window_fixture.h"
+#include "tests/engine/support/directories.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/studies/study_browser.h"
 
@@ -33,7 +34,7 @@ class StudyWindow : public WindowTest {
                    .toUtf8());
     file.close();
     QProcess process;
-    process.start(QStringLiteral(GLISSADE_BIN_DIR "/glissade-cli"),
+    process.start(QString::fromStdString(test::programDirectory() + "/glissade-cli"),
                   {QStringLiteral("study"), study, QStringLiteral("--out"), out()});
     ASSERT_TRUE(process.waitForFinished(120000));
     ASSERT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
@@ -181,7 +182,7 @@ TEST_F(StudyWindow, PicturesOfTypicalRunsComeIntoTheReports) {
   EXPECT_GE(pdf.count("/Type /Page\n"), 3);
 
   QProcess process;
-  process.start(QStringLiteral(GLISSADE_BIN_DIR "/glissade-cli"), {QStringLiteral("report"), out()});
+  process.start(QString::fromStdString(test::programDirectory() + "/glissade-cli"), {QStringLiteral("report"), out()});
   ASSERT_TRUE(process.waitForFinished(60000));
   EXPECT_EQ(content(QStringLiteral("report.html")).count("data:image/png;base64,"), pictures.size());
 }

@@ -5,13 +5,14 @@
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
 #include "engine/scenario/path_exporter.h"
+#include "tests/engine/support/directories.h"
 #include "widgets/panels/engine_texts.h"
 
 namespace glissade {
 namespace {
 
 TEST(Translation, NothingIsLeftUntranslated) {
-  QFile file(QStringLiteral(GLISSADE_SOURCE_DIR "/resources/i18n/glissade_fr.ts"));
+  QFile file(QString::fromStdString(test::sourceDirectory() + "/resources/i18n/glissade_fr.ts"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QString text = QString::fromUtf8(file.readAll());
   EXPECT_FALSE(text.contains(QStringLiteral("type=\"unfinished\"")));

@@ -11,9 +11,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "tests/engine/support/directories.h"
+
 namespace glissade::test {
 
-inline const QString kSource = QStringLiteral(GLISSADE_SOURCE_DIR);
+inline const QString kSource = QString::fromStdString(test::sourceDirectory());
 
 struct Difference {
   double mean = 0.0;   ///< of all channels, 0...255
@@ -63,7 +65,7 @@ class WindowTest : public testing::Test {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("XDG_CONFIG_HOME"), folder.path());
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(GLISSADE_BIN_DIR "/glissade-offscreen"), arguments + options);
+    process.start(QString::fromStdString(test::programDirectory() + "/glissade-offscreen"), arguments + options);
     EXPECT_TRUE(process.waitForFinished(120000));
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
   }

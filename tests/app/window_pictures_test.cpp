@@ -1,6 +1,7 @@
 // The whole window without a display, run as its user would, against golden pictures.
 // To make the pictures anew after a wanted change: GLISSADE_UPDATE_GOLDEN=1 ctest -R WindowPictures
 #include "tests/app/window_fixture.h"
+#include "tests/engine/support/directories.h"
 
 namespace {
 
@@ -77,7 +78,7 @@ TEST_F(WindowPictures, ScriptsSayWhereTheyGoWrong) {
 
 TEST_F(WindowPictures, AMissingScenarioHasItsExitCode) {
   QProcess process;
-  process.start(QStringLiteral(GLISSADE_BIN_DIR "/glissade-offscreen"),
+  process.start(QString::fromStdString(programDirectory() + "/glissade-offscreen"),
                 {QStringLiteral("nothing.json"), QStringLiteral("--offscreen")});
   ASSERT_TRUE(process.waitForFinished(60000));
   EXPECT_EQ(process.exitCode(), 3);

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/engine/support/directories.h"
+
 namespace glissade {
 namespace {
 
@@ -23,7 +25,7 @@ struct Include {
 
 std::vector<Include> includesUnder(const std::string& folder) {
   static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-  const fs::path root = GLISSADE_SOURCE_DIR;
+  const fs::path root = test::sourceDirectory();
   std::vector<Include> result;
   for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
     const auto extension = entry.path().extension();
@@ -54,12 +56,14 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
       {"import", {"base", "geometry"}},
       {"environment", {"base", "geometry"}},
       {"collision", {"base", "geometry", "environment"}},
-      {"planning", {"base", "geometry", "environment", "collision"}},
+      {"product", {"base", "geometry", "environment", "collision"}},
+      {"planning", {"base", "geometry", "environment", "collision", "product"}},
       {"operator", {"base", "geometry", "environment", "collision"}},
-      {"scenario", {"base", "geometry", "import", "environment", "collision", "planning", "operator"}},
+      {"scenario", {"base", "geometry", "import", "environment", "collision", "product", "planning", "operator"}},
       {"session", {"base", "geometry", "environment", "collision", "planning", "operator"}},
       {"study",
-       {"base", "geometry", "import", "environment", "collision", "planning", "operator", "scenario", "session"}},
+       {"base", "geometry", "import", "environment", "collision", "product", "planning", "operator", "scenario",
+        "session"}},
   };
   return allowed;
 }
@@ -108,10 +112,13 @@ TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
 }
 
 TEST(Architecture, OnlyOneFileOfTheEngineKnowsSdl) {
+  int seen = 0;
   for (const Include& include : includesUnder("engine")) {
     if (include.what.rfind("SDL", 0) != 0) continue;
+    ++seen;
     EXPECT_EQ(include.from, "engine/operator/gamepad_reader.cpp");
   }
+  EXPECT_GT(seen, 0);
 }
 
 TEST(Architecture, WidgetsDoNotKnowTheApplication) {
@@ -120,8 +127,42 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
   }
 }
 
+/// The document has the scenario; the session has what it runs, the view what it draws, the recorder what it records.
+TEST(Architecture, NobodyElseKeepsAScenario) {
+  const std::set<std::string> holders{"widgets/document/workbench_document.h",
+                                      "widgets/document/workbench_document.cpp", "widgets/bridge/session_bridge.h",
+                                      "widgets/bridge/run_recorder.h", "widgets/scene3d/scene_view.cpp"};
+  static const std::regex member(R"(^ +(std::shared_ptr<const LoadedScenario>|ScenarioPtr) \w+_;)");
+  const fs::path root = test::sourceDirectory();
+  int seen = 0;
+  for (const std::string folder : {"widgets", "app"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      std::ifstream stream(entry.path());
+      for (std::string line; std::getline(stream, line);) {
+        if (!std::regex_search(line, member)) continue;
+        ++seen;
+        const std::string file = fs::relative(entry.path(), root).generic_string();
+        EXPECT_TRUE(holders.count(file)) << file << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(seen, 2);
+}
+
+TEST(Architecture, TheMainWindowStaysSmall) {
+  const fs::path window = fs::path(test::sourceDirectory()) / "app/window";
+  std::ptrdiff_t lines = 0;
+  for (const auto& entry : fs::directory_iterator(window)) {
+    if (entry.path().filename().string().rfind("main_window", 0) != 0) continue;
+    std::ifstream stream(entry.path());
+    lines += std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
+  }
+  EXPECT_GT(lines, 0);
+  EXPECT_LT(lines, 300);
+}
+
 TEST(Architecture, SourcesStaySmall) {
-  const fs::path root = GLISSADE_SOURCE_DIR;
+  const fs::path root = test::sourceDirectory();
   for (const std::string folder : {"engine", "widgets", "app"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;

@@ -7,6 +7,7 @@
 
 #include "tests/benchmarks/benchmark_program.h"
 #include "tests/benchmarks/collision_models.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade {
 namespace {
@@ -62,7 +63,7 @@ int run(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   addMachineContext();
-  const std::vector<CollisionQuestion> questions = collisionQuestions(GLISSADE_SOURCE_DIR, kPoses);
+  const std::vector<CollisionQuestion> questions = collisionQuestions(test::sourceDirectory(), kPoses);
   for (const CollisionQuestion& question : questions) {
     ask(question.place() + "/fcl", question.count, question.fcl);
     ask(question.place() + "/kernel", question.count, question.kernel);

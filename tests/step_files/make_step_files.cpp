@@ -130,6 +130,43 @@ void writeAssembly(const std::string& file) {
   product.write(file);
 }
 
+/// Axis along z, from `bottom` up.
+TopoDS_Shape shaft(double x, double y, double bottom, double radius, double length) {
+  return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, bottom), gp_Dir(0, 0, 1)), radius, length);
+}
+TopoDS_Shape blockAt(double x, double y, double bottom, double width, double depth, double height) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(x - width / 2, y - depth / 2, bottom), width, depth, height);
+}
+
+/// Parts that fit as products have them, all where they are assembled: a bolt of its holes' radius through bracket,
+/// plate and nut; a screw thicker than its tapped hole; a dowel thicker by a hundredth; a rod that stands free in a
+/// wide hole; a block 3 mm deep in the plate.
+void writeFits(const std::string& file) {
+  TopoDS_Shape plate = blockAt(0, 0, 0, 120, 60, 10);
+  plate = BRepAlgoAPI_Cut(plate, shaft(-40, 0, -5, 4, 20));
+  plate = BRepAlgoAPI_Cut(plate, shaft(-10, 0, -5, 2.1, 20));
+  plate = BRepAlgoAPI_Cut(plate, shaft(15, 0, -5, 3, 20));
+  plate = BRepAlgoAPI_Cut(plate, shaft(40, 15, -5, 5, 20));
+  const TopoDS_Shape bracket = BRepAlgoAPI_Cut(blockAt(-40, 0, 10, 24, 40, 8), shaft(-40, 0, 5, 4, 20));
+  const TopoDS_Shape bolt = BRepAlgoAPI_Fuse(shaft(-40, 0, -12, 4, 30), shaft(-40, 0, 18, 7, 5));
+  const TopoDS_Shape nut = BRepAlgoAPI_Cut(blockAt(-40, 0, -7, 13, 13, 7), shaft(-40, 0, -10, 4, 20));
+  const TopoDS_Shape screw = BRepAlgoAPI_Fuse(shaft(-10, 0, 2, 2.5, 10), shaft(-10, 0, 10, 5, 3));
+  Product product;
+  const TDF_Label unit = product.assembly("fits");
+  const auto add = [&](const char* name, const TopoDS_Shape& shape) {
+    product.put(product.part(name, shape), unit, at(0, 0, 0));
+  };
+  add("plate", plate);
+  add("bracket", bracket);
+  add("bolt", bolt);
+  add("nut", nut);
+  add("screw", screw);
+  add("dowel", shaft(15, 0, -2, 3.01, 14));
+  add("rod", shaft(40, 15, -20, 4.9, 60));
+  add("block", blockAt(40, -18, 7, 10, 10, 12));
+  product.write(file);
+}
+
 void writeAll(const std::string& folder) {
   writePart(folder + "/box.step", "box", box(100, 50, 20));
   writePart(folder + "/cylinder.STP", "cylinder", cylinder(10, 40));
@@ -141,6 +178,7 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/surface.step", "sheet", BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 100.0, 0.0, 50.0));
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
   writeAssembly(folder + "/unit.step");
+  writeFits(folder + "/fits.step");
 }
 
 }  // namespace

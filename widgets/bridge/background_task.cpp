@@ -1,5 +1,9 @@
 #include "widgets/bridge/background_task.h"
 
+#include <iterator>
+
+#include "engine/base/guarded.h"
+
 namespace glissade {
 namespace {
 
@@ -9,7 +13,10 @@ constexpr int kLookMilliseconds = 100;
 
 BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {
   look_.setInterval(kLookMilliseconds);
-  connect(&look_, &QTimer::timeout, this, [this] { emit progressed(share_->load()); });
+  connect(&look_, &QTimer::timeout, this, [this] {
+    emit progressed(share_->load());
+    collect();  // where a worker had no memory to announce its end
+  });
 }
 
 BackgroundTask::~BackgroundTask() {
@@ -31,44 +38,61 @@ void BackgroundTask::end() {
   emit ended();
 }
 
-void BackgroundTask::joinFinished() {
-  for (auto worker = workers_.begin(); worker != workers_.end();) {
-    if (!worker->done) {
-      ++worker;
-      continue;
-    }
-    worker->thread.join();
-    worker = workers_.erase(worker);
-  }
-}
-
-void BackgroundTask::start(const Work& work, bool atOnce) {
+void BackgroundTask::start(const std::string& doing, const Work& work, bool atOnce) {
   cancel();
-  joinFinished();
+  collect();
   stop_ = StopSource();
-  if (atOnce) {
-    const std::uint64_t request = request_;
-    deliver(request, work(stop_.token()));
+  if (!atOnce) {
+    startWorker(doing, work);
     return;
   }
+  Found found;
+  found.problem = guarded(doing, [&] { found.delivery = work(stop_.token()); });
+  deliver(doing, found);
+}
+
+void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
   share_ = std::make_shared<std::atomic<double>>(0.0);
   busy_ = true;
   look_.start();
   emit started();
   const WorkWatch watch(stop_.token(), [share = share_](double done) { share->store(done); });
   Worker& worker = workers_.emplace_back();
-  worker.thread = std::thread([this, work, watch, request = request_, done = &worker.done] {
-    const Delivery delivery = work(watch);
-    QMetaObject::invokeMethod(
-        this, [this, request, delivery] { deliver(request, delivery); }, Qt::QueuedConnection);
-    *done = true;
-  });
+  worker.request = request_;
+  worker.doing = doing;
+  const auto run = [this, &worker, work, watch] {
+    worker.found.problem = guarded(worker.doing, [&] { worker.found.delivery = work(watch); });
+    worker.done = true;
+    // Where this fails, the timer notices that the worker is done.
+    (void)guarded("announcing a result", [this] {
+      QMetaObject::invokeMethod(
+          this, [this] { collect(); }, Qt::QueuedConnection);
+    });
+  };
+  if (auto why = guarded(doing, [&] { worker.thread = std::thread(run); })) {
+    workers_.pop_back();
+    deliver(doing, {{}, std::move(why)});
+  }
 }
 
-void BackgroundTask::deliver(std::uint64_t request, const Delivery& delivery) {
-  if (request != request_) return;
+/// Joins the workers that are done and delivers what the last request has found.
+void BackgroundTask::collect() {
+  std::list<Worker> done;
+  for (auto worker = workers_.begin(); worker != workers_.end();) {
+    const auto next = std::next(worker);
+    if (worker->done) done.splice(done.end(), workers_, worker);
+    worker = next;
+  }
+  for (Worker& worker : done) worker.thread.join();
+  for (const Worker& worker : done) {
+    if (worker.request == request_) deliver(worker.doing, worker.found);
+  }
+}
+
+void BackgroundTask::deliver(const std::string& doing, const Found& found) {
   end();
-  delivery();
+  const auto why = found.problem ? found.problem : guarded(doing, found.delivery);
+  if (why) emit failed(*why);
 }
 
 }  // namespace glissade

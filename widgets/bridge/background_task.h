@@ -6,8 +6,11 @@
 #include <functional>
 #include <list>
 #include <memory>
+#include <optional>
+#include <string>
 #include <thread>
 
+#include "engine/base/diagnostic.h"
 #include "engine/base/work_watch.h"
 
 namespace glissade {
@@ -20,14 +23,15 @@ class BackgroundTask final : public QObject {
  public:
   /// What is to happen on this object's thread with what was found.
   using Delivery = std::function<void()>;
-  /// Runs on another thread: holds values of its own and throws nothing.
+  /// Runs on another thread and holds values of its own.
   using Work = std::function<Delivery(const WorkWatch&)>;
 
   explicit BackgroundTask(QObject* parent = nullptr);
   ~BackgroundTask() override;
 
+  /// `doing` names the work in the diagnostic of an exception, for example "reading the parts".
   /// `atOnce`: delivered before this returns.
-  void start(const Work& work, bool atOnce);
+  void start(const std::string& doing, const Work& work, bool atOnce);
   void cancel();
   bool isBusy() const { return busy_; }
 
@@ -35,18 +39,29 @@ class BackgroundTask final : public QObject {
   void started();
   /// A few times a second, in [0, 1].
   void progressed(double share);
-  /// Delivered or cancelled.
+  /// Delivered, failed or cancelled.
   void ended();
+  /// After ended(): an exception has left the work or its delivery, or no thread could be started.
+  void failed(const glissade::Diagnostic& why);
 
  private:
-  void deliver(std::uint64_t request, const Delivery& delivery);
-  void end();
-  void joinFinished();
-
+  struct Found {
+    Delivery delivery;
+    std::optional<Diagnostic> problem;  ///< an exception has left the work: nothing is delivered
+  };
   struct Worker {
+    std::uint64_t request = 0;
+    std::string doing;
     std::thread thread;
+    Found found;  ///< the thread's until it is done
     std::atomic<bool> done{false};
   };
+
+  void startWorker(const std::string& doing, const Work& work);
+  void collect();
+  void deliver(const std::string& doing, const Found& found);
+  void end();
+
   std::list<Worker> workers_;
   StopSource stop_;
   std::shared_ptr<std::atomic<double>> share_;

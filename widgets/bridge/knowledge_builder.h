@@ -12,7 +12,9 @@ class KnowledgeBuilder final : public QObject {
   Q_OBJECT
 
  public:
-  explicit KnowledgeBuilder(QObject* parent = nullptr) : QObject(parent) {}
+  explicit KnowledgeBuilder(QObject* parent = nullptr) : QObject(parent) {
+    connect(&task_, &BackgroundTask::failed, this, &KnowledgeBuilder::failed);
+  }
 
   /// `before`: what was known before bodies were moved, or null. `atOnce`: finished before this returns.
   void build(const Problem& problem, double requiredClearance, const SceneKnowledgePtr& before, bool atOnce);
@@ -22,6 +24,7 @@ class KnowledgeBuilder final : public QObject {
  signals:
   void started();
   void finished(const glissade::SceneKnowledgePtr& knowledge);
+  /// Also where an exception has ended the work.
   void failed(const glissade::Diagnostic& why);
 
  private:

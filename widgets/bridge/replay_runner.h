@@ -18,7 +18,9 @@ class ReplayRunner final : public QObject {
   Q_OBJECT
 
  public:
-  explicit ReplayRunner(QObject* parent = nullptr) : QObject(parent) {}
+  explicit ReplayRunner(QObject* parent = nullptr) : QObject(parent) {
+    connect(&task_, &BackgroundTask::failed, this, &ReplayRunner::failed);
+  }
 
   /// `atOnce`: ended before this returns.
   void run(const Problem& problem, const std::shared_ptr<const RunLog>& log, ReplayEnd end, bool atOnce);
@@ -27,6 +29,7 @@ class ReplayRunner final : public QObject {
  signals:
   /// Some twenty times a second, and at the end.
   void progressed(const glissade::ReplayProgress& progress);
+  /// Also where an exception has ended the replay.
   void failed(const glissade::Diagnostic& why);
 
  private:

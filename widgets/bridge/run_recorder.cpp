@@ -4,10 +4,8 @@
 
 namespace glissade {
 
-RunRecorder::~RunRecorder() { discardJournal(); }
-
 void RunRecorder::open(const ScenarioPtr& scenario) {
-  discardJournal();
+  closeJournal();
   parts_.clear();
   head_.reset();
   scenario_ = scenario;
@@ -26,13 +24,19 @@ bool RunRecorder::follow(const SessionSnapshot& snapshot) {
 
 void RunRecorder::journal() {
   if (!journal_) return;
-  for (; journalled_ < parts_.size(); ++journalled_) {
-    const Outcome written = journal_->append(*parts_[journalled_]);
-    if (written) continue;
-    trouble_ = written.error();
-    discardJournal();
-    return;
-  }
+  for (; journalled_ < parts_.size(); ++journalled_) journal_->append(parts_[journalled_]);
+}
+
+std::optional<Diagnostic> RunRecorder::trouble() const { return journal_ ? journal_->trouble() : headTrouble_; }
+
+std::optional<Diagnostic> RunRecorder::takeTrouble() {
+  auto why = troubleTaken_ ? std::nullopt : trouble();
+  troubleTaken_ = troubleTaken_ || why;
+  return why;
+}
+
+void RunRecorder::waitUntilJournalled() {
+  if (journal_) journal_->waitUntilWritten();
 }
 
 Result<RunRecord> RunRecorder::record() {
@@ -47,23 +51,18 @@ Result<RunRecord> RunRecorder::record() {
 }
 
 void RunRecorder::beginJournal() {
-  discardJournal();
-  trouble_.reset();
-  const auto head = record();
-  if (!head) {
-    trouble_ = head.error();
-    return;
-  }
-  auto journal = RunJournal::begin(*head, folder_);
-  if (journal) {
-    journal_ = std::move(*journal);
+  closeJournal();
+  headTrouble_.reset();
+  troubleTaken_ = false;
+  auto head = record();
+  if (head) {
+    journal_ = std::make_unique<JournalWriter>(std::move(*head), folder_);
   } else {
-    trouble_ = journal.error();
+    headTrouble_ = head.error();
   }
 }
 
-void RunRecorder::discardJournal() {
-  if (journal_) journal_->discard();
+void RunRecorder::closeJournal() {
   journal_.reset();
   journalled_ = 0;
 }

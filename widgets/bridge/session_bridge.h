@@ -8,14 +8,12 @@
 #include <string>
 
 #include "engine/operator/hand_inputs.h"
-#include "engine/scenario/scenario.h"
+#include "engine/scenario/scenario_ptr.h"
 #include "engine/session/session.h"
 
 Q_DECLARE_METATYPE(glissade::SnapshotPtr)
 
 namespace glissade {
-
-using ScenarioPtr = std::shared_ptr<const LoadedScenario>;
 
 /// Whose time the session lives in: ours, or one that goes on only when told to.
 enum class SessionClock { RealTime, Lockstep };

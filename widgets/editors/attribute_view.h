@@ -3,8 +3,8 @@
 #include <QTreeWidget>
 #include <vector>
 
+#include "widgets/document/semantic_document.h"
 #include "widgets/editors/attribute_editor.h"
-#include "widgets/model/semantic_document.h"
 
 namespace glissade {
 

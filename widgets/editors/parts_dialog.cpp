@@ -88,6 +88,8 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
   layout->addLayout(makeFileButtons());
   layout->addLayout(makeEnd());
   resize(kWidth, kHeight);
+  connect(&measuring_, &BackgroundTask::failed, this,
+          [this](const Diagnostic& why) { setMeasured(measuredPath_, why); });
   addFiles(files);
 }
 
@@ -227,7 +229,7 @@ void PartsDialog::chooseFiles() {
       rows_.empty() ? QString() : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
   addFiles(QFileDialog::getOpenFileNames(
       this, tr("Add the files of parts"), folder,
-      tr("Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.dae *.gltf *.glb *.urdf);;All files (*)")));
+      tr("Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)")));
 }
 
 void PartsDialog::removeSelected() {
@@ -292,7 +294,8 @@ void PartsDialog::measureNext() {
       setMeasured(path, *measured);
     };
   };
-  measuring_.start(measure, atOnce_);
+  measuredPath_ = next->part.path;
+  measuring_.start("reading the parts", measure, atOnce_);
 }
 
 /// The row of the file becomes one a part.

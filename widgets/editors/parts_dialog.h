@@ -75,6 +75,7 @@ class PartsDialog final : public QDialog {
   QLabel* hint_;
   QPushButton* accept_ = nullptr;
   BackgroundTask measuring_;
+  std::string measuredPath_;  ///< of the file that measuring_ reads
 };
 
 }  // namespace glissade

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QPixmap>
 
-#include "widgets/model/complexity_colour.h"
+#include "widgets/document/complexity_colour.h"
 
 namespace glissade {
 namespace {

@@ -3,7 +3,7 @@
 #include <QHash>
 #include <QTreeWidget>
 
-#include "widgets/model/semantic_document.h"
+#include "widgets/document/semantic_document.h"
 
 namespace glissade {
 

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "widgets/model/author_colour.h"
+#include "widgets/document/author_colour.h"
 
 namespace glissade {
 namespace {

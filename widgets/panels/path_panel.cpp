@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include "engine/planning/path_bounds.h"
+
 namespace glissade {
 namespace {
 
@@ -34,6 +36,10 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
     text += QStringLiteral("<br>") +
             PathPanel::tr("of triangles; STEP surfaces may be %1 mm nearer").arg(number(deviation * 1e3, 3));
   }
+  if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
+    text += QStringLiteral("<br>") + PathPanel::tr("of 32-bit coordinates, which may be %1 mm nearer")
+                                         .arg(QLocale().toString(spacing * 1e3, 'g', 2));
+  }
   return text;
 }
 
@@ -43,7 +49,9 @@ QString refusalText(const PathExamination& refused, const WaySlider& slider, con
   QStringList why;
   if (!refused.ends.start) why << PathPanel::tr("It does not begin at the start.");
   if (!refused.ends.goal) why << PathPanel::tr("It does not end at the goal.");
-  if (!refused.blocked.empty()) {
+  if (const auto outside = firstOutside(refused.path.points, scenario.problem)) {
+    why << PathPanel::tr("It leaves the workspace at configuration %1.").arg(*outside + 1);
+  } else if (!refused.blocked.empty()) {
     const BlockedEdge& first = refused.blocked.front();
     const int body = first.nearest.body;
     why << PathPanel::tr("%1 of %2 edges are blocked, the first at %3 % by %4.")

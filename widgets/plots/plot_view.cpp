@@ -3,10 +3,9 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QFile>
-#include <QFileInfo>
 #include <QGuiApplication>
 #include <QMouseEvent>
+#include <QTemporaryDir>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -32,6 +31,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "engine/base/file.h"
+#include "widgets/plots/picture_file.h"
 
 namespace glissade {
 namespace {
@@ -215,11 +217,14 @@ QImage PlotView::image() const {
 }
 
 bool PlotView::save(const QString& file) const {
-  if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return image().save(file);
+  if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return savePicture(image(), file).ok();
   constexpr double kMillimetresAPixel = 25.4 / 96.0;
-  QFile::remove(file);
-  QwtPlotRenderer().renderDocument(view_, file, QStringLiteral("svg"), QSizeF(view_->size()) * kMillimetresAPixel, 96);
-  return QFileInfo(file).size() > 0;
+  constexpr std::size_t kMostBytes = 256U << 20;
+  const QTemporaryDir folder;  // Qwt writes SVG into files only
+  const QString drawn = folder.filePath(QStringLiteral("plot.svg"));
+  QwtPlotRenderer().renderDocument(view_, drawn, QStringLiteral("svg"), QSizeF(view_->size()) * kMillimetresAPixel, 96);
+  const auto content = readFile(drawn.toStdString(), kMostBytes);
+  return content && !content->empty() && writeFileAtomically(file.toStdString(), *content).ok();
 }
 
 void PlotView::copy() const { QGuiApplication::clipboard()->setImage(image()); }

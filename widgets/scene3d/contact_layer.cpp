@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/model/author_colour.h"
+#include "widgets/document/author_colour.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"

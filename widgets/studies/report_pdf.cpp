@@ -1,7 +1,7 @@
 #include "widgets/studies/report_pdf.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QFile>
+#include <QBuffer>
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/file.h"
 #include "engine/study/svg_plot.h"
 
 namespace glissade {
@@ -256,7 +257,9 @@ void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer
 }  // namespace
 
 Outcome writeReportPdf(const StudyReport& report, const QString& file) {
-  QPdfWriter writer(file);
+  QBuffer content;
+  content.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&content);
   writer.setTitle(text(report.title));
   writer.setCreator(QStringLiteral("Glissade"));
   writer.setResolution(kDotsPerInch);
@@ -286,8 +289,7 @@ Outcome writeReportPdf(const StudyReport& report, const QString& file) {
     }
   }
   drawPages(document, text(report.title), writer);
-  if (QFile(file).size() > 0) return Done{};
-  return Diagnostic{ErrorKind::Internal, file.toStdString(), "", "the PDF cannot be written", "Check the folder."};
+  return writeFileAtomically(file.toStdString(), content.data().toStdString());
 }
 
 }  // namespace glissade

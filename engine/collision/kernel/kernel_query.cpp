@@ -19,23 +19,31 @@ constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
 constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
-void addTriangles(const TriangleMesh& mesh, int body, std::vector<OwnedTriangle>& triangles) {
+/// One over the size of the obstacles, as a power of two.
+double scaleFor(const std::vector<RigidBody>& obstacles) {
+  Box3 box;
+  for (const RigidBody& body : obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+  const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
+  return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+}
+
+void addTriangles(const TriangleMesh& mesh, double scale, int body, std::vector<OwnedTriangle>& triangles) {
   for (const auto& [a, b, c] : mesh.triangles) {
-    triangles.push_back({{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, body});
+    triangles.push_back({{scale * mesh.vertices[a], scale * mesh.vertices[b], scale * mesh.vertices[c]}, body});
   }
 }
 
-std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles) {
+std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles, double scale) {
   std::vector<OwnedTriangle> triangles;
   for (std::size_t body = 0; body < obstacles.size(); ++body) {
-    addTriangles(transformed(*obstacles[body].mesh, obstacles[body].X_WB), static_cast<int>(body), triangles);
+    addTriangles(transformed(*obstacles[body].mesh, obstacles[body].X_WB), scale, static_cast<int>(body), triangles);
   }
   return triangles;
 }
 
-std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& object) {
+std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& object, double scale) {
   std::vector<OwnedTriangle> triangles;
-  addTriangles(object, 0, triangles);
+  addTriangles(object, scale, 0, triangles);
   return triangles;
 }
 
@@ -48,11 +56,12 @@ float roundedUp(double value) {
 }  // namespace
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : KernelGeometry(std::make_shared<const BoxTree>(trianglesOf(obstacleBodies), kMostInALeafOfObstacles),
-                     objectMesh) {}
+    : scale(scaleFor(obstacleBodies)),
+      obstacles(std::make_shared<const BoxTree>(trianglesOf(obstacleBodies, scale), kMostInALeafOfObstacles)),
+      object(trianglesOf(objectMesh, scale), kMostInALeafOfObject) {}
 
-KernelGeometry::KernelGeometry(std::shared_ptr<const BoxTree> theirTree, const TriangleMesh& objectMesh)
-    : obstacles(std::move(theirTree)), object(trianglesOf(objectMesh), kMostInALeafOfObject) {}
+KernelGeometry::KernelGeometry(const KernelGeometry& other, const TriangleMesh& objectMesh)
+    : scale(other.scale), obstacles(other.obstacles), object(trianglesOf(objectMesh, scale), kMostInALeafOfObject) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)),
@@ -61,7 +70,7 @@ KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const l
 
 bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
   if (geometry_->obstacles->empty() || geometry_->object.empty()) return false;
-  traversal_.placed.moveTo(X_WB);
+  traversal_.placed.moveTo(scaled(X_WB));
   return traversal_.placed.sphereGap() <= bound;
 }
 
@@ -192,10 +201,11 @@ void KernelQuery::decide(Best& best) {
 
 NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  const double scale = geometry_->scale;
   NearestObstacle result;
   result.distance = enough;
-  if (!moveTo(X_WB, enough)) return result;
-  Best best{enough * enough, {kNone, kNone}};
+  if (!moveTo(X_WB, scale * enough)) return result;
+  Best best{scale * enough * (scale * enough), {kNone, kNone}};
   if (recentCount_ > 0) {
     triangles_.clear();
     for (std::size_t i = 0; i < recentCount_; ++i) triangles_.push_back({recent_[i], 0.0F});
@@ -213,10 +223,10 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
   const TriangleDistance distance =
       triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
   // Surfaces that do not touch are apart, by however little.
-  result.distance = std::max(std::sqrt(distance.squared), std::numeric_limits<double>::min());
+  result.distance = std::max(std::sqrt(distance.squared) / scale, std::numeric_limits<double>::min());
   result.body = traversal_.obstacles.triangles[best.pair.obstacle].body;
-  result.p_WPo = distance.onA;
-  result.p_WPn = distance.onB;
+  result.p_WPo = distance.onA / scale;
+  result.p_WPn = distance.onB / scale;
   return result;
 }
 
@@ -264,7 +274,8 @@ void KernelQuery::remember(const TrianglePair& pair) {
   std::rotate(recent_.begin(), at, at + 1);
 }
 
-bool KernelQuery::isWithin(const Pose& X_WB, double bound) {
+bool KernelQuery::isWithin(const Pose& X_WB, double metres) {
+  const double bound = geometry_->scale * metres;
   if (bound < 0.0 || !moveTo(X_WB, bound)) return false;
   if (recentlyWithin(bound)) return true;
   stack_.assign(1, kRoots);
@@ -291,7 +302,7 @@ std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose
       if (touches(interpolate(from, to, t))) return MotionCheck{CertificateStatus::Violated, 0.0, t, tried};
     }
   }
-  MotionCheck check = MotionSearch(traversal_, from, to, required, seek).run(stop);
+  MotionCheck check = MotionSearch(traversal_, scaled(from), scaled(to), geometry_->scale * required, seek).run(stop);
   check.configurations += tried;
   return check;
 }

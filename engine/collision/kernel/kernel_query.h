@@ -8,12 +8,15 @@
 
 namespace glissade {
 
-/// The geometry of a world as the kernel wants it. Immutable, shared by threads.
+/// The geometry of a world as the kernel wants it. Immutable, shared by threads. All lengths are multiplied
+/// by `scale`, a power of two that brings the obstacles to a size near one: single precision neither overflows
+/// nor underflows, and geometry in micrometres gives the same answers as geometry in kilometres.
 struct KernelGeometry {
   KernelGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
   /// Another object among the same obstacles.
-  KernelGeometry(std::shared_ptr<const BoxTree> obstacles, const TriangleMesh& object);
+  KernelGeometry(const KernelGeometry& other, const TriangleMesh& object);
 
+  double scale;
   std::shared_ptr<const BoxTree> obstacles;  ///< world frame
   BoxTree object;                            ///< frame B
 };
@@ -49,7 +52,8 @@ class KernelQuery final : public SurfaceQuery {
     TrianglePair pair;
   };
 
-  /// False where there is nothing, or spheres around all are farther apart than `bound`.
+  Pose scaled(const Pose& X_WB) const { return {geometry_->scale * X_WB.position, X_WB.orientation}; }
+  /// False where there is nothing, or spheres around all are farther apart than `bound` (scaled).
   bool moveTo(const Pose& X_WB, double bound);
   bool leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body);
   bool leavesWithin(const BoxPair& leaves, double bound);

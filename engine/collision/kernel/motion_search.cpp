@@ -12,6 +12,8 @@ constexpr double kSlimmestMargin = 1e-3;
 /// The first violation is found to within this way, as a share of the object's size.
 constexpr double kLocated = 1e-3;
 constexpr std::uint64_t kMostConfigurations = 200'000;
+/// Shorter intervals of time are not halved: poses in them differ by rounding only. It bounds the recursion.
+constexpr double kShortestHalf = 0x1p-50;
 /// Boxes this much smaller than the way they go are not opened: halving time says more.
 constexpr double kWorthOpening = 1.0;
 /// Triangles this much larger than the way they go are worth a plane between them.
@@ -56,6 +58,7 @@ MotionCheck MotionSearch::run(const StopToken& stop) {
 bool MotionSearch::prove(const Interval& interval, const Doubts& doubts, const StopToken& stop) {
   if (stop.stopRequested() || ++check_.configurations > kMostConfigurations) return false;
   const double half = interval.half();
+  if (half > 0.0 && half < kShortestHalf) return false;
   const double middle = interval.middle();
   middle_ = interpolate(from_, to_, middle);
   spin_W_ = velocity_.rotation * (middle_.orientation * velocity_.axis_B);

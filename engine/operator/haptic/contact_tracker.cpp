@@ -19,7 +19,20 @@ ContactTracker::~ContactTracker() {
 
 void ContactTracker::ask(const Pose& q, double reach) { question_.tryPut({q, reach}); }
 
+void ContactTracker::rethrowFailure() const {
+  if (failed_) std::rethrow_exception(failure_);
+}
+
 void ContactTracker::run() {
+  try {
+    answerQuestions();
+  } catch (...) {
+    failure_ = std::current_exception();
+    failed_ = true;
+  }
+}
+
+void ContactTracker::answerQuestions() {
   while (!quit_) {
     const auto question = question_.take();
     if (!question) {

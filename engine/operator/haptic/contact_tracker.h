@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <thread>
 
 #include "engine/operator/haptic/latest.h"
@@ -22,6 +23,8 @@ class ContactTracker {
   std::optional<Surroundings> answer() { return answer_.tryTake(); }
 
   std::uint64_t queries() const { return queries_; }
+  /// Throws the exception that ended the tracker's thread, if one did.
+  void rethrowFailure() const;
 
  private:
   struct Question {
@@ -30,12 +33,15 @@ class ContactTracker {
   };
 
   void run();
+  void answerQuestions();
 
   std::unique_ptr<CollisionQuery> query_;
   Latest<Question> question_;
   Latest<Surroundings> answer_;
   std::atomic<std::uint64_t> queries_{0};
   std::atomic<bool> quit_{false};
+  std::exception_ptr failure_;  ///< written before failed_
+  std::atomic<bool> failed_{false};
   std::thread thread_;
 };
 

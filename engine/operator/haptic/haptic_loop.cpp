@@ -62,6 +62,7 @@ void HapticLoop::carryOutOrders() {
 }
 
 void HapticLoop::cycle() {
+  tracker_.rethrowFailure();
   carryOutOrders();
   if (const auto answer = tracker_.answer()) servo_.learn(*answer);
   now_.cycle = servo_.cycle(HapticServo::kPeriod, current_.guidance, current_.bounds);
@@ -73,6 +74,18 @@ void HapticLoop::cycle() {
 }
 
 void HapticLoop::run() {
+  try {
+    runCycles();
+  } catch (...) {
+    servo_.stop();
+    const std::lock_guard lock(mutex_);
+    report_ = now_;
+    report_.connected = false;
+    report_.failure = std::current_exception();
+  }
+}
+
+void HapticLoop::runCycles() {
   becomePunctual();
   auto deadline = Clock::now();
   while (!quit_) {

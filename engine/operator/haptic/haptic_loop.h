@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -27,6 +28,8 @@ struct HapticReport {
   std::uint64_t late = 0;     ///< of them began more than HapticLoop::kLate after their time
   double longestDelay = 0.0;  ///< s
   std::uint64_t queries = 0;  ///< of the contact tracker
+  /// The exception that ended the loop; null while it runs. The device renders nothing any more.
+  std::exception_ptr failure;
 };
 
 /// The haptic loop: a servo cycle each millisecond on a thread of its own, by absolute deadlines; whole
@@ -34,7 +37,8 @@ struct HapticReport {
 /// query takes longer than a cycle, the object goes on in the ball and along the planes it knows. Neither side ever
 /// waits for the other: locks of the loop are tried, not waited for.
 ///
-/// Asks for real-time priority and goes on without where the system refuses it.
+/// Asks for real-time priority and goes on without where the system refuses it. An exception of the device or of a
+/// query ends the loop: it is reported to the thread that asks for the report.
 class HapticLoop {
  public:
   static constexpr double kLate = 2e-4;  ///< s
@@ -50,6 +54,7 @@ class HapticLoop {
 
  private:
   void run();
+  void runCycles();
   void carryOutOrders();
   void cycle();
 

@@ -18,6 +18,7 @@ Pose HapticOperator::advance(double dt, const OperatorView& view, const Box3& bo
     loop_ = std::make_unique<HapticLoop>(world_, std::move(device_), orders_);
   }
   const HapticReport report = loop_->report();
+  if (report.failure) std::rethrow_exception(report.failure);
   if (dt <= 0.0 || report.placements != orders_.placements) return q_;
   wrench_ = report.cycle.wrench;
   return q_ = report.cycle.q;

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// A haptic device as an operator, in real time: q_device follows the object that the loop keeps out of
-/// the obstacles.
+/// the obstacles. advance() throws what has ended the loop.
 class HapticOperator final : public OperatorDevice {
  public:
   HapticOperator(CollisionWorldPtr world, std::unique_ptr<HapticDevice> device);

@@ -1,5 +1,7 @@
 #include "engine/operator/haptic/haptic_servo.h"
 
+#include "engine/base/guarded.h"
+
 namespace glissade {
 namespace {
 
@@ -40,6 +42,11 @@ void HapticServo::place(const Pose& q) {
   apart_ = Pose::identity();
   environment_ = Wrench();
   passivity_ = freshBalance(coupling_.objectRadius, limits_);
+}
+
+void HapticServo::stop() noexcept {
+  // Where the device refuses this, too, its driver has to fall silent by itself.
+  (void)guarded("stopping the haptic device", [this] { device_->render({}); });
 }
 
 Wrench HapticServo::environmentWrench(const Guidance& guidance, const Pose& X_WD, double dt) {

@@ -36,6 +36,9 @@ class HapticServo {
   void learn(const Surroundings& surroundings) { object_.learn(surroundings); }
   const GodObject& object() const { return object_; }
 
+  /// Renders no wrench from now on; to be called after an exception, which may be the device's.
+  void stop() noexcept;
+
   HapticCycle cycle(double dt, const Guidance& guidance, const Box3& bounds);
 
  private:

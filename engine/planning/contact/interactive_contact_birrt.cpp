@@ -144,7 +144,12 @@ void InteractiveContactBirrt::contactSampling(PlannerHost& host) {
 void InteractiveContactBirrt::operatorShooter(const OperatorSample& device, PlannerHost& host) {
   ++counts_.operatorConfigurations;
   ++usedAtRest_;
-  addTree(device.q_device, Author::Operator, host);
+  if (problem_.bounds.contains(device.q_device.position)) {
+    addTree(device.q_device, Author::Operator, host);
+  } else {
+    ++counts_.steps;
+    authority_ = Author::Operator;
+  }
 }
 
 void InteractiveContactBirrt::randomShooter(PlannerHost& host) {

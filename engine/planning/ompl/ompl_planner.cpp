@@ -14,10 +14,10 @@
 #include <ompl/util/String.h>
 
 #include <algorithm>
-#include <exception>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/base/guarded.h"
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
 #include "engine/planning/ompl/ompl_prm.h"
@@ -154,46 +154,48 @@ struct OmplPlanner::Engine {
 OmplPlanner::OmplPlanner(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner) {
   nodes_.push_back({problem.start, Author::Computer, TreeSide::Start});
   counts_.nodes = 1;
-  try {
+  guard("preparing OMPL's planner", [&] {
     engine_ = std::make_unique<Engine>(problem, seed, algorithm, manner);
     counts_.queries = engine_->world.queryCounts();
     if (engine_->goals.empty()) {
       fail(ErrorKind::NoPath, "OMPL's planners need a free goal within the bounds, and there is none",
            "Widen the bounds, or give another goal.");
     }
-  } catch (const std::exception& error) {
-    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
-  }
+  });
 }
 
 OmplPlanner::~OmplPlanner() = default;
+
+/// An exception of OMPL fails this planner alone: in a portfolio the others go on.
+template <class Work>
+void OmplPlanner::guard(std::string_view doing, const Work& work) {
+  auto why = guarded(doing, work);
+  if (!why) return;
+  why->advice = "Choose another planner.";
+  failure_ = std::move(why);
+}
 
 void OmplPlanner::fail(ErrorKind kind, const std::string& reason, const std::string& advice) {
   failure_ = Diagnostic{kind, "", "", reason, advice};
 }
 
 bool OmplPlanner::solve(PlannerHost& host) {
-  try {
-    while (owedSteps_ > 0 || (!path_ && !failure_)) {
-      if (owedSteps_ == 0) grow(host);
-      --owedSteps_;
-      ++counts_.steps;
-      // A piece draws many at once; each is counted with its step.
-      counts_.randomConfigurations = engine_->world.draws - std::min(owedSteps_, engine_->world.draws);
-      if (!host.afterStep()) break;
-    }
-  } catch (const std::exception& error) {
-    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
+  while (owedSteps_ > 0 || (!path_ && !failure_)) {
+    if (owedSteps_ == 0) guard("planning with OMPL", [&] { grow(host); });
+    if (owedSteps_ == 0) break;  // it has failed
+    --owedSteps_;
+    ++counts_.steps;
+    // A piece draws many at once; each is counted with its step.
+    counts_.randomConfigurations = engine_->world.draws - std::min(owedSteps_, engine_->world.draws);
+    if (!host.afterStep()) break;
   }
   return path_.has_value();
 }
 
 void OmplPlanner::completeRoadmap() {
-  try {
+  guard("reading OMPL's roadmap", [this] {
     if (engine_) collect();
-  } catch (const std::exception& error) {
-    fail(ErrorKind::Internal, std::string("OMPL: ") + error.what(), "Choose another planner.");
-  }
+  });
 }
 
 void OmplPlanner::grow(PlannerHost& host) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "engine/planning/planner.h"
 
@@ -58,6 +59,8 @@ class OmplPlanner final : public Planner {
   void deliverPath(PlannerHost& host);
   /// Appends what OMPL's planner has grown since the last time.
   void collect();
+  template <class Work>
+  void guard(std::string_view doing, const Work& work);
   void fail(ErrorKind kind, const std::string& reason, const std::string& advice);
 
   std::unique_ptr<Engine> engine_;  ///< null where OMPL could not be set up

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/collision/motion_certificate.h"
 #include "tests/engine/collision/exact_reference.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
@@ -229,6 +230,22 @@ TEST_P(CollisionQueryBy, AMotionThatItCallsFreeIsFreeAndAViolationIsOne) {
     }
     EXPECT_GT(certified, 10) << world.name;
     EXPECT_GT(violated, 10) << world.name;
+  }
+}
+
+/// Rounding is larger than the bodies there: motions through them were called free.
+TEST_P(CollisionQueryBy, MotionsBeyondAllMeasureEndAndAreNotCalledFree) {
+  for (const Case& world : cases()) {
+    const auto query = CollisionWorld::build(world.obstacles, world.object, GetParam())->makeQuery();
+    for (const double far : {1e19, 1e30, 1e150, 1e300}) {
+      for (const SeekViolation seek : {SeekViolation::First, SeekViolation::Any}) {
+        const Pose from = Pose::translation({-far, 0.0, 0.0});
+        const Pose to = Pose::translation({far, 0.0, 0.0});
+        EXPECT_NE(query->checkMotion(from, to, 1e-3, seek, {}).status, CertificateStatus::Certified)
+            << world.name << ", " << far;
+        EXPECT_LT(freeFraction(*query, from, to, 0.01), 1.0);
+      }
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/collision/ray_containment.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_worlds.h"
@@ -52,6 +54,62 @@ TEST(IndependentCheck, AgreesWithThePlannersCertificatesOnManyPaths) {
   }
   EXPECT_GT(certified, 30);
   EXPECT_LT(certified, 170);
+}
+
+/// The same scene in micrometres and in thousands of kilometres: a power of two changes no digit.
+TEST(IndependentCheck, JudgeAndCertificateDecideAlikeAtEveryScale) {
+  Pose tilted;
+  tilted.orientation = fromRollPitchYaw(0.4, -0.7, 0.2);
+  const std::vector<RigidBody> bodies{boxBody("a", {1, 2, 0.5}, tilted),
+                                      boxBody("b", {0.4, 0.4, 3}, Pose::translation({1.5, 0, 0}))};
+  const TriangleMesh object = *makeL();
+  const auto resultsAt = [&](int exponent) {
+    const double factor = std::ldexp(1.0, exponent);
+    std::vector<RigidBody> placed = bodies;
+    for (RigidBody& body : placed) {
+      body.mesh = std::make_shared<const TriangleMesh>(scaled(*body.mesh, Vector3::Constant(factor)));
+      body.X_WB.position *= factor;
+    }
+    const auto part = std::make_shared<const TriangleMesh>(scaled(object, Vector3::Constant(factor)));
+    const auto query = CollisionWorld::build(placed, part)->makeQuery();
+    const auto fclQuery = CollisionWorld::build(placed, part, CollisionBackend::Fcl)->makeQuery();
+    const IndependentCheck check(placed, *part);
+    RandomStream stream(11, "paths");
+    std::vector<MotionCertificate> results;
+    for (int i = 0; i < 60; ++i) {
+      std::vector<Pose> path{randomPose(stream, 3.0), randomPose(stream, 3.0)};
+      for (Pose& pose : path) pose.position *= factor;
+      const std::vector<EdgeDemand> demands(1, {factor * kRequired, false});
+      results.push_back(check.check(path, demands));
+      results.push_back(certifyPath(*query, path, demands));
+      EXPECT_EQ(results.back().status, results[results.size() - 2].status) << "2^" << exponent << ", path " << i;
+      results.push_back(certifyMotion(*fclQuery, path[0], path[1], factor * kRequired));
+    }
+    return results;
+  };
+  const std::vector<MotionCertificate> expected = resultsAt(0);
+  for (const int exponent : {-60, -30, -20, -10, 10, 20, 40}) {
+    const std::vector<MotionCertificate> found = resultsAt(exponent);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(found[i].status, expected[i].status) << "2^" << exponent << ", result " << i;
+      EXPECT_EQ(found[i].provedClearance, std::ldexp(expected[i].provedClearance, exponent));
+      EXPECT_EQ(found[i].minClearance, std::ldexp(expected[i].minClearance, exponent));
+      EXPECT_EQ(found[i].distanceQueries, expected[i].distanceQueries);
+    }
+  }
+}
+
+/// Coordinates that no scene has end as undecided or violated, not with the stack.
+TEST(IndependentCheck, MotionsBeyondAllMeasureAreNotCertified) {
+  const std::vector<RigidBody> bodies{boxBody("a", {1, 2, 0.5}, Pose::identity())};
+  const auto query = CollisionWorld::build(bodies, makeL())->makeQuery();
+  for (const double far : {1e15, 1e19, 1e25, 1e100, 1e200}) {
+    const Pose from = Pose::translation({far, 0.3, 0.1});
+    const Pose to = Pose::translation({-far, -0.1, 0.2});
+    for (const auto seek : {SeekViolation::Any, SeekViolation::First}) {
+      EXPECT_NE(query->checkMotion(from, to, kRequired, seek, {}).status, CertificateStatus::Certified) << far;
+    }
+  }
 }
 
 TEST(IndependentCheck, NothingTunnelsThroughAThinPlate) {

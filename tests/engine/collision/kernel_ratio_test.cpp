@@ -8,6 +8,7 @@
 #include <map>
 
 #include "tests/benchmarks/collision_models.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade {
 namespace {
@@ -19,7 +20,7 @@ TEST(KernelRatio, StaysFarAboveFcl) {
   constexpr std::size_t kPoses = 100;
   constexpr int kRounds = 5;
   std::map<std::string, std::pair<double, int>> logarithms;
-  for (const CollisionQuestion& question : collisionQuestions(GLISSADE_SOURCE_DIR, kPoses)) {
+  for (const CollisionQuestion& question : collisionQuestions(test::sourceDirectory(), kPoses)) {
     auto& [sum, count] = logarithms[question.what];
     sum += std::log(timeRatio(question, kRounds));
     ++count;

@@ -171,6 +171,20 @@ TEST(Kernel, AgreesWithExactPredicatesFarFromTheOriginToo) {
   }
 }
 
+/// From 1e19 m squares overflow single precision: the search had no end but the stack's.
+TEST(Kernel, TheSearchOfAMotionEndsBeyondAllMeasureToo) {
+  for (const World& world : worlds()) {
+    KernelQuery kernel(std::make_shared<const KernelGeometry>(world.obstacles, *world.object));
+    for (const double far : {1e19, 1e30, 1e150, 1e300}) {
+      for (const Vector3& to : {Vector3(far, 0, 0), Vector3(-far, far, far)}) {
+        const auto check = kernel.checkMotion(Pose::identity(), Pose::translation(to), 1e-3, SeekViolation::First, {});
+        ASSERT_TRUE(check.has_value());
+        EXPECT_LE(check->configurations, 1000U);
+      }
+    }
+  }
+}
+
 TEST(Kernel, AgreesWithFclOnAHundredThousandPoses) {
   int compared = 0;
   for (const World& world : worlds()) {

@@ -4,9 +4,11 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <iostream>
+#include <new>
 
 #include "tests/engine/operator/process_load.h"
 
@@ -139,6 +141,20 @@ TEST_F(Gamepad, UnplugsLeakNothing) {
   // SDL 2.26 itself keeps about 2,080 bytes of every virtual joystick (measured without the reader).
   EXPECT_LE(allocatedBytes() - bytes, 16384 + 2500 * rounds);
   std::cout << rounds << " unplugs: " << openFiles() - files << " files, " << allocatedBytes() - bytes << " bytes\n";
+}
+
+TEST_F(Gamepad, AnExceptionIsToldAndTheGamepadIsConnectedAgain) {
+  std::atomic<int> calls{0};
+  std::atomic<bool> told{false};
+  hand->gamepad.mailbox.setListener([&] {
+    if (++calls == 1) throw std::bad_alloc();
+    const auto problem = reader.problem();
+    told = told || (problem && problem->kind == ErrorKind::LimitReached);
+  });
+  VirtualPad pad;
+  EXPECT_TRUE(eventually([&] { return told.load(); }));
+  EXPECT_TRUE(eventually([&] { return now().connected && !reader.problem(); }));
+  hand->gamepad.mailbox.setListener({});
 }
 
 }  // namespace

@@ -5,10 +5,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <climits>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <thread>
 
 #include "tests/engine/operator/fake_spacenav_daemon.h"
@@ -222,6 +224,23 @@ TEST_F(Spacenav, ADeadOrIdleDaemonIsNotSpunOn) {
     std::cout << (dead ? "dead" : "idle") << ": " << static_cast<double>(micros(after) - micros(before)) / 10000.0
               << " % CPU, with the fake daemon\n";
   }
+}
+
+TEST_F(Spacenav, AnExceptionIsToldAndTheMouseIsConnectedAgain) {
+  std::atomic<int> calls{0};
+  std::atomic<bool> told{false};
+  SpacenavReader reader(hand, milliseconds(20));
+  hand->mouse6d.mailbox.setListener([&] {
+    if (++calls == 1) throw std::bad_alloc();
+    const auto problem = reader.problem();
+    told = told || (problem && problem->kind == ErrorKind::LimitReached);
+  });
+  {
+    FakeSpacenavDaemon daemon(socket);
+    EXPECT_TRUE(eventually([&] { return told.load(); }));
+    EXPECT_TRUE(eventually([&] { return now().connected && !reader.problem(); }));
+  }
+  hand->mouse6d.mailbox.setListener({});
 }
 
 }  // namespace

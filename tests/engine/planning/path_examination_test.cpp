@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/planning/path_bounds.h"
 #include "engine/planning/path_certificate.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/test_host.h"
@@ -25,6 +26,22 @@ TEST(PathExamination, APathThatHoldsHasItsWholeCertificate) {
   EXPECT_TRUE(examined.blocked.empty());
   EXPECT_EQ(examined.path.certificate.status, CertificateStatus::Certified);
   EXPECT_EQ(examined.path.certificate.edges.size() + 1, examined.path.points.size());
+}
+
+TEST(PathExamination, APathThatLeavesTheWorkspaceIsRefusedOnTheEdgeThatDoes) {
+  const Problem problem = windowProblem();
+  const ParameterValues values = TestHost(problem).values;
+  const double beyond = problem.bounds.max().y() + 1e-3;
+  for (const double far : {beyond, 1e6, 1e9}) {
+    std::vector<PathPoint> points = throughTheWindow();
+    points.insert(points.begin() + 3, {Pose::translation({-0.5, far, 0.0}), Author::Operator});
+    EXPECT_EQ(firstOutside(points, problem), std::optional<std::size_t>(3));
+    const PathExamination examined = examinePath(points, problem, values);
+    EXPECT_FALSE(examined.holds());
+    ASSERT_EQ(examined.blocked.size(), 1U);
+    EXPECT_EQ(examined.blocked[0].edge, 2U);
+  }
+  EXPECT_EQ(firstOutside(throughTheWindow(), problem), std::nullopt);
 }
 
 TEST(PathExamination, EveryBlockedEdgeIsNamedWithWhatIsInTheWay) {

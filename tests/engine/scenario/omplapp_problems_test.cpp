@@ -4,6 +4,7 @@
 
 #include "engine/scenario/path_reader.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 class OmplAppProblem : public testing::TestWithParam<const char*> {
  protected:
   std::string file(const std::string& ending) const {
-    return std::string(GLISSADE_SOURCE_DIR) + "/../shared/problems/omplapp/" + GetParam() + ending;
+    return test::sourceDirectory() + "/../shared/problems/omplapp/" + GetParam() + ending;
   }
 };
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/base/utf8.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -24,19 +25,37 @@ TEST(ReadPath, NamesTheLineOfAFault) {
       {header, ""},
       {"{\"format\": \"glissade-path\", \"version\": 1, \"configurations\": [{\"author\": \"contact\"}]}",
        "/configurations/0"},
+      {"{\"format\": \"glissade-path\", \"version\": 1, \"configurations\": [{\"position\": [0, 0, 0], "
+       "\"orientation\": [0, 0, 0, 1], \"author\": \"contact\"}], \"checksum\": \"sha256:00\"}",
+       "/checksum"},
       {"{\"format\": \"glissade-scenario\"}", "/format"},
       {"{", "line 1"},
+      {good + "1e9 0 0 0 0 0 1\n1.1e9 0 0 0 0 0 1\n", "line 3"},
+      {good + "0 -1e19 0 0 0 0 1\n", "line 2"},
+      {good + "0 0 \xff\xfe\x1b[31m 0 0 0 1\n", "line 2"},
+      {good + "0 0 \xC3( 0 0 0 1\n", "line 2"},
+      {header + "0,0,0,0,0,0,0,0,1,1,0,\x1b]0;x\x07\n", "line 2"},
+      {good + std::string(1'000'000, ' ') + "\n", "line 2"},
+      {"{\"format\": \"glissade-path\", \"version\": 1, \"configurations\": [{\"position\": [0, 1e12, 0], "
+       "\"orientation\": [0, 0, 0, 1], \"author\": \"contact\"}]}",
+       "/configurations/0/position/1"},
+      {std::string(200'000, '['), "line 1"},
       {"glTF\2", ""},
       {"", ""},
   };
   for (const auto& [text, place] : table) {
-    SCOPED_TRACE(text);
+    SCOPED_TRACE(text.substr(0, 200));
     const std::string file = folder.write("path", text);
     const Result<std::vector<PathPoint>> points = readPath(file);
     ASSERT_FALSE(points.ok());
     EXPECT_EQ(points.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(points.error().file, file);
     EXPECT_THAT(points.error().place, testing::StartsWith(place));
+    EXPECT_TRUE(isUtf8(points.error().reason));
+    EXPECT_EQ(points.error().reason.find('\x1b'), std::string::npos);
+    EXPECT_LT(points.error().reason.size(), 200U);
+    EXPECT_EQ(points.error().place.empty(), place.empty());
+    EXPECT_FALSE(points.error().reason.empty());
   }
   EXPECT_TRUE(readPath(folder.write("crlf", "0 0 0 0 0 0 1\r\n  1\t0 0 0 0 0 1 \r\n")).ok());
 }

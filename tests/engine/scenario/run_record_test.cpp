@@ -2,9 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "engine/scenario/run_journal.h"
 #include "engine/scenario/scenario_io.h"
@@ -78,6 +84,7 @@ TEST(RunRecordFile, IsReadStrictly) {
       {R"([{"op": "replace", "path": "/operator_stream/3/0", "value": 1}])", "/operator_stream/3/0"},
       {R"([{"op": "replace", "path": "/operator_stream/3/7", "value": 9}])", "/operator_stream/3"},
       {R"([{"op": "remove", "path": "/operator_stream/3/7"}])", "/operator_stream/3"},
+      {R"([{"op": "replace", "path": "/operator_stream/3/2", "value": 1e12}])", "/operator_stream/3/2"},
       {R"([{"op": "replace", "path": "/parameter_changes/0/parameter", "value": "x"}])",
        "/parameter_changes/0/parameter"},
       {R"([{"op": "add", "path": "/parameters/x", "value": 1}])", "/parameters/x"},
@@ -127,6 +134,133 @@ TEST(RunJournal, AKilledWriterLeavesAllButTheLineThatWasCutOff) {
   const std::string file = (*journal)->file();
   journal->reset();
   EXPECT_EQ(abandonedJournals(folder / "recordings"), std::vector<std::string>{file});
+}
+
+TEST(RunJournal, ALineThatAddsWhatTheFirstOneLacksIsLost) {
+  const test::TemporaryFolder folder;
+  const auto journal = RunJournal::begin(someRunRecord(), folder / "recordings");
+  ASSERT_TRUE(journal.ok()) << toString(journal.error());
+  std::string head = test::readWhole((*journal)->file());
+  const std::size_t checksum = head.rfind(",\"checksum\"");
+  head = head.substr(0, checksum) + "}\n";  // as journals were before: no line carries a checksum
+  const auto whole = readRunRecord(folder.write("head.journal", head));
+  ASSERT_TRUE(whole.ok()) << toString(whole.error());
+  EXPECT_FALSE(whole->loss);
+  for (const std::string line : {"{\"extra\": 1}\n", "[1]\n", "{\"a\": [[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[1\n"}) {
+    const auto read = readRunRecord(folder.write("broken.journal", head + line));
+    ASSERT_TRUE(read.ok()) << line;
+    EXPECT_TRUE(read->loss && read->loss->lines == 1) << line;
+  }
+}
+
+TEST(RunJournal, NamesThatAreNoUtf8EndNoRun) {
+  const test::TemporaryFolder folder;
+  RunRecord record = someRunRecord();
+  record.scenario = "/somewhere/s\xff.json";
+  EXPECT_TRUE(RunJournal::begin(record, folder / "recordings").ok());
+  ASSERT_TRUE(writeRunRecord(record, folder / "run.json").ok());
+  EXPECT_TRUE(readRunRecord(folder / "run.json").ok());
+}
+
+TEST(RunRecordFile, AChecksumThatDoesNotFitIsAnError) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeRunRecord(someRunRecord(), folder / "run.json").ok());
+  std::string text = test::readWhole(folder / "run.json");
+  const std::size_t step = text.find("\"step\":1500");
+  ASSERT_NE(step, std::string::npos);
+  text[step + 8] = '6';
+  const Result<RunRecord> read = readRunRecord(folder.write("damaged.json", text));
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
+  EXPECT_EQ(read.error().place, "/checksum");
+  const std::size_t checksum = text.find(",\n \"checksum\"");
+  text.erase(checksum, text.find('\n', checksum + 2) - checksum);  // as records were before
+  EXPECT_TRUE(readRunRecord(folder.write("edited.json", text)).ok());
+}
+
+/// The lines of a journal of three parts, whose checkpoints are at 10, 20 and 30.
+std::vector<std::string> journalOfThreeParts(const test::TemporaryFolder& folder) {
+  RunRecord head = someRunRecord();
+  head.log = RunLog();
+  head.log.start = someRunRecord().log.start;
+  auto journal = RunJournal::begin(head, folder / "recordings");
+  EXPECT_TRUE(journal.ok());
+  for (std::uint64_t step = 10; step <= 30; step += 10) {
+    RunLog part;
+    part.checkpoints = {{step, step, step, step, 0.5}};
+    EXPECT_TRUE((*journal)->append(part).ok());
+  }
+  std::istringstream stream(test::readWhole((*journal)->file()));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line + "\n");
+  return lines;
+}
+
+TEST(RunJournal, ADamagedLineCostsThatLineOnly) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> lines = journalOfThreeParts(folder);
+  ASSERT_EQ(lines.size(), 4U);
+  for (const std::string& damaged :
+       {std::string("\n"), std::string("nonsense\n"), lines[2].substr(0, 30) + "\n", "7" + lines[2].substr(1),
+        std::string(100, '\0') + "\n", std::string("{\"checkpoints\":[]}\n")}) {
+    const Result<RunRecord> read =
+        readRunRecord(folder.write("damaged.journal", lines[0] + lines[1] + damaged + lines[3]));
+    ASSERT_TRUE(read.ok()) << toString(read.error());
+    ASSERT_TRUE(read->loss);
+    EXPECT_EQ(read->loss->lines, 1U);
+    EXPECT_EQ(read->loss->afterStep, 10U);
+    EXPECT_TRUE(lossWarning(*read, "damaged.journal"));
+    ASSERT_EQ(read->log.checkpoints.size(), 2U);
+    EXPECT_EQ(read->log.checkpoints[1].step, 30U);
+    // The recording that is made of it says so, too.
+    ASSERT_TRUE(writeRunRecord(*read, folder / "saved.json").ok());
+    const Result<RunRecord> saved = readRunRecord(folder / "saved.json");
+    ASSERT_TRUE(saved.ok()) << toString(saved.error());
+    EXPECT_EQ(saved->loss->lines, 1U);
+  }
+  const Result<RunRecord> headless = readRunRecord(folder.write("headless.journal", lines[0].substr(0, 90) + "\n"));
+  ASSERT_FALSE(headless.ok());
+  EXPECT_EQ(headless.error().place, "line 1");
+}
+
+TEST(RunJournal, EveryChangedDigitCostsItsLine) {
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> lines = journalOfThreeParts(folder);
+  for (std::size_t i = 0; i < lines[2].size(); ++i) {
+    if (lines[2][i] < '0' || lines[2][i] > '9') continue;
+    std::string damaged = lines[2];
+    damaged[i] = damaged[i] == '7' ? '8' : '7';
+    const Result<RunRecord> read =
+        readRunRecord(folder.write("damaged.journal", lines[0] + lines[1] + damaged + lines[3]));
+    ASSERT_TRUE(read.ok()) << toString(read.error());
+    EXPECT_TRUE(read->loss && read->loss->lines == 1 && read->log.checkpoints.size() == 2) << "at " << i;
+  }
+}
+
+TEST(RunJournal, ALineThatTheDiskDoesNotTakeLeavesTheOthersWhole) {
+  const test::TemporaryFolder folder;
+  const pid_t child = ::fork();  // the limit does not come back
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    RunRecord head = someRunRecord();
+    head.log = RunLog();
+    head.log.start = someRunRecord().log.start;
+    auto journal = RunJournal::begin(head, folder / "recordings");
+    if (!journal) ::_exit(1);
+    const auto size = std::filesystem::file_size((*journal)->file());
+    const rlimit limit{size + 50, size + 50};
+    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(2);
+    const bool told = !(*journal)->append(someRunRecord().log).ok();
+    ::_exit(told && std::filesystem::file_size((*journal)->file()) == size ? 0 : 3);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  const std::vector<std::string> left = abandonedJournals(folder / "recordings");
+  ASSERT_EQ(left.size(), 1U);
+  const Result<RunRecord> read = readRunRecord(left[0]);
+  ASSERT_TRUE(read.ok()) << toString(read.error());
+  EXPECT_FALSE(read->loss);
 }
 
 TEST(RunJournal, OnesThatAreNotNeededGoAndBadFoldersAreSaid) {

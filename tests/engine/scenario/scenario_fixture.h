@@ -3,11 +3,12 @@
 #include <string>
 
 #include "engine/scenario/scenario.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade::test {
 
 inline std::string sample(const std::string& name) {
-  return std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + "/scenario.json";
+  return test::sourceDirectory() + "/samples/" + name + "/scenario.json";
 }
 
 /// A scenario of boxes that needs no file: the object passes beside a wall.

@@ -6,6 +6,8 @@
 #include <clocale>
 
 #include "engine/base/file.h"
+#include "engine/base/file_versions.h"
+#include "engine/scenario/scenario_file.h"
 #include "tests/engine/scenario/scenario_fixture.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -59,6 +61,41 @@ TEST(ScenarioFile, SamplesAreCanonical) {
   }
 }
 
+TEST(ScenarioFile, AChecksumThatDoesNotFitIsAWarning) {
+  const std::string text = writeScenario(fullScenario());
+  const auto warningsOf = [](const std::string& content) {
+    Warnings warnings;
+    EXPECT_TRUE(parseScenario(content, "test.json", warnings).ok());
+    return warnings;
+  };
+  EXPECT_TRUE(warningsOf(text).empty());
+  EXPECT_TRUE(warningsOf(scenarioText(fullScenario())).empty());  // a file without one
+  std::string reformatted;
+  for (const char c : text) reformatted += c == '\n' ? std::string("\r\n\t") : std::string(1, c);
+  EXPECT_TRUE(warningsOf(reformatted).empty());
+  std::string edited = text;
+  edited.replace(edited.find("\"seed\": "), 9, "\"seed\": 1");
+  const Warnings warnings = warningsOf(edited);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].place, "/checksum");
+  EXPECT_FALSE(warnings[0].advice.empty());
+}
+
+TEST(ScenarioFile, EveryChangedDigitIsSeen) {
+  const std::string text = writeScenario(boxScenario());
+  int seen = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] < '0' || text[i] > '9') continue;
+    std::string damaged = text;
+    damaged[i] = text[i] == '7' ? '8' : '7';
+    Warnings warnings;
+    const auto read = parseScenario(damaged, "test.json", warnings);
+    EXPECT_TRUE(!read.ok() || warnings.size() == 1U) << "at " << i;
+    ++seen;
+  }
+  EXPECT_GT(seen, 64);
+}
+
 TEST(ScenarioFile, VersionOneLoadsWithDefaults) {
   const Result<Scenario> read = parseScenario(R"({"format": "glissade-scenario", "version": 1,
     "object": {"id": "ball", "geometry": {"sphere": {"radius": 1}}},
@@ -87,12 +124,29 @@ TEST(SaveScenario, RecordsTheContentOfItsAssets) {
   folder.write("robot.urdf", "two");
   folder.write("product.step", "three");
   const std::string file = folder / "scenario.json";
-  const Outcome saved = saveScenario(fullScenario(), file);
-  ASSERT_TRUE(saved.ok()) << toString(saved.error());
+  const SaveResult saved = saveScenarioFile(fullScenario(), file, std::nullopt);
+  ASSERT_TRUE(saved.ok()) << toString(saved.why);
+  EXPECT_EQ(saved.sha256, sha256(test::readWhole(file)));
   const Result<Scenario> read = parseScenario(test::readWhole(file), file);
   ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->assets[0].sha256, sha256("one"));
+  EXPECT_EQ(read->assets[0].sha256, fullScenario().assets[0].sha256);  // of what was loaded, not of the file now
   EXPECT_EQ(read->assets[1].sha256, sha256("two"));
+}
+
+TEST(SaveScenario, ReplacesOnlyWhatWasOpenedAndKeepsEarlierVersions) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("scenario.json", writeScenario(boxScenario()));
+  const auto opened = openScenarioFile(file);
+  ASSERT_TRUE(opened.ok()) << toString(opened.error());
+  Scenario mine = opened->scenario.scenario;
+  mine.name = "mine";
+  folder.write("scenario.json", "theirs");
+  EXPECT_EQ(saveScenarioFile(mine, file, opened->sha256).status, SaveStatus::ChangedByOthers);
+  EXPECT_EQ(test::readWhole(file), "theirs");
+  ASSERT_TRUE(saveScenario(mine, file));
+  const auto versions = earlierVersions(file);
+  ASSERT_EQ(versions.size(), 1U);
+  EXPECT_EQ(test::readWhole(versions[0].path), "theirs");
 }
 
 TEST(SaveScenario, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
@@ -100,9 +154,9 @@ TEST(SaveScenario, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
   const std::string file = folder.write("scenario.json", "old");
   Scenario broken = boxScenario();
   broken.start.position.x() = std::nan("");
-  const Outcome saved = saveScenario(broken, file);
+  const SaveResult saved = saveScenarioFile(broken, file, std::nullopt);
   ASSERT_FALSE(saved.ok());
-  EXPECT_THAT(saved.error().place, testing::HasSubstr("/start/position/0"));
+  EXPECT_THAT(saved.why.place, testing::HasSubstr("/start/position/0"));
   EXPECT_FALSE(saveScenario(fullScenario(), file).ok());  // its assets are not there
   EXPECT_EQ(test::readWhole(file), "old");
 }

@@ -41,6 +41,29 @@ void expectRefused(const Result<LoadedScenario>& loaded, const std::string& file
   EXPECT_FALSE(loaded.error().advice.empty());
 }
 
+TEST(LoadScenario, RefusesWhatReachesBeyondTheLimitsOfLengths) {
+  Scenario scenario = boxScenario();
+  scenario.bodies[0].pose = Pose::translation({1e9, 0, 0});
+  expectRefused(realise(scenario), "boxes.json", "beyond 1e9 m");
+  scenario = boxScenario();
+  scenario.object.geometry = BoxGeometry{{1e-11, 1e-11, 1e-11}};
+  expectRefused(realise(scenario), "boxes.json", "1e10 times as large as the object");
+  const TemporaryFolder folder;
+  scenario = withMesh(folder.write("part.obj", kObj));
+  scenario.assets[0].unit = 1e9;
+  expectRefused(realise(scenario), "boxes.json", "beyond 1e9 m");
+}
+
+TEST(LoadScenario, SavingNamesAFileWhoseNameIsNoUtf8) {
+  const TemporaryFolder folder;
+  const Scenario scenario = withMesh(folder.write("part\xff.obj", kObj));
+  const Outcome saved = saveScenario(scenario, folder / "scenario.json");
+  ASSERT_FALSE(saved.ok());
+  EXPECT_EQ(saved.error().kind, ErrorKind::MalformedInput);
+  EXPECT_THAT(saved.error().reason, HasSubstr("not valid UTF-8"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "scenario.json"));
+}
+
 class Samples : public testing::TestWithParam<const char*> {};
 
 TEST_P(Samples, StartGoalAndWayPointsAreFree) {

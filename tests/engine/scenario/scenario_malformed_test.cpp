@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/broken_scenarios.h"
 
@@ -45,6 +46,43 @@ TEST(MalformedScenario, DeepDocumentsAreRefused) {
   std::string deep;
   for (int i = 0; i < 1'000'000; ++i) deep += "{\"a\":";
   expectRefused(deep, "", "too deeply");
+}
+
+/// The time to read such an object is quadratic in its keys: with a million of them it was hours.
+TEST(MalformedScenario, ObjectsOfVeryManyKeysAreRefused) {
+  std::string text = "{";
+  for (int i = 0; i < 1'000'000; ++i) text += "\"k" + std::to_string(i) + "\": 0,";
+  expectRefused(text + "\"k\": 0}", "", "more than 20000 keys");
+}
+
+TEST(MalformedScenario, TheValuesOfADocumentAreCounted) {
+  std::size_t left = 5;
+  EXPECT_TRUE(parseJson("[1, [2], {}]", "few.json", {}, left).ok());
+  EXPECT_EQ(left, 0U);
+  left = 4;
+  const auto read = parseJson("[1, [2], {}]", "many.json", {}, left);
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().reason, HasSubstr("too many values"));
+}
+
+TEST(MalformedScenario, VeryManyBodiesAreRefused) {
+  auto json = nlohmann::json::parse(writeScenario(test::boxScenario()));
+  const auto body = json["bodies"][0];
+  for (int i = 0; i < 20'000; ++i) {
+    json["bodies"].push_back(body);
+    json["bodies"].back()["id"] = "b" + std::to_string(i);
+  }
+  expectRefused(json.dump(), "/bodies", "more than 20000 entries");
+}
+
+TEST(MalformedScenario, TextsAreMadePrintable) {
+  auto json = nlohmann::json::parse(writeScenario(test::boxScenario()));
+  json["name"] = "red\x1b[31m";
+  json["description"] = "two\nlines \u202e";
+  const auto read = parseScenario(json.dump(), "control.json");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->name, "red\uFFFD[31m");
+  EXPECT_EQ(read->description, "two\nlines \uFFFD");
 }
 
 TEST(MalformedScenario, AByteOrderMarkIsNoFault) {

@@ -10,6 +10,7 @@
 #include "tests/engine/scenario/broken_semantics.h"
 #include "tests/engine/scenario/some_run_record.h"
 #include "tests/engine/study/broken_studies.h"
+#include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -21,7 +22,7 @@ class Schema {
  public:
   explicit Schema(const std::string& name)
       : document_(nlohmann::json::parse(
-            test::readWhole(std::string(GLISSADE_SOURCE_DIR) + "/resources/schema/" + name + ".schema.json"))) {
+            test::readWhole(test::sourceDirectory() + "/resources/schema/" + name + ".schema.json"))) {
     valijson::SchemaParser().populateSchema(Adapter(document_), schema_);
   }
 
@@ -48,8 +49,7 @@ TEST(ScenarioSchema, AcceptsWhatIsWritten) {
     EXPECT_EQ(schema.complaint(test::readWhole(test::sample(name))), "") << name;
   }
   for (const char* name : {"shape-game/tight-star", "shape-game/paper-like-circle", "pump/mount", "pump/unmount"}) {
-    EXPECT_EQ(schema.complaint(test::readWhole(std::string(GLISSADE_SOURCE_DIR) + "/samples/" + name + ".json")), "")
-        << name;
+    EXPECT_EQ(schema.complaint(test::readWhole(test::sourceDirectory() + "/samples/" + name + ".json")), "") << name;
   }
 }
 
@@ -86,7 +86,7 @@ TEST(StudySchema, AcceptsWhatIsShipped) {
   EXPECT_EQ(schema.complaint(test::tinyStudy().dump()), "");
   for (const char* name : {"table-1", "table-2", "table-3", "table-4", "table-5", "figure-14", "figure-14-paper-like",
                            "automatic", "public-problems", "tuned"}) {
-    const std::string file = std::string(GLISSADE_SOURCE_DIR) + "/samples/studies/" + name + ".json";
+    const std::string file = test::sourceDirectory() + "/samples/studies/" + name + ".json";
     EXPECT_EQ(schema.complaint(test::readWhole(file)), "") << name;
   }
 }

@@ -2,6 +2,7 @@
 
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"
+#include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -39,8 +40,7 @@ TEST(SemanticsFile, EditsGoIntoAScenarioAndComeOutTheSame) {
 TEST(SemanticsFile, TheSecondPapersSamplesAreCanonical) {
   for (const char* preset : {"paper-like", "tight"}) {
     for (const char* shape : {"circle", "square", "triangle", "pentagon", "star"}) {
-      const std::string file =
-          std::string(GLISSADE_SOURCE_DIR) + "/samples/shape-game/" + preset + "-" + shape + ".json";
+      const std::string file = test::sourceDirectory() + "/samples/shape-game/" + preset + "-" + shape + ".json";
       const std::string text = test::readWhole(file);
       const Result<Scenario> read = parseScenario(text, file);
       ASSERT_TRUE(read.ok()) << toString(read.error());

@@ -57,7 +57,7 @@ TEST(BenchmarkResults, EachFaultIsNamedWithItsPlace) {
   const std::string begin = R"({"context": {}, "benchmarks": [{)";
   const std::pair<std::string, std::string> rows[] = {
       {"", ""},
-      {"[]", ""},
+      {"[]", "/"},
       {"{}", "/context"},
       {R"({"context": 1, "benchmarks": []})", "/context"},
       {R"({"context": {}})", "/benchmarks"},
@@ -81,6 +81,8 @@ TEST(BenchmarkResults, EachFaultIsNamedWithItsPlace) {
     EXPECT_EQ(run.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(run.error().file, "broken.json");
     EXPECT_THAT(run.error().place, HasSubstr(place));
+    EXPECT_EQ(run.error().place.empty(), place.empty());
+    EXPECT_FALSE(run.error().reason.empty());
   }
 }
 

@@ -5,6 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <new>
+
+#include "engine/base/guarded.h"
 
 namespace glissade {
 namespace {
@@ -16,8 +19,8 @@ constexpr const char* kSolved =
   "path": {"configurations": 7, "length_m": 3.5, "rotation_rad": 1.25},
   "certificate": {"status": "certified", "min_clearance_m": 0.002, "tolerance_m": 1e-05}})";
 
-ProcessEnd saying(const std::string& output, int exitCode = 0) {
-  ProcessEnd end;
+ChildEnd saying(const std::string& output, int exitCode = 0) {
+  ChildEnd end;
   end.output = output;
   end.exitCode = exitCode;
   end.wallSeconds = 2.5;
@@ -49,8 +52,13 @@ TEST(RunResult, ReadsTheReportOfARun) {
   EXPECT_EQ(outcome.timing.cpuSeconds, 2.25);
 }
 
+/// As a session reports it.
+std::string outOfMemory() {
+  return guarded("planning", [] { throw std::bad_alloc(); })->reason;
+}
+
 TEST(RunResult, TellsTheWaysToEndApart) {
-  const auto status = [](const ProcessEnd& end) { return outcomeOf(end, 60.0).result.status; };
+  const auto status = [](const ChildEnd& end) { return outcomeOf(end, 60.0).result.status; };
   const auto report = [](const std::string& said, const std::string& reason, double seconds) {
     return R"({"status": ")" + said + R"(", "planning_s": )" + std::to_string(seconds) +
            R"(, "path": null, "certificate": null, "error": {"reason": ")" + reason + "\"}}";
@@ -60,20 +68,20 @@ TEST(RunResult, TellsTheWaysToEndApart) {
   EXPECT_EQ(status(saying(report("no-path", "no way", 3.0), 1)), RunStatus::NoPath);
   EXPECT_EQ(status(saying(report("not-certified", "it touches", 3.0), 1)), RunStatus::NotCertified);
   EXPECT_EQ(status(saying(report("in-collision", "start", 0.0), 4)), RunStatus::InCollision);
-  EXPECT_EQ(status(saying(report("error", "the planner failed: std::bad_alloc", 3.0), 70)), RunStatus::Memory);
+  EXPECT_EQ(status(saying(report("limit-reached", outOfMemory(), 3.0), 5)), RunStatus::Memory);
   EXPECT_EQ(status(saying(report("error", "the planner failed: x", 3.0), 70)), RunStatus::Error);
   EXPECT_EQ(status(saying(R"({"error": {"reason": "cannot be opened"}})", 3)), RunStatus::Error);
   EXPECT_EQ(status(saying("", 70)), RunStatus::Crashed);
   EXPECT_EQ(status(saying("{\"status\": \"sol", 0)), RunStatus::Crashed);
   EXPECT_EQ(status(saying("[1]", 0)), RunStatus::Crashed);
   EXPECT_EQ(status(saying(R"({"status": "interrupted"})", 130)), RunStatus::Crashed);
-  ProcessEnd crashed = saying("");
+  ChildEnd crashed = saying("");
   crashed.signal = SIGSEGV;
   EXPECT_EQ(status(crashed), RunStatus::Crashed);
   crashed.errors = "terminate called after throwing an instance of 'std::bad_alloc'";
   EXPECT_EQ(status(crashed), RunStatus::Memory);
-  ProcessEnd killed = saying("");
-  killed.killed = true;
+  ChildEnd killed = saying("");
+  killed.ending = ChildEnding::TimeOver;
   killed.signal = SIGKILL;
   EXPECT_EQ(status(killed), RunStatus::Time);
 }

@@ -9,6 +9,7 @@
 #include "engine/study/finding_check.h"
 #include "engine/study/run_result.h"
 #include "engine/study/study_reader.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade {
 namespace {
@@ -45,7 +46,7 @@ std::set<std::string> sentencesOf(const Study& study) {
 
 TEST(StudyWords, ThePapersStudiesAreWhollyTranslated) {
   const StudyWords french(Language::French);
-  const std::filesystem::path folder = std::filesystem::path(GLISSADE_SOURCE_DIR) / "samples/studies";
+  const std::filesystem::path folder = std::filesystem::path(test::sourceDirectory()) / "samples/studies";
   std::size_t studies = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".json") continue;

@@ -5,6 +5,7 @@
 
 #include "engine/planning/coarse/scene_knowledge.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/directories.h"
 
 namespace glissade::test {
 
@@ -15,8 +16,7 @@ inline const std::array<const char*, 5>& shapes() {
 
 /// A scenario of the second paper's shape game: "tight" or "paper-like". Throws where it does not load.
 inline LoadedScenario shapeGame(const std::string& preset, const std::string& shape) {
-  auto loaded =
-      loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/shape-game/" + preset + "-" + shape + ".json");
+  auto loaded = loadScenario(test::sourceDirectory() + "/samples/shape-game/" + preset + "-" + shape + ".json");
   if (!loaded) throw std::runtime_error(toString(loaded.error()));
   return std::move(*loaded);
 }

@@ -4,10 +4,12 @@
 #include <sstream>
 #include <string>
 
+#include "tests/engine/support/directories.h"
+
 namespace glissade::test {
 
 /// One of the files that tests/step_files writes.
-inline std::string stepFile(const std::string& name) { return std::string(GLISSADE_STEP_FILES) + "/" + name; }
+inline std::string stepFile(const std::string& name) { return stepFileDirectory() + "/" + name; }
 
 inline std::string stepText(const std::string& name) {
   std::ostringstream text;

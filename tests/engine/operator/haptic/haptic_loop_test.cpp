@@ -8,12 +8,15 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <new>
+#include <stdexcept>
 #include <thread>
 
 #include "engine/operator/haptic/haptic_operator.h"
 #include "engine/operator/haptic/simulated_haptic_device.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/operator/haptic/haptic_support.h"
+#include "tests/engine/support/directories.h"
 #include "tests/engine/support/random_pose.h"
 #include "tests/engine/support/session_support.h"
 
@@ -66,7 +69,7 @@ HapticReport hold(const Problem& problem, const std::string& what) {
 }
 
 TEST(HapticLoop, RunsBesideThePlannerOnEnvironment1) {
-  const auto loaded = loadScenario(std::string(GLISSADE_SOURCE_DIR) + "/samples/environment-1/scenario.json");
+  const auto loaded = loadScenario(test::sourceDirectory() + "/samples/environment-1/scenario.json");
   ASSERT_TRUE(loaded);
   const HapticReport report = hold(loaded->problem, "environment 1");
   EXPECT_GT(report.cycles, 100U);
@@ -121,6 +124,42 @@ TEST(HapticSession, TheObjectFollowsTheHandAndStaysFree) {
     }));
     EXPECT_GT(session->snapshot()->device.nearest.distance, 0.0);
     EXPECT_LT(session->snapshot()->device.q_device.position.x(), 0.0);
+  }
+}
+
+/// Throws after some cycles of the loop, and once more when its wrench is to be taken back.
+class BreakingDevice final : public HapticDevice {
+ public:
+  explicit BreakingDevice(void (*raise)()) : raise_(raise) {}
+
+  HapticState advance(double) override {
+    if (++cycles_ > 20) raise_();
+    return {place_, {}, 0};
+  }
+  void render(const Wrench&) override {
+    if (cycles_ > 20) raise_();
+  }
+  HapticLimits limits() const override { return {10.0, 1.0}; }
+  void place(const Pose& X_WD) override { place_ = X_WD; }
+
+ private:
+  void (*raise_)();
+  int cycles_ = 0;
+  Pose place_;
+};
+
+TEST(HapticSession, AnExceptionInTheLoopTakesTheDeviceAwayAndPlanningGoesOn) {
+  const std::pair<void (*)(), ErrorKind> thrown[] = {{[] { throw std::bad_alloc(); }, ErrorKind::LimitReached},
+                                                     {[] { throw std::runtime_error("no arm"); }, ErrorKind::Internal}};
+  for (const auto& [raise, kind] : thrown) {
+    const Problem problem = windowProblem();
+    const auto session = makeThreadedSession(sessionConfig(
+        problem, std::make_unique<HapticOperator>(problem.world, std::make_unique<BreakingDevice>(raise))));
+    ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.problem.has_value(); }));
+    EXPECT_EQ(session->snapshot()->problem->kind, kind);
+    EXPECT_EQ(session->snapshot()->problem->place, "device");
+    session->post(command::Start{});
+    EXPECT_TRUE(waitFor(*session, [](const SessionSnapshot& now) { return now.state == SessionState::Solved; }));
   }
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/cli/report.h"
+#include "engine/product/contact_report.h"
+
+namespace glissade::cli {
+
+struct FitsOptions {
+  std::string file;  ///< a scenario, or a part file as usualPart() takes it
+  ContactLimits limits;
+  bool csv = false;
+  Format format = Format::Text;
+};
+
+/// glissade-cli fits: contacts, fits and clashes of a product or scenario.
+int runFits(const FitsOptions& options);
+
+}  // namespace glissade::cli

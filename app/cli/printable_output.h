@@ -1,0 +1,29 @@
+#pragma once
+
+#include <ostream>
+#include <streambuf>
+#include <string>
+
+namespace glissade::cli {
+
+/// While it lives, everything that is written to a stream becomes printable text first (printableText()): names out of
+/// files cannot send control characters to the terminal, and what is read from a pipe is valid UTF-8.
+class PrintableOutput final : private std::streambuf {
+ public:
+  explicit PrintableOutput(std::ostream& stream);
+  ~PrintableOutput() override;
+  PrintableOutput(const PrintableOutput&) = delete;
+  PrintableOutput& operator=(const PrintableOutput&) = delete;
+
+ private:
+  int_type overflow(int_type character) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+  bool writePending();
+
+  std::ostream& stream_;
+  std::streambuf* target_;
+  std::string pending_;  ///< written to this one and not yet to the target
+};
+
+}  // namespace glissade::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+
+namespace glissade {
+
+/// The commands that a script can give, by name. Controllers add theirs when they are made (README.md lists them all).
+class ScriptCommands {
+ public:
+  using Words = std::vector<std::string>;
+  /// Carries a command out. Errors name no file and line.
+  using Handler = std::function<Outcome(const Words&)>;
+
+  /// `words`: how many follow the name.
+  void add(const std::string& name, std::size_t words, Handler handler);
+  /// Nothing where there is no such command.
+  std::optional<std::size_t> wordCount(const std::string& name) const;
+  /// "action, attribute, ..."
+  std::string names() const;
+  /// Precondition: the command exists and `words` are as many as it takes.
+  Outcome carryOut(const std::string& name, const Words& words) const { return commands_.at(name).handler(words); }
+
+ private:
+  struct Entry {
+    std::size_t words;
+    Handler handler;
+  };
+  std::map<std::string, Entry> commands_;
+};
+
+/// The script is wrong.
+inline Diagnostic wrongCommand(const std::string& reason, const std::string& advice = "Correct the line.") {
+  return {ErrorKind::MalformedInput, "", "", reason, advice};
+}
+
+/// The script is right, but what it expects is not so.
+inline Diagnostic unmetExpectation(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
+
+inline Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
+
+}  // namespace glissade

@@ -1,0 +1,24 @@
+#include "app/window/end_clearance.h"
+
+#include "engine/planning/automatic/freeing.h"
+
+namespace glissade {
+
+Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required) {
+  std::vector<MovedEnd> moved;
+  for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
+    const AssemblyItem item{end, {}};
+    const auto before = poseOf(scenario.scenario, item);
+    if (!before) continue;
+    const auto clear = freed(scenario.problem.world, *before, required);
+    if (!clear) {
+      Diagnostic why = clear.error();
+      why.place = end == AssemblyItem::Kind::Start ? "start" : "goal";
+      return why;
+    }
+    if (*clear != *before) moved.push_back({item, *clear, (clear->position - before->position).norm()});
+  }
+  return moved;
+}
+
+}  // namespace glissade

@@ -1,0 +1,204 @@
+#include "app/window/file_controller.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QUrl>
+
+#include "app/window/save_conflict.h"
+#include "engine/scenario/path_reader.h"
+
+namespace glissade {
+
+FileController::FileController(const Workbench& bench, PartImport& parts, PathController& path)
+    : QObject(&bench.window),
+      bench_(bench),
+      parts_(parts),
+      path_(path),
+      recent_(new QMenu(tr("Open re&cent"), &bench.window)),
+      saves_(makeSaves()) {
+  connect(recent_, &QMenu::aboutToShow, this, &FileController::fillRecentMenu);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this] { showTitle(); });
+  connect(&parts_, &PartImport::scenarioMade, this, [this](const ScenarioPtr& scenario) {
+    if (mayDiscard()) bench_.document.open(scenario);
+  });
+  connectActions();
+  bench.scripts.add("open", 1, [this](const ScriptCommands::Words& words) {
+    return outcomeOf(openScenario(QString::fromStdString(words[0]), true));
+  });
+  bench.scripts.add("save", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    if (!bench_.document.scenario()) return wrongCommand("no scenario is open");
+    return outcomeOf(saveAs(QString::fromStdString(words[0])));
+  });
+}
+
+void FileController::connectActions() {
+  bench_.onAction("file.new", this, [this] { parts_.ask(PartsDialog::Purpose::NewScenario); });
+  bench_.onAction("file.open", this, [this] { chooseScenario(); });
+  bench_.onAction("file.save", this, [this] { save(); });
+  bench_.onAction("file.save-as", this, [this] { chooseSaveFile(); });
+  bench_.onAction("recent.forget", this, [this] { memory_->forgetFiles(); });
+  for (const char* id : {"file.save", "file.save-as", "recent.forget"}) bench_.enable(id, false);
+}
+
+std::optional<Diagnostic> FileController::openScenario(const QString& file, bool quiet) {
+  if (!quiet && !mayDiscard()) return std::nullopt;
+  return take(openScenarioFile(file.toStdString()), file, quiet);
+}
+
+void FileController::openInBackground(const QString& file) {
+  bench_.work.run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto opened = std::make_shared<const Result<ScenarioFile>>(openScenarioFile(file.toStdString(), watch.stop));
+    // Asked now, because there may have been edits meanwhile.
+    return [this, opened, file] {
+      if (!*opened || mayDiscard()) (void)take(*opened, file, false);
+    };
+  });
+}
+
+std::optional<Diagnostic> FileController::take(Result<ScenarioFile> opened, const QString& file, bool quiet) {
+  if (!opened) {
+    if (!quiet) bench_.messages.showError(tr("The scenario cannot be opened"), opened.error());
+    return opened.error();
+  }
+  saves_->noteContent(file.toStdString(), opened->sha256);
+  const auto scenario = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
+  bench_.document.open(scenario);
+  if (memory_ != nullptr) memory_->noteFile(file);
+  if (!quiet && !scenario->warnings.empty()) {
+    bench_.messages.showError(tr("The scenario was opened, with a warning"), scenario->warnings.front());
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> FileController::saveAs(const QString& file) {
+  const SaveResult saved = write(file);
+  return saved ? std::nullopt : std::make_optional(saved.why);
+}
+
+SaveController* FileController::makeSaves() {
+  SaveHost host;
+  host.scenario = [this] { return bench_.document.scenario(); };
+  host.isModified = [this] { return bench_.document.isModified(); };
+  host.contentFor = [this](const std::string& file) { return bench_.document.contentFor(file); };
+  host.openModified = [this](const ScenarioPtr& scenario) {
+    bench_.document.open(scenario);
+    bench_.document.undoStack().resetClean();
+  };
+  host.mayDiscard = [this] { return mayDiscard(); };
+  host.showError = [this](const QString& title, const Diagnostic& why) { bench_.messages.showError(title, why); };
+  return new SaveController(std::move(host), &bench_.window);
+}
+
+SaveResult FileController::write(const QString& file) {
+  const std::string name = file.toStdString();
+  const Scenario content = bench_.document.contentFor(name);
+  SaveResult saved = saves_->save(content, name);
+  if (!saved) return saved;
+  bench_.document.noteSaved(name, content);
+  if (memory_ != nullptr) memory_->noteFile(file);
+  return saved;
+}
+
+void FileController::chooseScenario() {
+  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a scenario"), QString(),
+                                                    tr("Scenarios (*.json *.cfg);;All files (*)"));
+  if (!file.isEmpty()) openInBackground(file);
+}
+
+void FileController::save() {
+  const QString file = QString::fromStdString(bench_.document.scenario()->file);
+  if (file.endsWith(QLatin1String(".json"))) {
+    trySave(file);
+  } else {
+    chooseSaveFile();
+  }
+}
+
+void FileController::chooseSaveFile() {
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const std::string proposed = scenario.file.empty() ? scenario.scenario.name + ".json" : scenario.file;
+  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the scenario"),
+                                                    QString::fromStdString(proposed), tr("Scenarios (*.json)"));
+  if (!file.isEmpty()) trySave(file);
+}
+
+void FileController::trySave(const QString& file) {
+  const SaveResult saved = write(file);
+  if (saved) {
+    if (saved.warnings.empty()) return;
+    bench_.messages.showError(tr("The scenario was saved, with a warning"), saved.warnings.front());
+    return;
+  }
+  if (saved.status == SaveStatus::Failed || bench_.messages.isQuiet()) {
+    bench_.messages.showError(tr("The scenario cannot be saved"), saved.why);
+    return;
+  }
+  switch (askAboutConflict(saved, &bench_.window)) {
+    case ConflictAnswer::KeepMine:
+      saves_->allowReplacing();
+      trySave(file);
+      return;
+    case ConflictAnswer::TakeTheirs: (void)take(openScenarioFile(file.toStdString()), file, false); return;
+    case ConflictAnswer::SaveAs: chooseSaveFile(); return;
+    case ConflictAnswer::Cancel: return;
+  }
+}
+
+bool FileController::mayDiscard() {
+  if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
+  const auto answer =
+      QMessageBox::question(&bench_.window, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) save();
+  return answer == QMessageBox::Discard || !bench_.document.isModified();
+}
+
+/// Files that are not there stay in the list: a drive may only be away for a while.
+void FileController::fillRecentMenu() {
+  recent_->clear();
+  const QStringList files = memory_ != nullptr ? memory_->recentFiles() : QStringList();
+  for (int i = 0; i < files.size(); ++i) {
+    const QFileInfo file(files[i]);
+    const QString number = i < 9 ? QStringLiteral("&%1  ").arg(i + 1) : QStringLiteral("1&0  ");
+    QString shown = QDir::toNativeSeparators(file.filePath()).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    if (!file.exists()) shown = tr("%1 (not there)").arg(shown);
+    QAction* action = recent_->addAction(number + shown);
+    action->setEnabled(file.exists());
+    connect(action, &QAction::triggered, this, [this, path = files[i]] { openInBackground(path); });
+  }
+  if (files.isEmpty()) recent_->addAction(tr("No file yet"))->setEnabled(false);
+  recent_->addSeparator();
+  recent_->addAction(bench_.actions["recent.forget"]);
+  bench_.enable("recent.forget", !files.isEmpty());
+}
+
+void FileController::drop(const QMimeData& data) {
+  QStringList partFiles;
+  for (const QUrl& url : data.urls()) {
+    if (isPartFile(url.toLocalFile().toStdString())) partFiles << url.toLocalFile();
+  }
+  const QString first = data.urls().front().toLocalFile();
+  if (isPathFile(first.toStdString())) {
+    path_.openOrShowError(first);
+  } else if (partFiles.isEmpty()) {
+    openInBackground(first);
+  } else {
+    parts_.ask(bench_.document.scenario() ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario,
+               partFiles);
+  }
+}
+
+void FileController::showTitle() {
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const std::string& name = scenario.scenario.name;
+  const QString file = QFileInfo(QString::fromStdString(scenario.file)).completeBaseName();
+  bench_.window.setWindowTitle(
+      QStringLiteral("%1[*] — Glissade").arg(name.empty() ? file : QString::fromStdString(name)));
+  bench_.window.setWindowModified(bench_.document.isModified());
+  bench_.enable("file.save", true);
+  bench_.enable("file.save-as", true);
+}
+
+}  // namespace glissade

@@ -1,0 +1,89 @@
+#include "app/window/menus.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace glissade {
+namespace {
+
+class Menus {
+  Q_DECLARE_TR_FUNCTIONS(Menus)
+
+ public:
+  Menus(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
+
+  void makeMenuBar(const std::vector<QMenu*>& fileMenus) {
+    QMenu* file = add(tr("&File"), {"file."});
+    for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
+    add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
+    add(tr("&Assembly"), {"assembly."});
+    add(tr("&Run"), {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "difficulty."});
+    add(tr("&Study"), {"study."});
+    add(tr("&Operator"), {"operator."});
+    QMenu* view = add(tr("&View"), {"view.", "", "body."});
+    fill(view->addMenu(tr("Lay&ers")), {"layer."});
+    QMenu* panels = view->addMenu(tr("&Panels"));
+    fill(panels, {"panel.", ""});
+    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
+    add(tr("&Help"), {"help."});
+  }
+
+  void makeToolBar() {
+    QToolBar* bar = window_.addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("tools"));
+    bar->setMovable(false);
+    bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    for (const char* id : {"file.open", "file.save", "file.export", "", "edit.undo", "edit.redo", "", "run.start",
+                           "run.pause", "run.stop", "run.restart-new-seed", "", "view.fit", "view.isometric",
+                           "view.front", "view.left", "view.top"}) {
+      if (id[0] == '\0') {
+        bar->addSeparator();
+      } else {
+        bar->addAction(actions_[QLatin1String(id)]);
+      }
+    }
+    // These icons need no words, which would push other buttons off small screens.
+    for (const char* id :
+         {"edit.undo", "edit.redo", "view.fit", "view.isometric", "view.front", "view.left", "view.top"}) {
+      auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)]));
+      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    }
+  }
+
+ private:
+  /// `prefixes` of action ids; an empty one is a separator.
+  QMenu* add(const QString& title, std::initializer_list<const char*> prefixes) {
+    QMenu* menu = window_.menuBar()->addMenu(title);
+    fill(menu, prefixes);
+    return menu;
+  }
+
+  void fill(QMenu* menu, std::initializer_list<const char*> prefixes) {
+    for (const char* prefix : prefixes) {
+      if (prefix[0] == '\0') {
+        menu->addSeparator();
+        continue;
+      }
+      for (const ActionSpec& spec : actionSpecs()) {
+        const QLatin1String id(spec.id);
+        if (id.startsWith(QLatin1String(prefix))) menu->addAction(actions_[id]);
+      }
+    }
+  }
+
+  QMainWindow& window_;
+  const ActionCatalogue& actions_;
+};
+
+}  // namespace
+
+void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& fileMenus) {
+  Menus menus(window, actions);
+  menus.makeMenuBar(fileMenus);
+  menus.makeToolBar();
+}
+
+}  // namespace glissade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "engine/base/diagnostic.h"
+
+namespace glissade {
+
+/// Tells the user what happened: errors in a dialog, the rest in the status bar.
+class Messages final {
+ public:
+  explicit Messages(QMainWindow& window) : window_(window) {}
+
+  /// Nobody is there to read or answer a dialog (scripts, pictures): none is opened.
+  void setQuiet(bool quiet) { quiet_ = quiet; }
+  bool isQuiet() const { return quiet_; }
+
+  void showError(const QString& title, const Diagnostic& why);
+  void showStatus(const QString& text);
+
+ private:
+  QMainWindow& window_;
+  bool quiet_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,83 @@
+#include "app/window/panel_docks.h"
+
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QStyle>
+#include <QToolBar>
+
+#include <algorithm>
+#include <map>
+
+namespace glissade {
+namespace {
+
+Qt::DockWidgetArea areaOf(DockPlace place) {
+  return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
+}
+
+QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
+  if (panel.scrolling == Scrolling::Own) return panel.content;
+  auto* scroll = new QScrollArea(dock);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel.content);
+  const int bar = dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  scroll->setMinimumWidth(panel.content->minimumSizeHint().width() + 2 * bar);
+  return scroll;
+}
+
+}  // namespace
+
+void PanelDocks::add(const Panel& panel) {
+  auto* dock = new QDockWidget(panel.title, &window_);
+  dock->setObjectName(QLatin1String(panel.id));
+  if (panel.action[0] != '\0') {
+    QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, dock, [dock, content = panel.content] {
+      dock->show();
+      dock->raise();
+      if (content->focusProxy() != nullptr) content->setFocus(Qt::ShortcutFocusReason);
+    });
+  }
+  dock->setWidget(scrolled(panel, dock));
+  docks_.push_back({panel, dock});
+}
+
+QDockWidget* PanelDocks::firstOf(DockPlace place) const {
+  const auto first =
+      std::find_if(docks_.begin(), docks_.end(), [place](const Dock& dock) { return dock.panel.place == place; });
+  return first->widget;
+}
+
+void PanelDocks::arrange() {
+  for (const Dock& dock : docks_) window_.removeDockWidget(dock.widget);
+  std::map<DockPlace, QDockWidget*> last;
+  for (const DockPlace place : {DockPlace::Left, DockPlace::UpperRight, DockPlace::LowerRight}) {
+    last[place] = firstOf(place);
+    window_.addDockWidget(areaOf(place), last[place]);
+  }
+  // Panels share a place as tabs: small screens have no room for all of them at once.
+  for (const Dock& dock : docks_) {
+    QDockWidget*& before = last[dock.panel.place];
+    if (dock.widget == firstOf(dock.panel.place)) continue;
+    window_.tabifyDockWidget(before, dock.widget);
+    before = dock.widget;
+  }
+  for (const Dock& dock : docks_) {
+    dock.widget->setFloating(false);
+    dock.widget->show();
+  }
+  for (const Dock& dock : docks_) {
+    if (dock.panel.hasContent) dock.widget->setVisible(dock.panel.hasContent());
+  }
+  for (QToolBar* tools : window_.findChildren<QToolBar*>(QStringLiteral("tools"))) tools->show();
+  QDockWidget* left = firstOf(DockPlace::Left);
+  QDockWidget* upper = firstOf(DockPlace::UpperRight);
+  QDockWidget* lower = firstOf(DockPlace::LowerRight);
+  upper->raise();
+  lower->raise();
+  window_.resizeDocks({left, upper}, {270, 340}, Qt::Horizontal);
+  window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
+}
+
+}  // namespace glissade

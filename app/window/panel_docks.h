@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+#include <vector>
+
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
+enum class DockPlace { Left, UpperRight, LowerRight };
+
+/// Panels of fixed rows are scrolled as a whole; those with lists scroll these.
+enum class Scrolling { Whole, Own };
+
+struct Panel {
+  QString title;
+  const char* id;  ///< object name of the dock, by which its layout is remembered
+  QWidget* content;
+  DockPlace place;
+  const char* action = "";  ///< brings it to the front
+  Scrolling scrolling = Scrolling::Whole;
+  std::function<bool()> hasContent = {};  ///< where it says no, the panel is hidden at first; empty: always shown
+};
+
+/// The docks of the window's panels, and their first layout.
+class PanelDocks final {
+ public:
+  PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
+
+  void add(const Panel& panel);
+  /// Puts all docks and tool bars where they are at first.
+  void arrange();
+
+ private:
+  struct Dock {
+    Panel panel;
+    QDockWidget* widget;
+  };
+  QDockWidget* firstOf(DockPlace place) const;
+
+  QMainWindow& window_;
+  const ActionCatalogue& actions_;
+  std::vector<Dock> docks_;
+};
+
+}  // namespace glissade

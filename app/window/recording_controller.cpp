@@ -1,0 +1,102 @@
+#include "app/window/recording_controller.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "engine/scenario/run_journal.h"
+#include "engine/scenario/run_record.h"
+
+namespace glissade {
+
+RecordingController::RecordingController(const Workbench& bench, ReplayController& replay, FileController& files)
+    : QObject(&bench.window), bench_(bench), replay_(replay), files_(files) {
+  bench.onAction("file.open-recording", this, [this] { chooseFile(); });
+  bench.onAction("file.save-recording", this, [this] { chooseSaveFile(); });
+  bench.scripts.add("replay", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    const SnapshotPtr live = bench_.session.snapshot();
+    if (live && isRunning(*live)) return wrongCommand("a run is under way");
+    return outcomeOf(open(readRunRecord(words[0]), QString::fromStdString(words[0]), true));
+  });
+}
+
+std::optional<Diagnostic> RecordingController::open(const Result<RunRecord>& record, const QString& file, bool quiet) {
+  const auto openOther = [this, quiet](const QString& scenario) { return files_.openScenario(scenario, quiet); };
+  const auto why = record ? replay_.open(*record, file, openOther) : std::optional<Diagnostic>(record.error());
+  if (why && !quiet) bench_.messages.showError(tr("The recording cannot be opened"), *why);
+  const auto loss = why ? std::nullopt : lossWarning(*record, file.toStdString());
+  if (loss && !quiet) bench_.messages.showError(tr("The recording is damaged"), *loss);
+  return why;
+}
+
+void RecordingController::chooseFile() {
+  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a recording"), QString(),
+                                                    tr("Recordings (*.json *.journal);;All files (*)"));
+  if (file.isEmpty()) return;
+  bench_.work.run(tr("Reading the recording"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto record = std::make_shared<const Result<RunRecord>>(readRunRecord(file.toStdString(), watch));
+    return [this, record, file] {
+      const SnapshotPtr live = bench_.session.snapshot();
+      if (live && isRunning(*live)) {
+        bench_.messages.showStatus(tr("A run has begun meanwhile: open the recording after it."));
+      } else {
+        open(*record, file, false);
+      }
+    };
+  });
+}
+
+void RecordingController::chooseSaveFile() {
+  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the recording"),
+                                                    QStringLiteral("run.json"), tr("Recordings (*.json)"));
+  if (file.isEmpty()) return;
+  if (const auto why = replay_.save(file)) {
+    bench_.messages.showError(tr("The recording cannot be saved"), *why);
+  } else if (!bench_.document.isProblemSaved()) {
+    QMessageBox::information(&bench_.window, tr("The recording was saved"),
+                             tr("It names the scenario's file, which does not have the bodies as they are here. Save "
+                                "the scenario, too: only then can the recording be replayed."));
+  }
+}
+
+void RecordingController::keepJournals(const QString& folder) {
+  std::vector<JournalSave> saves;
+  for (const std::string& file : abandonedJournals(folder.toStdString())) {
+    const QString journal = QString::fromStdString(file);
+    const QString target = offerJournal(journal);
+    if (!target.isEmpty()) saves.emplace_back(journal, target);
+  }
+  if (!saves.empty()) saveJournals(saves);
+  replay_.recorder().keepJournals(folder.toStdString());
+}
+
+QString RecordingController::offerJournal(const QString& file) {
+  QMessageBox box(QMessageBox::Question, tr("A recording was left"),
+                  tr("Glissade ended unexpectedly with a recording that was not saved. It is still there."),
+                  QMessageBox::NoButton, &bench_.window);
+  const auto* saved = box.addButton(tr("&Save..."), QMessageBox::AcceptRole);
+  const auto* discarded = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+  box.addButton(tr("&Later"), QMessageBox::RejectRole);
+  box.exec();
+  if (box.clickedButton() == discarded) QFile::remove(file);
+  if (box.clickedButton() != saved) return {};
+  return QFileDialog::getSaveFileName(&bench_.window, tr("Save the recording"), QStringLiteral("run.json"),
+                                      tr("Recordings (*.json)"));
+}
+
+/// A journal whose saving is cancelled stays, and is offered again at the next start.
+void RecordingController::saveJournals(const std::vector<JournalSave>& saves) {
+  bench_.work.runToEnd(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    std::vector<Diagnostic> failures;
+    for (const auto& [journal, target] : saves) {
+      const Outcome saved = saveJournal(journal.toStdString(), target.toStdString(), watch);
+      if (!saved) failures.push_back(saved.error());
+    }
+    return [this, failures] {
+      for (const Diagnostic& why : failures) bench_.messages.showError(tr("The recording cannot be saved"), why);
+    };
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,125 @@
+#include "app/window/run_controller.h"
+
+#include <QLocale>
+#include <QStatusBar>
+
+#include "app/window/run_script.h"
+#include "app/window/status_text.h"
+#include "widgets/editors/rules_dialog.h"
+
+namespace glissade {
+
+RunController::RunController(const Workbench& bench)
+    : QObject(&bench.window),
+      bench_(bench),
+      interaction_(new InteractionPanel(bench.actions, &bench.window)),
+      counts_(new CountsPanel(&bench.window)),
+      status_(new QLabel(&bench.window)),
+      elapsed_(new QLabel(&bench.window)) {
+  status_->setObjectName(QStringLiteral("status"));
+  status_->setText(tr("No scenario is open."));
+  bench.window.statusBar()->addWidget(status_, 1);
+  bench.window.statusBar()->addPermanentWidget(elapsed_);
+  connect(&bench.document, &WorkbenchDocument::changedForSession, this, &RunController::updateSession);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (!(what & (Change::Scenario | Change::Arrangement))) return;
+    interaction_->setScenario(*bench_.document.scenario());
+    showRun(bench_.run.snapshot());  // of the new session
+  });
+  connect(&bench.session, &SessionBridge::snapshotChanged, this,
+          [this](const SnapshotPtr& snapshot) { takeSnapshot(*snapshot); });
+  connect(&bench.run, &ShownRun::changed, this, &RunController::showRun);
+  connect(&bench.run, &ShownRun::liveChanged, this, [this](bool live) { interaction_->setReplayed(!live); });
+  connect(interaction_, &InteractionPanel::commanded, &bench.session, &SessionBridge::post);
+  connect(interaction_, &InteractionPanel::deviceChosen, this,
+          [this](const QString& id) { bench_.session.setDevice(id.toStdString()); });
+  connectActions();
+  enableActions(nullptr);
+  addRunCommands(bench);
+}
+
+void RunController::connectActions() {
+  bench_.onAction("run.start", this, [this] {
+    bench_.session.post(command::Stop{});  // smoothing that may still go on
+    bench_.session.post(command::Start{});
+  });
+  bench_.onAction("run.pause", this, [this](bool pause) {
+    bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
+  });
+  bench_.onAction("run.stop", this, [this] { bench_.session.post(command::Stop{}); });
+  bench_.onAction("run.restart", this, [this] { restart(bench_.document.settings().seed); });
+  bench_.onAction("run.restart-new-seed", this, [this] { restart(bench_.document.settings().seed + 1); });
+  bench_.onAction("run.tuning", this, [this](bool tune) {
+    bench_.session.post(command::SetParameter{ParameterId::Tuning, tune ? static_cast<double>(kTunedAll) : 0.0});
+  });
+  bench_.onAction("object.to-start", this,
+                  [this] { bench_.session.post(command::SetDevicePose{bench_.document.scenario()->problem.start}); });
+  bench_.onAction("strategy.rules", this, [this] { editRules(); });
+}
+
+void RunController::updateSession(Changes what) {
+  const WorkbenchDocument& document = bench_.document;
+  if (what & Change::Scenario) {
+    bench_.session.open(document.scenario());
+  } else if (what & Change::Arrangement) {
+    bench_.session.rearrange(document.scenario());
+  } else if (what & Change::Semantics) {
+    bench_.session.post(command::SetSemantics{document.edits()});
+  }
+  if ((what & Change::Knowledge) && document.knowledge()) {
+    bench_.session.post(command::SetKnowledge{document.knowledge()});
+  }
+}
+
+void RunController::takeSnapshot(const SessionSnapshot& snapshot) {
+  bench_.document.setSettings({snapshot.plannerId, snapshot.seed, snapshot.parameters});
+  bench_.document.setResults({snapshot.path, snapshot.refused, snapshot.provenance, snapshot.smoothed});
+}
+
+void RunController::showRun(const SnapshotPtr& snapshot) {
+  interaction_->setSnapshot(*snapshot);
+  interaction_->setDevice(bench_.session.deviceId());
+  counts_->setSnapshot(*snapshot, *bench_.document.scenario());
+  status_->setText(bench_.run.isLive() ? statusText(*snapshot) : bench_.run.replayText());
+  elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
+                                      : QString());
+  enableActions(snapshot.get());
+}
+
+void RunController::enableActions(const SessionSnapshot* snapshot) {
+  const bool live = snapshot != nullptr && bench_.run.isLive();
+  const bool running = live && isRunning(*snapshot);
+  bench_.enable("run.start", live && !running);
+  bench_.enable("run.pause", running);
+  bench_.enable("run.stop", running);
+  for (const char* id : {"run.restart", "run.restart-new-seed", "run.tuning", "object.to-start"}) {
+    bench_.enable(id, live);
+  }
+  bench_.enable("strategy.rules", live && !running);
+  const bool tuned = snapshot != nullptr && snapshot->parameters[ParameterId::Tuning] > 0.0;
+  bench_.actions["run.tuning"]->setChecked(tuned);
+  bench_.actions["run.pause"]->setChecked(live && snapshot->state == SessionState::Paused);
+}
+
+void RunController::restart(std::uint64_t seed) {
+  bench_.session.post(command::Stop{});
+  bench_.session.post(command::SetSeed{seed});
+  bench_.session.post(command::Start{});
+}
+
+void RunController::editRules() {
+  Scenario after = bench_.document.current();
+  const std::string& strategy = bench_.document.settings().strategy;
+  const bool preset = strategy == "gt" || strategy == "gts1" || strategy == "gts2";
+  RulesDialog dialog(preset        ? presetRules(strategy)
+                     : after.rules ? *after.rules
+                                   : presetRules("gts"),
+                     bench_.document.semantics().table(), &bench_.window);
+  if (dialog.exec() != QDialog::Accepted) return;
+  after.rules = dialog.rules();
+  const Outcome changed = bench_.document.edit(tr("Change the rules"), std::move(after));
+  if (!changed) bench_.messages.showError(tr("The rules cannot be changed"), changed.error());
+  bench_.session.post(command::SetPlanner{"own"});
+}
+
+}  // namespace glissade

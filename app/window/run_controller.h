@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QLabel>
+
+#include "app/window/workbench.h"
+#include "widgets/panels/counts_panel.h"
+#include "widgets/panels/interaction_panel.h"
+
+namespace glissade {
+
+/// Keeps the session in step with the document, and steers and shows the run: actions, the interaction panel, the
+/// figures, the status line.
+class RunController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RunController(const Workbench& bench);
+
+  InteractionPanel* interactionPanel() const { return interaction_; }
+  CountsPanel* countsPanel() const { return counts_; }
+
+ private:
+  void connectActions();
+  /// Gives the session what the document has.
+  void updateSession(Changes what);
+  /// Gives the document what the session has.
+  void takeSnapshot(const SessionSnapshot& snapshot);
+  void showRun(const SnapshotPtr& snapshot);
+  void enableActions(const SessionSnapshot* snapshot);
+  void restart(std::uint64_t seed);
+  /// Shows the rules of the strategy; changed, they become the scenario's own.
+  void editRules();
+
+  const Workbench& bench_;
+  InteractionPanel* interaction_;
+  CountsPanel* counts_;
+  QLabel* status_;
+  QLabel* elapsed_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,111 @@
+#include "app/window/view_controller.h"
+
+#include <QVBoxLayout>
+
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/label_overlay.h"
+
+namespace glissade {
+
+ViewController::ViewController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), welcome_(new QLabel(&bench.window)) {
+  QWidget* widget = bench.scene.widget();
+  new LabelOverlay(bench.scene.view(), widget);
+  showWelcome();
+  bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
+  connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
+  connect(&bench.run, &ShownRun::changed, this, [this](const SnapshotPtr& snapshot) {
+    bench_.scene.view().setSnapshot(snapshot);
+    bench_.scene.refresh();
+  });
+  connectActions();
+}
+
+void ViewController::showWelcome() {
+  welcome_->setAlignment(Qt::AlignCenter);
+  welcome_->setText(
+      tr("<h2>Glissade</h2><p>Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.</p>"
+         "<p>The folder <i>samples</i> holds the papers' environments.</p>"));
+  auto* over = new QVBoxLayout(bench_.scene.widget());
+  over->addWidget(welcome_, 0, Qt::AlignCenter);
+}
+
+void ViewController::updateView(Changes what) {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (what & Change::Scenario) {
+    welcome_->hide();
+    bench_.scene.view().setScenario(scenario);
+    bench_.scene.widget()->setFocus();
+  } else if (what & Change::Arrangement) {
+    bench_.scene.view().rearrange(scenario);
+  } else {
+    return;
+  }
+  publishOperatorFrame();
+  bench_.scene.refresh();
+}
+
+void ViewController::publishOperatorFrame() {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario) return;
+  const CameraController& camera = bench_.scene.view().camera();
+  OperatorFrame frame;
+  frame.R_WV = camera.R_WV();
+  frame.speed = operatorSpeed(camera.viewHeight(), scenario->problem.world->objectRadius());
+  bench_.session.setOperatorFrame(frame);
+}
+
+void ViewController::connectActions() {
+  const auto look = [this](const char* id, StandardView view) {
+    bench_.onAction(id, this, [this, view] {
+      bench_.scene.view().camera().setStandardView(view);
+      bench_.scene.view().fit();
+      publishOperatorFrame();
+      bench_.scene.refresh();
+    });
+  };
+  look("view.isometric", StandardView::Isometric);
+  look("view.front", StandardView::Front);
+  look("view.back", StandardView::Back);
+  look("view.left", StandardView::Left);
+  look("view.right", StandardView::Right);
+  look("view.top", StandardView::Top);
+  look("view.bottom", StandardView::Bottom);
+  bench_.onAction("view.fit", this, [this] {
+    bench_.scene.view().fit();
+    publishOperatorFrame();
+    bench_.scene.refresh();
+  });
+  connect(bench_.actions["view.path-authors"], &QAction::toggled, this, [this](bool byAuthor) {
+    bench_.scene.view().setPathByAuthor(byAuthor);
+    bench_.scene.refresh();
+  });
+  const auto layer = [this](const char* id, SceneLayer which) {
+    QAction* action = bench_.actions[QLatin1String(id)];
+    action->setChecked(bench_.scene.view().layerVisible(which));
+    connect(action, &QAction::toggled, this, [this, which](bool visible) {
+      bench_.scene.view().setLayerVisible(which, visible);
+      bench_.scene.refresh();
+    });
+  };
+  layer("layer.bodies", SceneLayer::Bodies);
+  layer("layer.object", SceneLayer::Object);
+  layer("layer.ends", SceneLayer::StartAndGoal);
+  layer("layer.workspace", SceneLayer::Workspace);
+  layer("layer.roadmap", SceneLayer::Roadmap);
+  layer("layer.path", SceneLayer::Path);
+  layer("layer.contact", SceneLayer::Contact);
+  layer("layer.force", SceneLayer::Guidance);
+  layer("layer.free-cells", SceneLayer::FreeCells);
+  layer("layer.mobile-cells", SceneLayer::MobileCells);
+  layer("layer.static-cells", SceneLayer::StaticCells);
+  layer("layer.places", SceneLayer::Places);
+  layer("layer.borders", SceneLayer::Borders);
+  layer("layer.graph", SceneLayer::Graph);
+  layer("layer.coarse-path", SceneLayer::CoarsePath);
+  layer("layer.milestones", SceneLayer::Milestones);
+  layer("layer.region", SceneLayer::Region);
+  layer("layer.difficulty", SceneLayer::Difficulty);
+}
+
+}  // namespace glissade

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QLabel>
+
+#include "app/window/workbench.h"
+
+namespace glissade {
+
+/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers, the welcome text.
+class ViewController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ViewController(const Workbench& bench);
+
+  /// Tells the session how the view is turned: deflections are read in the view's frame.
+  void publishOperatorFrame();
+
+ private:
+  void updateView(Changes what);
+  void connectActions();
+  void showWelcome();
+
+  const Workbench& bench_;
+  QLabel* welcome_;
+};
+
+}  // namespace glissade

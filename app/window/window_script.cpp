@@ -1,0 +1,92 @@
+#include "app/window/window_script.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <QMouseEvent>
+
+#include <fstream>
+
+#include "app/window/window_picture.h"
+#include "engine/base/memory_use.h"
+#include "engine/base/number_text.h"
+#include "widgets/plots/picture_file.h"
+
+namespace glissade {
+namespace {
+
+using Words = ScriptCommands::Words;
+
+Outcome trigger(const ActionCatalogue& actions, const std::string& id) {
+  QAction* action = actions.find(QString::fromStdString(id));
+  if (action == nullptr) return wrongCommand("there is no action '" + id + "'");
+  if (!action->isEnabled()) return wrongCommand("the action '" + id + "' is not possible now");
+  action->trigger();
+  return Done{};
+}
+
+Outcome pressKey(const Workbench& bench, const std::string& how, const std::string& key) {
+  const QKeySequence sequence(QString::fromStdString(key));
+  if (sequence.count() != 1) return wrongCommand("there is no key '" + key + "'");
+  if (how != "press" && how != "release" && how != "tap") return wrongCommand("say press, release or tap");
+  const auto send = [&](QEvent::Type type) {
+    QKeyEvent event(type, sequence[0], Qt::NoModifier);
+    QApplication::sendEvent(bench.scene.widget(), &event);
+  };
+  if (how != "release") send(QEvent::KeyPress);
+  if (how == "tap") bench.session.advance(1);
+  if (how != "press") send(QEvent::KeyRelease);
+  return Done{};
+}
+
+/// A click where `pixels` are one point, a drag where they are two.
+Outcome pressMouse(QWidget* scene, const Words& pixels) {
+  std::vector<double> numbers;
+  for (const std::string& word : pixels) {
+    const auto number = toNumber(word);
+    if (!number) return wrongCommand("'" + word + "' is not a pixel", "Give numbers.");
+    numbers.push_back(*number);
+  }
+  const auto send = [&](QEvent::Type type, const QPointF& at) {
+    QMouseEvent event(type, at, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(scene, &event);
+  };
+  const QPointF from(numbers[0], numbers[1]);
+  const QPointF to(numbers[numbers.size() - 2], numbers.back());
+  send(QEvent::MouseButtonPress, from);
+  constexpr int kMoves = 8;
+  for (int i = 1; i <= kMoves && to != from; ++i) send(QEvent::MouseMove, from + (to - from) * i / kMoves);
+  send(QEvent::MouseButtonRelease, to);
+  return Done{};
+}
+
+/// Appends a line: seconds since the start, megabytes in main memory, megabytes after free memory was given back.
+Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
+  const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
+  const double resident = residentMegabytes();
+  std::ofstream file(name, std::ios::app);
+  file << seconds << " " << resident << " " << residentMegabytesAfterTrim() << "\n";
+  file.close();
+  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+}
+
+}  // namespace
+
+void addWindowCommands(const Workbench& bench) {
+  ScriptCommands& scripts = bench.scripts;
+  scripts.add("action", 1, [&bench](const Words& words) { return trigger(bench.actions, words[0]); });
+  scripts.add("key", 2, [&bench](const Words& words) { return pressKey(bench, words[0], words[1]); });
+  for (const auto& [name, count] : {std::pair("click", 2), std::pair("drag", 4)}) {
+    scripts.add(name, static_cast<std::size_t>(count),
+                [&bench](const Words& words) { return pressMouse(bench.scene.widget(), words); });
+  }
+  scripts.add("screenshot", 1, [&bench](const Words& words) -> Outcome {
+    return savePicture(pictureOf(bench.window), QString::fromStdString(words[0]));
+  });
+  QElapsedTimer since;
+  since.start();
+  scripts.add("memory", 1, [since](const Words& words) { return appendMemory(since, words[0]); });
+}
+
+}  // namespace glissade

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/script/script_commands.h"
+#include "app/window/messages.h"
+#include "app/window/shown_run.h"
+#include "app/window/work_controller.h"
+#include "widgets/bridge/session_bridge.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/document/workbench_document.h"
+#include "widgets/scene3d/scene_widget.h"
+
+namespace glissade {
+
+/// What the controllers of the window share. The window owns all of it; it outlives the controllers.
+struct Workbench {
+  WorkbenchDocument& document;
+  SessionBridge& session;
+  ShownRun& run;
+  SceneWidget& scene;
+  ActionCatalogue& actions;
+  WorkController& work;
+  Messages& messages;
+  ScriptCommands& scripts;
+  QMainWindow& window;  ///< parent of panels and dialogs
+
+  /// Calls `handler` when the action is triggered, as long as `context` lives.
+  template <class Handler>
+  void onAction(const char* id, QObject* context, Handler handler) const {
+    QObject::connect(actions[QLatin1String(id)], &QAction::triggered, context, handler);
+  }
+  void enable(const char* id, bool enabled) const { actions[QLatin1String(id)]->setEnabled(enabled); }
+};
+
+}  // namespace glissade

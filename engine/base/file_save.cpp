@@ -1,0 +1,150 @@
+#include "engine/base/file_save.h"
+
+#include <sys/stat.h>
+#include <sys/xattr.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "engine/base/file.h"
+#include "engine/base/file_versions.h"
+#include "engine/base/pending_file.h"
+#include "engine/base/save_target.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+
+SaveResult notSaved(SaveStatus status, Diagnostic why) { return {status, std::move(why), {}, {}}; }
+
+SaveResult failed(Diagnostic why) { return notSaved(SaveStatus::Failed, std::move(why)); }
+
+Diagnostic warning(const SaveTarget& target, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Internal, target.file, "", "was saved, but " + reason, advice};
+}
+
+SaveResult changed(const SaveTarget& target) {
+  return notSaved(SaveStatus::ChangedByOthers, {ErrorKind::Usage, target.file, "",
+                                                "was not saved: another program has changed the file since it was read",
+                                                "Save under another name, or open the file again."});
+}
+
+SaveResult removed(const SaveTarget& target) {
+  return notSaved(SaveStatus::RemovedByOthers, {ErrorKind::Usage, target.file, "",
+                                                "was not saved: the file has been removed or renamed since it was read",
+                                                "Save under another name."});
+}
+
+/// The access list is worth a warning where there is one; most files have none.
+bool copyAccessList(const std::string& from, int to) {
+  constexpr const char* kName = "system.posix_acl_access";
+  std::string list(4096, '\0');
+  const ssize_t size = ::getxattr(from.c_str(), kName, list.data(), list.size());
+  if (size < 0) return errno == ENODATA || errno == ENOTSUP;
+  return ::fsetxattr(to, kName, list.data(), static_cast<std::size_t>(size), 0) == 0;
+}
+
+/// Gives the new file the owner, permissions and access list of the one that it replaces. Errors: its
+/// permissions; they may protect the content.
+Outcome copyRights(const SaveTarget& target, int to, Warnings& warnings) {
+  const struct stat& old = target.status;
+  const auto user = static_cast<uid_t>(-1);
+  const bool sameOwner = ::fchown(to, old.st_uid, old.st_gid) == 0;
+  if (!sameOwner) {
+    const bool sameGroup = ::fchown(to, user, old.st_gid) == 0;
+    const bool wasOurs = old.st_uid == ::geteuid();
+    const std::string what = wasOurs ? "its group" : sameGroup ? "its owner" : "its owner and group";
+    if (!wasOurs || !sameGroup) {
+      warnings.push_back(warning(target, what + " could not be kept", "Ask the former owner if others read the file."));
+    }
+  }
+  if (::fchmod(to, old.st_mode & 0777) != 0) return saveError(target.file, "its permissions cannot be set", errno);
+  if (!copyAccessList(target.path, to)) {
+    warnings.push_back(warning(target, "its access control list could not be kept", "Set it again."));
+  }
+  return Done{};
+}
+
+void warnOfHardLinks(const SaveTarget& target, Warnings& warnings) {
+  if (!target.exists || target.status.st_nlink < 2) return;
+  warnings.push_back(warning(target,
+                             "the file has " + std::to_string(target.status.st_nlink - 1) +
+                                 " more names (hard links), which keep the old content",
+                             "Copy the file over them, or link them again."));
+}
+
+/// The content that is there, where it has to be known.
+Result<std::optional<std::string>> presentContent(const SaveTarget& target, const SaveOptions& options) {
+  if (!target.exists || (!options.replaces && options.versions == 0)) return std::optional<std::string>();
+  auto content = readFile(target.path, kMostBytes);
+  if (content) return std::optional<std::string>(std::move(*content));
+  Diagnostic why = content.error();
+  why.kind = ErrorKind::Internal;
+  why.file = target.file;
+  why.reason = "cannot be saved: what is there " + why.reason;
+  return why;
+}
+
+/// The file is still what it was before the new content was written, which takes time.
+bool isUntouched(const SaveTarget& target) {
+  struct stat now {};
+  if (::stat(target.path.c_str(), &now) != 0) return !target.exists;
+  return target.isSameAs(now);
+}
+
+SaveResult replace(const SaveTarget& target, const std::string& content, const SaveOptions& options,
+                   Warnings warnings) {
+  constexpr mode_t kUntilItsOwnersAreKnown = 0600;
+  constexpr mode_t kNewFile = 0666;
+  auto pending =
+      PendingFile::create(folderOf(target.path), target.file, target.exists ? kUntilItsOwnersAreKnown : kNewFile);
+  if (!pending) return failed(pending.error());
+  if (target.exists) {
+    const Outcome rights = copyRights(target, pending->descriptor(), warnings);
+    if (!rights) return failed(rights.error());
+  }
+  const Outcome written = pending->write(content);
+  if (!written) return failed(written.error());
+  if (options.replaces && !isUntouched(target)) return changed(target);
+  const auto durable = pending->moveTo(target.path);
+  if (!durable) return failed(durable.error());
+  if (!*durable) {
+    warnings.push_back(warning(target, "its folder could not be flushed to the disk",
+                               "After a power cut now the old content may be there. Save again."));
+  }
+  return {SaveStatus::Saved, {}, std::move(warnings), sha256(content)};
+}
+
+}  // namespace
+
+SaveResult saveFile(const std::string& file, const std::string& content, const SaveOptions& options) {
+  const auto target = findSaveTarget(file);
+  if (!target) return failed(target.error());
+  if (!target->exists && options.replaces) return removed(*target);
+  Warnings warnings;
+  const auto present = presentContent(*target, options);
+  if (!present && (options.replaces || options.versionRequired)) return failed(present.error());
+  if (!present) warnings.push_back(warning(*target, "no earlier version was kept", "It could not be read."));
+  const bool known = present && present->has_value();
+  if (known && options.replaces && sha256(**present) != *options.replaces) return changed(*target);
+  removeStrayFiles(folderOf(target->path), target->path);
+  if (known && options.versions > 0 && **present != content) {
+    const Outcome kept = keepVersion(target->path, **present, target->status);
+    if (!kept && options.versionRequired) return failed(kept.error());
+    if (!kept) warnings.push_back(warning(*target, "no earlier version was kept: " + kept.error().reason, ""));
+  }
+  warnOfHardLinks(*target, warnings);
+  SaveResult result = replace(*target, content, options, std::move(warnings));
+  if (result && options.versions > 0) removeOldVersions(target->path, options.versions);
+  return result;
+}
+
+Outcome writeFileAtomically(const std::string& file, const std::string& content) {
+  const SaveResult result = saveFile(file, content);
+  return result ? Outcome(Done{}) : Outcome(result.why);
+}
+
+}  // namespace glissade

@@ -1,0 +1,23 @@
+#include "engine/base/memory_use.h"
+
+#include <malloc.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace glissade {
+
+double residentMegabytes() {
+  std::ifstream file("/proc/self/statm");
+  double size = 0.0;
+  double resident = 0.0;
+  if (!(file >> size >> resident)) return 0.0;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1024.0 * 1024.0);
+}
+
+double residentMegabytesAfterTrim() {
+  malloc_trim(0);
+  return residentMegabytes();
+}
+
+}  // namespace glissade

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace glissade {
+
+/// What this process has in main memory, in megabytes of 2^20 bytes (/proc/self/statm); 0 where it cannot be read.
+double residentMegabytes();
+
+/// The same after free memory was given back to the system. The difference is not in use, and no leak.
+double residentMegabytesAfterTrim();
+
+}  // namespace glissade

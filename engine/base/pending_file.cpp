@@ -1,0 +1,100 @@
+#include "engine/base/pending_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <ctime>
+#include <filesystem>
+#include <random>
+#include <utility>
+
+#include "engine/base/file.h"
+#include "engine/base/save_target.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Short, because a name that is derived from the file's may become too long.
+constexpr const char* kPrefix = ".glissade-saving-";
+constexpr const char* kFormerInfix = ".saving-";
+constexpr std::size_t kRandomLetters = 6;
+
+std::string randomLetters() {
+  constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyz234567";
+  std::random_device random;
+  std::string letters;
+  while (letters.size() < kRandomLetters) letters += kLetters[random() & 31U];
+  return letters;
+}
+
+bool isTemporaryName(const std::string& name, const std::string& file) {
+  const auto is = [&](const std::string& prefix) {
+    return name.rfind(prefix, 0) == 0 && name.size() == prefix.size() + kRandomLetters;
+  };
+  return is(kPrefix) || is(fs::path(file).filename().string() + kFormerInfix);
+}
+
+/// Its writer is gone. Age as well as the lock, because a file exists for a moment before it is locked.
+bool isAbandoned(const std::string& path) {
+  constexpr time_t kOldSeconds = 60;
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+  struct stat status {};
+  if (!descriptor.valid() || ::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  const bool old = std::time(nullptr) - status.st_mtim.tv_sec > kOldSeconds;
+  return old && status.st_uid == ::geteuid() && ::flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+}  // namespace
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : descriptor_(std::move(other.descriptor_)), name_(std::exchange(other.name_, {})), file_(std::move(other.file_)) {}
+
+Result<PendingFile> PendingFile::create(const std::string& folder, const std::string& file, mode_t mode) {
+  std::string name;
+  Descriptor descriptor;
+  for (int tries = 0; !descriptor.valid(); ++tries) {
+    constexpr int kMostTries = 100;
+    name = (fs::path(folder) / kPrefix).string() + randomLetters();
+    descriptor = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    const bool taken = errno == EEXIST && tries < kMostTries;
+    if (!descriptor.valid() && !taken) return saveError(file, "the folder takes no new file", errno);
+  }
+  (void)::flock(descriptor.get(), LOCK_EX | LOCK_NB);  // without a lock its age protects it
+  return PendingFile(std::move(descriptor), std::move(name), file);
+}
+
+PendingFile::~PendingFile() {
+  if (!name_.empty()) ::unlink(name_.c_str());
+}
+
+Outcome PendingFile::write(const std::string& content) {
+  if (!writeAll(descriptor_.get(), content)) return saveError(file_, "writing failed", errno);
+  if (::fsync(descriptor_.get()) != 0) return saveError(file_, "flushing to the disk failed", errno);
+  if (!descriptor_.close()) return saveError(file_, "closing failed", errno);
+  const auto written = readFile(name_, content.size());
+  if (!written || *written != content) return saveError(file_, "what was written reads back differently", EIO);
+  return Done{};
+}
+
+Result<bool> PendingFile::moveTo(const std::string& path) {
+  if (::rename(name_.c_str(), path.c_str()) != 0) return saveError(file_, "giving it its name failed", errno);
+  name_.clear();
+  const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.valid()) return false;
+  // Some file systems have nothing to flush in a folder and say so.
+  return ::fsync(folder.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
+}
+
+void removeStrayFiles(const std::string& folder, const std::string& file) {
+  std::error_code trouble;
+  for (fs::directory_iterator at(folder, trouble), end; !trouble && at != end; at.increment(trouble)) {
+    const std::string path = at->path().string();
+    if (isTemporaryName(at->path().filename().string(), file) && isAbandoned(path)) ::unlink(path.c_str());
+  }
+}
+
+}  // namespace glissade

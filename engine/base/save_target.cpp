@@ -1,0 +1,99 @@
+#include "engine/base/save_target.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+#include <filesystem>
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kUntouched = "What was there is untouched. ";
+
+std::string adviceFor(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT: return "Free some space, or save on another disk.";
+    case EFBIG: return "Raise the limit of the file size, or save on another disk.";
+    case EACCES:
+    case EPERM: return "Save into a folder that you may write to.";
+    case EROFS: return "The file system is read-only. Save into another folder.";
+    case ENAMETOOLONG: return "Choose a shorter name.";
+    case ENOENT:
+    case ENOTDIR: return "Create the folder, or choose another one.";
+    case EIO: return "The disk may be failing. Save on another disk.";
+    default: return "Save into another folder.";
+  }
+}
+
+Diagnostic refused(const std::string& file, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Internal, file, "", "cannot be saved: " + reason, kUntouched + advice};
+}
+
+Result<std::string> followLinks(const std::string& file) {
+  constexpr int kMostLinks = 40;
+  fs::path at = file;
+  for (int i = 0; i < kMostLinks; ++i) {
+    std::array<char, PATH_MAX> text{};
+    const ssize_t length = ::readlink(at.c_str(), text.data(), text.size());
+    if (length < 0) {
+      if (errno == EINVAL || errno == ENOENT) return at.string();  // not a link, or not there yet
+      return saveError(file, "it cannot be looked at", errno);
+    }
+    at = at.parent_path() / fs::path(std::string(text.data(), static_cast<std::size_t>(length)));
+  }
+  return saveError(file, "its links cannot be followed", ELOOP);
+}
+
+Outcome checkKind(const std::string& file, const struct stat& status) {
+  constexpr const char* kOther = "Choose another name.";
+  if (S_ISDIR(status.st_mode)) return refused(file, "it is a folder", kOther);
+  if (S_ISFIFO(status.st_mode)) return refused(file, "it is a pipe", kOther);
+  if (S_ISSOCK(status.st_mode)) return refused(file, "it is a socket", kOther);
+  if (!S_ISREG(status.st_mode)) return refused(file, "it is a device", kOther);
+  return Done{};
+}
+
+/// Replacing a file needs a writable folder only; who made the file read-only expects that it stays as it is.
+Outcome checkWritable(const SaveTarget& target) {
+  constexpr mode_t kAnyWrite = S_IWUSR | S_IWGRP | S_IWOTH;
+  const bool readOnly = (target.status.st_mode & kAnyWrite) == 0 || ::access(target.path.c_str(), W_OK) != 0;
+  if (!readOnly) return Done{};
+  return refused(target.file, "it is read-only", "Save under another name, or make the file writable.");
+}
+
+}  // namespace
+
+bool SaveTarget::isSameAs(const struct stat& now) const {
+  return exists && now.st_dev == status.st_dev && now.st_ino == status.st_ino && now.st_size == status.st_size &&
+         now.st_mtim.tv_sec == status.st_mtim.tv_sec && now.st_mtim.tv_nsec == status.st_mtim.tv_nsec;
+}
+
+Result<SaveTarget> findSaveTarget(const std::string& file) {
+  if (file.empty()) return refused(file, "it has no name", "Give a name.");
+  const auto path = followLinks(file);
+  if (!path) return path.error();
+  SaveTarget target{file, *path, false, {}};
+  if (::stat(target.path.c_str(), &target.status) != 0) {
+    if (errno == ENOENT) return target;
+    return saveError(file, "it cannot be looked at", errno);
+  }
+  target.exists = true;
+  const Outcome kind = checkKind(file, target.status);
+  if (!kind) return kind.error();
+  const Outcome writable = checkWritable(target);
+  if (!writable) return writable.error();
+  return target;
+}
+
+Diagnostic saveError(const std::string& file, const std::string& what, int error) {
+  return refused(file, what + ": " + std::strerror(error), adviceFor(error));
+}
+
+}  // namespace glissade

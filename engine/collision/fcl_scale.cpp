@@ -1,0 +1,44 @@
+#include "engine/collision/fcl_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glissade {
+namespace {
+
+/// No scaled coordinate exceeds 2^150: FCL multiplies up to six lengths.
+constexpr int kLargestExponent = 150;
+
+/// Of the triangles that are not degenerate the smallest doubled area; and the largest coordinate.
+struct Extremes {
+  double smallestArea = std::numeric_limits<double>::infinity();
+  double largestCoordinate = 0.0;
+
+  void add(const TriangleMesh& mesh) {
+    for (const Vector3& vertex : mesh.vertices) {
+      largestCoordinate = std::max(largestCoordinate, vertex.cwiseAbs().maxCoeff());
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vector3& corner = mesh.vertices[a];
+      const double area = (mesh.vertices[b] - corner).cross(mesh.vertices[c] - corner).norm();
+      if (area > 0.0) smallestArea = std::min(smallestArea, area);
+    }
+  }
+};
+
+}  // namespace
+
+double fclScale(const std::vector<RigidBody>& obstacles, const TriangleMesh& object) {
+  Extremes extremes;
+  extremes.add(object);
+  for (const RigidBody& body : obstacles) {
+    extremes.add(*body.mesh);
+    extremes.largestCoordinate = std::max(extremes.largestCoordinate, body.X_WB.position.cwiseAbs().maxCoeff());
+  }
+  if (!std::isfinite(extremes.smallestArea)) return 1.0;
+  const int wanted = -static_cast<int>(std::floor(0.5 * std::ilogb(extremes.smallestArea)));
+  return std::ldexp(1.0, std::min(wanted, kLargestExponent - std::ilogb(extremes.largestCoordinate)));
+}
+
+}  // namespace glissade

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/environment/rigid_body.h"
+
+namespace glissade {
+
+/// The power of two by which geometry is multiplied before FCL sees it. FCL 0.7 compares lengths and squared
+/// areas with absolute constants: TriangleDistance skips the faces of triangles whose squared area is below
+/// 1e-15 m^4, and the distance of boxes (RSS) is off below 1e-7 m. So the smallest triangle with an area gets
+/// an area near one. A power of two changes no digit of any coordinate.
+double fclScale(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+
+}  // namespace glissade

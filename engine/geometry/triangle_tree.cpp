@@ -1,0 +1,168 @@
+#include "engine/geometry/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace glissade {
+namespace {
+
+constexpr std::uint32_t kMostInALeaf = 4;
+
+std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    triangles.push_back({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]});
+  }
+  return triangles;
+}
+
+bool areNear(const Box3& a, const Box3& b, double distance) {
+  return ((a.min().array() - distance <= b.max().array()) && (b.min().array() - distance <= a.max().array())).all();
+}
+
+Vector3 nearestOnSegment(const Vector3& a, const Vector3& b, const Vector3& p) {
+  const Vector3 along = b - a;
+  const double squared = along.squaredNorm();
+  const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+  return a + t * along;
+}
+
+}  // namespace
+
+/// (C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5)
+Vector3 nearestPoint(const Triangle& triangle, const Vector3& p) {
+  const auto& [a, b, c] = triangle;
+  const Vector3 normal = (b - a).cross(c - a);
+  const double squared = normal.squaredNorm();
+  if (squared > 0.0) {
+    const double u = (c - b).cross(p - b).dot(normal);
+    const double v = (a - c).cross(p - c).dot(normal);
+    const double w = (b - a).cross(p - a).dot(normal);
+    if (u >= 0.0 && v >= 0.0 && w >= 0.0) return p - normal * (normal.dot(p - a) / squared);
+  }
+  Vector3 nearest = nearestOnSegment(a, b, p);
+  for (const Vector3& other : {nearestOnSegment(b, c, p), nearestOnSegment(c, a, p)}) {
+    if ((other - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = other;
+  }
+  return nearest;
+}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : TriangleTree(trianglesOf(mesh)) {}
+
+TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
+  for (const Triangle& triangle : triangles_) {
+    Box3 box;
+    for (const Vector3& corner : triangle) box.extend(corner);
+    boxes_.push_back(box);
+    box_.extend(box);
+  }
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
+}
+
+/// A node for a run of triangles and all below it: halves by their middles along the widest axis.
+void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
+  const auto index = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Box3 middles;
+  for (std::uint32_t i = first; i < last; ++i) {
+    nodes_[index].box.extend(boxes_[order_[i]]);
+    middles.extend(boxes_[order_[i]].center());
+  }
+  if (last - first <= kMostInALeaf) {
+    nodes_[index].first = first;
+    nodes_[index].count = last - first;
+    return;
+  }
+  int axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  const std::uint32_t middle = first + (last - first) / 2;
+  const auto at = [&](std::uint32_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(middle), at(last), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(boxes_[a].center()[axis], a) < std::pair(boxes_[b].center()[axis], b);
+  });
+  build(first, middle);
+  nodes_[index].first = static_cast<std::uint32_t>(nodes_.size());
+  build(middle, last);
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit) const {
+  double least = limit * limit;
+  std::uint32_t found = 0;
+  std::vector<std::uint32_t> open;
+  if (!nodes_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    const Node& node = nodes_[index];
+    if (node.box.squaredExteriorDistance(p) >= least) continue;
+    if (node.count == 0) {
+      const bool nextIsNearer =
+          nodes_[index + 1].box.squaredExteriorDistance(p) < nodes_[node.first].box.squaredExteriorDistance(p);
+      open.push_back(nextIsNearer ? node.first : index + 1);
+      open.push_back(nextIsNearer ? index + 1 : node.first);
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const double squared = (nearestPoint(triangles_[order_[i]], p) - p).squaredNorm();
+      if (squared >= least) continue;
+      least = squared;
+      found = order_[i];
+    }
+  }
+  return {std::sqrt(least), found};
+}
+
+void TriangleTree::visit(const Box3& box, const std::function<bool(std::uint32_t)>& take) const {
+  std::vector<std::uint32_t> open;
+  if (!nodes_.empty()) open.push_back(0);
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    const Node& node = nodes_[index];
+    if (!node.box.intersects(box)) continue;
+    if (node.count == 0) {
+      open.push_back(node.first);
+      open.push_back(index + 1);
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (boxes_[order_[i]].intersects(box) && !take(order_[i])) return;
+    }
+  }
+}
+
+void TriangleTree::visitPairs(const TriangleTree& other, double distance,
+                              const std::function<bool(std::uint32_t, std::uint32_t)>& take) const {
+  if (nodes_.empty() || other.nodes_.empty()) return;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    const Node& mine = nodes_[a];
+    const Node& theirs = other.nodes_[b];
+    if (!areNear(mine.box, theirs.box, distance)) continue;
+    if (mine.count > 0 && theirs.count > 0) {
+      for (std::uint32_t i = mine.first; i < mine.first + mine.count; ++i) {
+        for (std::uint32_t k = theirs.first; k < theirs.first + theirs.count; ++k) {
+          const bool near = areNear(boxes_[order_[i]], other.boxes_[other.order_[k]], distance);
+          if (near && !take(order_[i], other.order_[k])) return;
+        }
+      }
+      continue;
+    }
+    const bool openMine =
+        theirs.count > 0 || (mine.count == 0 && mine.box.diagonal().norm() >= theirs.box.diagonal().norm());
+    if (openMine) {
+      open.push_back({mine.first, b});
+      open.push_back({a + 1, b});
+    } else {
+      open.push_back({a, theirs.first});
+      open.push_back({a, b + 1});
+    }
+  }
+}
+
+}  // namespace glissade

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/triangle_pair.h"
+
+namespace glissade {
+
+/// Point of a triangle that is nearest to `p`. Degenerate triangles are the segment or point that they are.
+Vector3 nearestPoint(const Triangle& triangle, const Vector3& p);
+
+/// Triangles in a hierarchy of boxes, for nearest points and for pairs that are near. Triangles keep the indices that
+/// they are given with. Immutable, shared by threads.
+class TriangleTree {
+ public:
+  explicit TriangleTree(std::vector<Triangle> triangles);
+  explicit TriangleTree(const TriangleMesh& mesh);
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const Box3& box() const { return box_; }
+
+  struct Nearest {
+    double distance = 0.0;
+    std::uint32_t triangle = 0;  ///< meaningless where there is none nearer than the limit
+  };
+  /// The triangle nearest to `p`; `limit` as the distance where there is none nearer.
+  Nearest nearest(const Vector3& p, double limit) const;
+
+  /// Every triangle whose box meets the given one, until `take` returns false.
+  void visit(const Box3& box, const std::function<bool(std::uint32_t)>& take) const;
+
+  /// Every pair (a triangle of this tree, one of the other) whose boxes are at most `distance` apart along each axis,
+  /// until `take` returns false.
+  void visitPairs(const TriangleTree& other, double distance,
+                  const std::function<bool(std::uint32_t, std::uint32_t)>& take) const;
+
+ private:
+  struct Node {
+    Box3 box;
+    std::uint32_t first = 0;  ///< in `order_` of a leaf, else the node below that is not the next one
+    std::uint32_t count = 0;  ///< of a leaf's triangles; 0: no leaf
+  };
+
+  void build(std::uint32_t first, std::uint32_t last);
+
+  std::vector<Triangle> triangles_;
+  std::vector<Box3> boxes_;  ///< around each
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+  Box3 box_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,248 @@
+#include "engine/import/formats/gltf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+
+#include "engine/import/formats/base64.h"
+
+namespace glissade {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::string_view kMagic = "glTF";
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
+constexpr std::uint32_t kBinaryChunk = 0x004e4942;
+
+template <class T>
+T valueAt(std::string_view bytes, std::uint64_t at) {
+  if (at > bytes.size() || bytes.size() - at < sizeof(T)) {
+    throw FormatError{"byte " + std::to_string(bytes.size()), "ends before its last chunk"};
+  }
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(T));
+  return value;
+}
+
+std::string placeOf(const char* list, std::uint64_t index) {
+  return std::string("/") + list + "/" + std::to_string(index);
+}
+
+enum ComponentType : std::uint64_t { kByte = 5120, kUByte, kShort, kUShort, kUInt = 5125, kFloat };
+
+std::size_t bytesOf(std::uint64_t type, const std::string& place) {
+  switch (type) {
+    case kByte:
+    case kUByte: return 1;
+    case kShort:
+    case kUShort: return 2;
+    case kUInt:
+    case kFloat: return 4;
+    default: throw FormatError{place, "has the unknown component type " + std::to_string(type)};
+  }
+}
+
+template <class T>
+double component(const char* at, bool normalized) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  if (!normalized) return static_cast<double>(value);
+  return std::max(static_cast<double>(value) / static_cast<double>(std::numeric_limits<T>::max()), -1.0);
+}
+
+double component(const char* at, std::uint64_t type, bool normalized) {
+  switch (type) {
+    case kByte: return component<std::int8_t>(at, normalized);
+    case kUByte: return component<std::uint8_t>(at, normalized);
+    case kShort: return component<std::int16_t>(at, normalized);
+    case kUShort: return component<std::uint16_t>(at, normalized);
+    case kUInt: return component<std::uint32_t>(at, normalized);
+    default: return component<float>(at, false);
+  }
+}
+
+/// The part of `bytes` from `offset` on, `size` long.
+std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const std::string& place) {
+  if (offset > bytes.size() || size > bytes.size() - offset)
+    throw FormatError{place, "goes beyond the end of its data"};
+  return bytes.substr(offset, size);
+}
+
+}  // namespace
+
+std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& place) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (!object.is_object() || found == object.end() || !found->is_number_unsigned()) {
+    throw FormatError{place, std::string("has no whole number '") + key + "'"};
+  }
+  return found->get<std::uint64_t>();
+}
+
+std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& place, std::uint64_t fallback) {
+  return object.is_object() && !object.contains(key) ? fallback : wholeNumber(object, key, place);
+}
+
+GltfDocument::GltfDocument(std::string_view bytes) {
+  std::string_view text = bytes;
+  if (bytes.substr(0, kMagic.size()) == kMagic) {
+    readContainer(bytes);
+  } else {
+    root_ = Json::parse(text.begin(), text.end(), nullptr, false);
+  }
+  if (!root_.is_object()) throw FormatError{"", "is not a glTF file: its JSON is malformed or cut off"};
+  checkVersion();
+  readBuffers();
+}
+
+void GltfDocument::readContainer(std::string_view bytes) {
+  constexpr std::uint64_t kHeader = 12;
+  constexpr std::uint64_t kChunkHeader = 8;
+  const auto version = valueAt<std::uint32_t>(bytes, 4);
+  if (version != 2) throw FormatError{"byte 4", "is of version " + std::to_string(version) + "; only 2 is read"};
+  const auto length = valueAt<std::uint32_t>(bytes, 8);
+  if (length > bytes.size()) {
+    throw FormatError{"byte 8", "claims a length of " + std::to_string(length) + " bytes but is only " +
+                                    std::to_string(bytes.size()) + " bytes long"};
+  }
+  const std::string_view whole = bytes.substr(0, length);
+  for (std::uint64_t at = kHeader; at < whole.size();) {
+    const auto size = valueAt<std::uint32_t>(whole, at);
+    const auto type = valueAt<std::uint32_t>(whole, at + 4);
+    const std::string_view chunk = part(whole, at + kChunkHeader, size, "byte " + std::to_string(at));
+    if (type == kJsonChunk) root_ = Json::parse(chunk.begin(), chunk.end(), nullptr, false);
+    if (type == kBinaryChunk) binary_ = chunk;
+    at += kChunkHeader + size;
+  }
+}
+
+void GltfDocument::checkVersion() const {
+  const auto asset = root_.find("asset");
+  const std::string version =
+      asset != root_.end() && asset->contains("version") && (*asset)["version"].is_string() ? (*asset)["version"] : "";
+  if (version.rfind("2.", 0) != 0)
+    throw FormatError{"/asset", "is of version " + inQuotes(version) + "; only 2 is read"};
+}
+
+void GltfDocument::readBuffers() {
+  const auto found = root_.find("buffers");
+  if (found == root_.end()) return;
+  decoded_.resize(found->size());
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const std::string place = placeOf("buffers", i);
+    const Json& buffer = element("buffers", i);
+    const std::uint64_t size = wholeNumber(buffer, "byteLength", place);
+    const auto uri = buffer.find("uri");
+    std::string_view bytes = binary_;
+    if (uri != buffer.end()) {
+      if (!uri->is_string()) throw FormatError{place, "has a 'uri' that is no text"};
+      const auto& text = uri->get_ref<const std::string&>();
+      const std::size_t data = text.find(";base64,");
+      if (text.rfind("data:", 0) != 0 || data == std::string::npos) {
+        throw FormatError{place, "keeps its data in a file of its own (" + inQuotes(text) + ")"};
+      }
+      auto decoded = decodeBase64(std::string_view(text).substr(data + 8));
+      if (!decoded) throw FormatError{place, "holds data that is not base64"};
+      decoded_[i] = std::move(*decoded);
+      bytes = decoded_[i];
+    }
+    buffers_.push_back(part(bytes, 0, size, place));
+  }
+}
+
+const GltfDocument::Json& GltfDocument::element(const char* list, std::uint64_t index) const {
+  const auto found = root_.find(list);
+  if (found == root_.end() || !found->is_array() || index >= found->size() || !(*found)[index].is_object()) {
+    throw FormatError{placeOf(list, index), "does not exist"};
+  }
+  return (*found)[index];
+}
+
+GltfDocument::View GltfDocument::view(std::uint64_t index) const {
+  const std::string place = placeOf("bufferViews", index);
+  const Json& json = element("bufferViews", index);
+  const std::uint64_t buffer = wholeNumber(json, "buffer", place);
+  if (buffer >= buffers_.size()) throw FormatError{place, "names a buffer that does not exist"};
+  return {
+      part(buffers_[buffer], wholeNumber(json, "byteOffset", place, 0), wholeNumber(json, "byteLength", place), place),
+      wholeNumber(json, "byteStride", place, 0)};
+}
+
+GltfNumbers GltfDocument::numbers(std::uint64_t index, std::size_t components) const {
+  const std::string place = placeOf("accessors", index);
+  const Json& accessor = element("accessors", index);
+  static constexpr std::array kTypes{"", "SCALAR", "VEC2", "VEC3"};
+  if (!accessor.contains("type") || accessor["type"] != kTypes[components]) {
+    throw FormatError{place, std::string("is not of the type ") + kTypes[components]};
+  }
+  GltfNumbers numbers;
+  numbers.single = wholeNumber(accessor, "componentType", place) == kFloat;
+  if (accessor.contains("bufferView")) {
+    readPlain(accessor, place, components, numbers);
+  } else if (!accessor.contains("sparse")) {
+    throw FormatError{place, "has no data"};
+  }
+  if (accessor.contains("sparse")) replaceSparse(accessor, place, components, numbers);
+  return numbers;
+}
+
+void GltfDocument::readPlain(const Json& accessor, const std::string& place, std::size_t components,
+                             GltfNumbers& numbers) const {
+  const std::uint64_t type = wholeNumber(accessor, "componentType", place);
+  const std::uint64_t count = wholeNumber(accessor, "count", place);
+  const std::size_t bytes = bytesOf(type, place);
+  const View source = view(wholeNumber(accessor, "bufferView", place));
+  const std::uint64_t offset = wholeNumber(accessor, "byteOffset", place, 0);
+  const std::uint64_t size = components * bytes;
+  const std::uint64_t stride = source.stride == 0 ? size : source.stride;
+  if (count == 0) throw FormatError{place, "has no element"};
+  if (stride < size || offset > source.bytes.size() || source.bytes.size() - offset < size ||
+      (source.bytes.size() - offset - size) / stride < count - 1) {
+    throw FormatError{place, "claims " + std::to_string(count) + " elements, more than its data holds"};
+  }
+  const bool normalized = accessor.value("normalized", false);
+  numbers.values.reserve(count * components);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < components; ++k) {
+      numbers.values.push_back(component(source.bytes.data() + offset + i * stride + k * bytes, type, normalized));
+    }
+  }
+}
+
+void GltfDocument::replaceSparse(const Json& accessor, const std::string& place, std::size_t components,
+                                 GltfNumbers& numbers) const {
+  const Json& sparse = accessor["sparse"];
+  const std::uint64_t count = wholeNumber(accessor, "count", place);
+  if (!sparse.is_object() || !sparse.contains("indices") || !sparse.contains("values")) {
+    throw FormatError{place + "/sparse", "has no indices or no values"};
+  }
+  if (numbers.values.empty()) {
+    // Zeros, of which the file has no data: no more of them than bytes of the file.
+    std::uint64_t bytes = 0;
+    for (const std::string_view buffer : buffers_) bytes += buffer.size();
+    if (count > bytes) throw FormatError{place, "claims more elements than the file has bytes"};
+    numbers.values.assign(count * components, 0.0);
+  }
+  const auto read = [&](const char* key, std::size_t width, std::uint64_t type) {
+    Json plain = sparse[key];
+    plain["count"] = wholeNumber(sparse, "count", place + "/sparse");
+    plain["componentType"] = type;
+    GltfNumbers found;
+    readPlain(plain, place + "/sparse/" + key, width, found);
+    return found.values;
+  };
+  const std::uint64_t indexType = wholeNumber(sparse["indices"], "componentType", place + "/sparse/indices");
+  const std::vector<double> indices = read("indices", 1, indexType);
+  const std::vector<double> values = read("values", components, wholeNumber(accessor, "componentType", place));
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (!(indices[i] >= 0.0 && indices[i] < static_cast<double>(count))) {
+      throw FormatError{place + "/sparse", "has an index that does not exist"};
+    }
+    std::copy_n(
+        values.begin() + static_cast<std::ptrdiff_t>(i * components), components,
+        numbers.values.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(indices[i]) * components));
+  }
+}
+
+}  // namespace glissade

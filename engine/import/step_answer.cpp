@@ -1,0 +1,110 @@
+#include "engine/import/step_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/base/printable_text.h"
+
+namespace glissade {
+namespace {
+
+namespace protocol = import_protocol;
+
+constexpr double kMillimetre = 0.001;
+
+struct Shape {
+  MeshPtr mesh;
+  double deflection = 0.0;
+  std::size_t facesWithoutMesh = 0;
+};
+
+/// Reads what the importing program wrote.
+class StepDecoder {
+ public:
+  StepDecoder(const ImporterCall& call, ImporterAnswer& answer) : call_(call), answer_(answer) {}
+
+  Result<std::vector<StepPart>> decode() {
+    protocol::AssemblyCounts counts;
+    if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts) {
+      return broken();
+    }
+    for (std::uint32_t i = 0; i < counts.shapes; ++i) {
+      if (const Outcome taken = takeShape(); !taken) return taken.error();
+    }
+    std::vector<StepPart> parts;
+    for (std::uint32_t i = 0; i < counts.parts; ++i) {
+      auto part = takePart();
+      if (!part) return part.error();
+      if (!part->mesh->empty()) parts.push_back(std::move(*part));
+    }
+    if (parts.empty()) return refusalOf(call_, "has no face that could be tessellated");
+    return parts;
+  }
+
+ private:
+  Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
+
+  Outcome takeShape() {
+    protocol::Shape record;
+    if (!answer_.message.take(&record, 1) || record.vertices > answer_.header.vertices ||
+        record.triangles > answer_.header.triangles ||
+        !(record.deflection >= 0.0 && std::isfinite(record.deflection))) {
+      return broken();
+    }
+    std::vector<double> coordinates(std::size_t{3} * record.vertices);
+    TriangleMesh mesh;
+    mesh.triangles.resize(record.triangles);
+    if (!answer_.message.take(coordinates.data(), coordinates.size()) ||
+        !answer_.message.take(mesh.triangles.data(), mesh.triangles.size())) {
+      return broken();
+    }
+    for (std::size_t i = 0; i < coordinates.size(); i += 3) {
+      mesh.vertices.emplace_back(kMillimetre * Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
+    }
+    if (const auto fault = faultOf(mesh)) return refusalOf(call_, *fault);
+    shapes_.push_back(
+        {std::make_shared<const TriangleMesh>(welded(mesh)), kMillimetre * record.deflection, record.facesWithoutMesh});
+    return Done{};
+  }
+
+  Result<StepPart> takePart() {
+    constexpr std::uint32_t kLongestPath = 1U << 16;
+    protocol::Part record;
+    if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size() || record.pathBytes > kLongestPath) {
+      return broken();
+    }
+    const Shape& shape = shapes_[record.shape];
+    StepPart part{std::string(record.pathBytes, ' '), shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
+    if (!answer_.message.take(part.path.data(), part.path.size()) || part.path != printableLine(part.path)) {
+      return broken();
+    }
+    if (!paths_.insert(part.path).second) return broken();
+    part.X_FP.position = kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
+    const auto& [x, y, z, w] = record.orientation;
+    part.X_FP.orientation = Quaternion(w, x, y, z).normalized();
+    if (!isValid(part.X_FP)) return refusalOf(call_, "has a part that is at no place in space");
+    if (record.hasColour != 0) {
+      if (!std::all_of(record.colour, record.colour + 3, [](double value) { return std::isfinite(value); })) {
+        return broken();
+      }
+      part.colour.emplace();
+      std::transform(record.colour, record.colour + 3, part.colour->begin(),
+                     [](double value) { return std::clamp(value, 0.0, 1.0); });
+    }
+    return part;
+  }
+
+  const ImporterCall& call_;
+  ImporterAnswer& answer_;
+  std::vector<Shape> shapes_;
+  std::set<std::string> paths_;
+};
+
+}  // namespace
+
+Result<std::vector<StepPart>> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer) {
+  return StepDecoder(call, answer).decode();
+}
+
+}  // namespace glissade

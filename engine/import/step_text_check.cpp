@@ -1,0 +1,137 @@
+#include "engine/import/step_text_check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kLongestNumber = 350;
+constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kLongestList = 100'000;
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; }
+
+bool beginsNumber(char c) { return isDigit(c) || c == '+' || c == '-'; }
+
+bool isOfNumber(char c) { return beginsNumber(c) || c == '.' || c == 'E' || c == 'e'; }
+
+bool isOfWord(char c) { return isLetter(c) || isDigit(c) || c == '-'; }
+
+/// Precondition: not longer than kLongestNumber.
+bool isFinite(std::string_view number) {
+  constexpr std::size_t kFewDigits = 300;
+  if (number.front() == '+') number.remove_prefix(1);
+  double value = 0.0;
+  const auto result = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (result.ec != std::errc::result_out_of_range) return true;
+  // A number that is too small for a double is read as zero.
+  const std::size_t exponent = number.find_first_of("Ee");
+  return exponent < kFewDigits && number.substr(exponent + 1, 1) == "-";
+}
+
+/// Walks through the tokens of the text.
+class StepTextCheck {
+ public:
+  explicit StepTextCheck(std::string_view text) : text_(text) {}
+
+  std::optional<std::string> fault() {
+    while (at_ < text_.size() && !fault_) checkToken();
+    return fault_;
+  }
+
+ private:
+  void checkToken() {
+    const char c = text_[at_];
+    if (c == '\'' || c == '"') {
+      skipTo(text_.find(c, at_ + 1), 1);
+    } else if (text_.compare(at_, 2, "/*") == 0) {
+      skipTo(text_.find("*/", at_ + 2), 2);
+    } else if (c == '#' || (c == '.' && !isDigitAt(at_ + 1))) {
+      at_ = endOf(isOfWord, at_ + 1);  // a reference, or an enumeration
+    } else if (isLetter(c)) {
+      checkWord();
+    } else if (beginsNumber(c) || c == '.') {
+      checkNumber();
+    } else {
+      checkDelimiter(c);
+      ++at_;
+    }
+  }
+
+  void checkDelimiter(char c) {
+    if (c == ';') valuesOfList_.clear();
+    if (c == '(') valuesOfList_.push_back(1);
+    if (c == ')' && !valuesOfList_.empty()) valuesOfList_.pop_back();
+    if (c == ',' && !valuesOfList_.empty()) ++valuesOfList_.back();
+    if (valuesOfList_.size() > kDeepest) fail("parentheses are nested more than " + std::to_string(kDeepest) + " deep");
+    if (!valuesOfList_.empty() && valuesOfList_.back() > kLongestList) {
+      fail("a list has more than " + std::to_string(kLongestList) + " values");
+    }
+  }
+
+  /// A word among values is a typed value, which has parentheses.
+  void checkWord() {
+    const std::size_t end = endOf(isOfWord, at_);
+    const std::size_t next = endOf([](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }, end);
+    const bool alone = next < text_.size() && (text_[next] == ',' || text_[next] == ')');
+    if (alone && !valuesOfList_.empty()) fail("'" + shown(end) + "' is not a value");
+    at_ = end;
+  }
+
+  void checkNumber() {
+    const std::size_t end = endOf(isOfNumber, at_);
+    if (end - at_ > kLongestNumber) {
+      fail("a number has " + std::to_string(end - at_) + " characters");
+    } else if (!isFinite(text_.substr(at_, end - at_)) || isGluedTo(end)) {
+      fail("'" + shown(endOf(isOfWord, end)) + "' is not a finite number");
+    }
+    at_ = end;
+  }
+
+  bool isDigitAt(std::size_t at) const { return at < text_.size() && isDigit(text_[at]); }
+
+  /// As in 1.#INF, which some C libraries print.
+  bool isGluedTo(std::size_t end) const { return end < text_.size() && (isLetter(text_[end]) || text_[end] == '#'); }
+
+  template <class Predicate>
+  std::size_t endOf(const Predicate& belongs, std::size_t from) const {
+    while (from < text_.size() && belongs(text_[from])) ++from;
+    return from;
+  }
+
+  /// What does not end is left to the parser, which refuses it.
+  void skipTo(std::size_t end, std::size_t length) {
+    at_ = end == std::string_view::npos ? text_.size() : end + length;
+  }
+
+  /// The beginning of a token, for a message.
+  std::string shown(std::size_t end) const {
+    constexpr std::size_t kMost = 24;
+    std::string token(text_.substr(at_, std::min(end - at_, kMost)));
+    std::replace_if(
+        token.begin(), token.end(), [](unsigned char c) { return c < 0x20 || c > 0x7e; }, '?');
+    return token;
+  }
+
+  void fail(const std::string& reason) {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+    fault_ = "line " + std::to_string(line) + ": " + reason;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::vector<std::size_t> valuesOfList_;  ///< of each list that is open
+  std::optional<std::string> fault_;
+};
+
+}  // namespace
+
+std::optional<std::string> faultOfStepText(std::string_view text) { return StepTextCheck(text).fault(); }
+
+}  // namespace glissade

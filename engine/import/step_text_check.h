@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace glissade {
+
+/// Why OpenCASCADE must not see a STEP text (ISO 10303-21), with the line; nothing where it may. Refused
+/// is what makes it compute without end or overflow its stack:
+/// - a number that is longer than 350 characters or not finite, and words such as nan in place of one;
+/// - parentheses nested more than 100 deep;
+/// - a list of more than 100,000 values: OpenCASCADE's time grows with the square of their number.
+/// Takes time in proportion to the text's length. Other mistakes of syntax are not looked for.
+std::optional<std::string> faultOfStepText(std::string_view text);
+
+}  // namespace glissade

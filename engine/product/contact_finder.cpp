@@ -1,0 +1,262 @@
+#include "engine/product/contact_finder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "engine/geometry/triangle_pair.h"
+#include "engine/product/region_pair.h"
+
+namespace glissade {
+namespace {
+
+using Label = SurfaceRegions::Label;
+using LabelKind = SurfaceRegions::Kind;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Fitted surfaces that are nearer to each other touch, metres: what fitting and rounding leave.
+constexpr double kTouching = 3e-6;
+/// Share of the shaft's radius: a coaxial overlap above is a thread drawn as a cylinder, below a press fit.
+constexpr double kThreadShare = 0.02;
+
+/// Everything that is learned from the pairs of triangles that are near.
+class PairExaminer {
+ public:
+  PairExaminer(const PreparedBody& a, const PreparedBody& b, const ContactLimits& limits)
+      : a_(a), b_(b), limits_(limits), reach_(limits.clearanceUpTo + kTouching + a.deviation + b.deviation) {}
+
+  std::optional<Contact> examine() {
+    a_.tree.visitPairs(b_.tree, reach_, [&](std::uint32_t i, std::uint32_t k) {
+      takePair(i, k);
+      return true;
+    });
+    conclude();
+    return contact_;
+  }
+
+ private:
+  /// The two labels of a pair of triangles as one number.
+  using Key = std::pair<std::uint64_t, std::uint64_t>;
+  static std::uint64_t numberOf(const Label& label) {
+    return (static_cast<std::uint64_t>(label.kind) << 32U) | label.index;
+  }
+
+  struct Near {
+    std::optional<RegionPair> exact;
+    Label labelA;
+    Label labelB;
+    bool beside = false;     ///< of `exact`: they are beside each other
+    bool meet = false;       ///< triangles meet
+    double gap = kInfinity;  ///< between triangles that do not meet
+    double deviation = 0.0;  ///< of both surfaces from their triangles
+  };
+
+  void takePair(std::uint32_t i, std::uint32_t k) {
+    const Label& labelA = a_.regions.labels[i];
+    const Label& labelB = b_.regions.labels[k];
+    auto [at, isNew] = near_.try_emplace(Key{numberOf(labelA), numberOf(labelB)});
+    Near& near = at->second;
+    if (isNew) {
+      near.exact = compareRegions(a_.regions, labelA, b_.regions, labelB);
+      near.labelA = labelA;
+      near.labelB = labelB;
+      near.deviation = a_.deviationOf(labelA) + b_.deviationOf(labelB);
+    }
+    if (near.exact && near.exact->gap > reach_) return;
+    const Triangle& triangleA = a_.tree.triangles()[i];
+    const Triangle& triangleB = b_.tree.triangles()[k];
+    if (near.exact && !near.beside) near.beside = areBeside(near, triangleA, triangleB);
+    if (near.meet) return;
+    if (trianglesMeet(triangleA, triangleB)) {
+      near.meet = true;
+    } else if (!near.exact) {
+      near.gap = std::min(near.gap, std::sqrt(triangleDistance(triangleA, triangleB).squared));
+    }
+  }
+
+  bool areBeside(const Near& near, const Triangle& triangleA, const Triangle& triangleB) const {
+    if (near.exact->kind != RegionPair::Kind::Planes) return true;
+    return std::abs(near.exact->gap) <= reach_ &&
+           overlapInPlane(triangleA, triangleB, a_.regions.planes[near.labelA.index]);
+  }
+
+  void conclude() {
+    summarize();
+    findThreads();
+    measureDepth();
+    if (deepest_ > 0.0) {
+      setOverlap(ContactKind::Overlap, deepest_, unsure_);
+    } else if (thickest_ > kTouching) {
+      const double shaft = std::max(axis_->radiusA, axis_->radiusB);
+      thickness_ = 2.0 * shaft;
+      setOverlap(thickest_ > kThreadShare * shaft ? ContactKind::Thread : ContactKind::Press, thickest_, 0.0);
+    } else if (coaxialTouch_ || planarTouch_) {
+      set(coaxialTouch_ ? ContactKind::Cylindrical : ContactKind::Planar, 0.0, 0.0);
+    } else if (tangentTouch_ || (freeGap_ <= freeUnsure_ + kTouching && !(exactGap_ > kTouching && fromExact_))) {
+      set(ContactKind::Contact, 0.0, tangentTouch_ ? 0.0 : freeUnsure_);
+    } else {
+      // Where the same gap was found both ways, the exact one counts.
+      const bool same = fromExact_ && std::abs(exactGap_ - freeGap_) <= unsure_;
+      const double gap = same ? exactGap_ : std::min(exactGap_, freeGap_);
+      if (gap <= limits_.clearanceUpTo) set(ContactKind::Clearance, gap, gap == exactGap_ ? 0.0 : freeUnsure_);
+    }
+  }
+
+  void summarize() {
+    for (const auto& [key, near] : near_) {
+      meet_ = meet_ || near.meet;
+      unsure_ = std::max(unsure_, near.deviation);
+      if (!near.exact || !near.beside) continue;
+      takeExact(*near.exact);
+      if (std::abs(near.exact->gap) > kTouching) continue;
+      coincidentA_.insert(numberOf(near.labelA));
+      coincidentB_.insert(numberOf(near.labelB));
+    }
+    for (const auto& [key, near] : near_) {
+      if (near.exact) continue;
+      // The rim of a hole that its shaft does not fill seems to touch the shaft where triangles are coarse.
+      const double gap = near.meet ? 0.0 : near.gap;
+      if (gap - near.deviation >= freeGap_ - freeUnsure_) continue;
+      freeGap_ = gap;
+      freeUnsure_ = near.deviation;
+      fromExact_ = near.labelA.kind != LabelKind::Free && near.labelB.kind != LabelKind::Free;
+    }
+  }
+
+  /// Shafts thicker than their coaxial holes: their triangles need not be near each other.
+  void findThreads() {
+    if (!meet_ || a_.depth() == nullptr || b_.depth() == nullptr) return;
+    for (std::uint32_t i = 0; i < a_.regions.cylinders.size(); ++i) {
+      for (std::uint32_t k = 0; k < b_.regions.cylinders.size(); ++k) {
+        const Label labelA{LabelKind::Cylinder, i};
+        const Label labelB{LabelKind::Cylinder, k};
+        const auto exact = compareRegions(a_.regions, labelA, b_.regions, labelB);
+        if (!exact || exact->kind != RegionPair::Kind::Coaxial || exact->gap > -kTouching) continue;
+        if (-exact->gap <= thickest_ || !isFilledByBoth(exact->axis)) continue;
+        takeExact(*exact);
+        unsure_ = std::max(unsure_, a_.deviationOf(labelA) + b_.deviationOf(labelB));
+      }
+    }
+  }
+
+  /// Some point between the two radii is inside both bodies.
+  bool isFilledByBoth(const ContactAxis& axis) const {
+    constexpr int kAngles = 12;
+    const Vector3 u = axis.direction.unitOrthogonal();
+    const Vector3 v = axis.direction.cross(u);
+    for (int i = 0; i < kAngles; ++i) {
+      const double angle = 2.0 * kPi * (i + 0.37) / kAngles;
+      const Vector3 p = axis.point + 0.5 * (axis.radiusA + axis.radiusB) * (std::cos(angle) * u + std::sin(angle) * v);
+      if (a_.depth()->contains(p) && b_.depth()->contains(p)) return true;
+    }
+    return false;
+  }
+
+  void takeExact(const RegionPair& exact) {
+    const bool touches = std::abs(exact.gap) <= kTouching;
+    if (exact.gap > kTouching) exactGap_ = std::min(exactGap_, exact.gap);
+    switch (exact.kind) {
+      case RegionPair::Kind::Planes: planarTouch_ = planarTouch_ || touches; break;
+      case RegionPair::Kind::Tangent: tangentTouch_ = tangentTouch_ || touches; break;
+      case RegionPair::Kind::Coaxial:
+        coaxialTouch_ = coaxialTouch_ || touches;
+        if (!axis_ || -exact.gap > thickest_) {
+          axis_ = exact.axis;
+          thickest_ = -exact.gap;
+        }
+        break;
+    }
+  }
+
+  /// Of the body in which the other is less deep: thinning either one ends the overlap. Looks for more than what the
+  /// fitted surfaces and tessellation explain.
+  void measureDepth() {
+    if (!meet_ && !a_.tree.box().intersects(b_.tree.box())) return;
+    const SolidDepth* solidA = a_.depth();
+    const SolidDepth* solidB = b_.depth();
+    if (solidA == nullptr || solidB == nullptr) return;
+    const double floor = unsure_ + std::max(0.0, thickest_) + kTouching;
+    const auto inA = depthInside(b_.tree, a_.tree, *solidA, floor, [&](std::uint32_t t) {
+      return coincidentB_.count(numberOf(b_.regions.labels[t])) > 0;
+    });
+    if (meet_ && !inA) return;
+    const auto inB = depthInside(a_.tree, b_.tree, *solidB, floor, [&](std::uint32_t t) {
+      return coincidentA_.count(numberOf(a_.regions.labels[t])) > 0;
+    });
+    if (inA && inB) {
+      deepest_ = std::min(inA->depth, inB->depth);
+      thickness_ = std::max(solidA->thicknessBelow(a_.tree.triangles()[inA->triangle]),
+                            solidB->thicknessBelow(b_.tree.triangles()[inB->triangle]));
+    } else if (!meet_ && (inA || inB)) {
+      deepest_ = inA ? inA->depth : inB->depth;  // one lies wholly inside the other
+    }
+  }
+
+  void setOverlap(ContactKind kind, double overlap, double uncertainty) {
+    const bool large = overlap > limits_.clashOverlap || overlap > limits_.clashThickness * thickness_;
+    set(large ? ContactKind::Clash : kind, 0.0, uncertainty);
+    contact_->overlap = overlap;
+    contact_->thickness = std::isfinite(thickness_) ? thickness_ : 0.0;
+  }
+
+  void set(ContactKind kind, double gap, double uncertainty) {
+    contact_.emplace();
+    contact_->kind = kind;
+    contact_->gap = gap;
+    contact_->uncertainty = uncertainty;
+    contact_->deviation = unsure_;
+    const bool coaxial = kind == ContactKind::Cylindrical || kind == ContactKind::Thread || kind == ContactKind::Press;
+    if (coaxial || (kind == ContactKind::Clash && thickest_ > kTouching)) contact_->axis = axis_;
+  }
+
+  const PreparedBody& a_;
+  const PreparedBody& b_;
+  const ContactLimits& limits_;
+  double reach_;
+  std::map<Key, Near> near_;
+  std::set<std::uint64_t> coincidentA_;  ///< labels of surfaces that coincide with one of the other body
+  std::set<std::uint64_t> coincidentB_;
+  bool meet_ = false;
+  bool planarTouch_ = false;
+  bool coaxialTouch_ = false;
+  bool tangentTouch_ = false;
+  bool fromExact_ = false;  ///< the least gap of triangles is between fitted surfaces
+  double exactGap_ = kInfinity;
+  double freeGap_ = kInfinity;
+  double freeUnsure_ = 0.0;
+  double unsure_ = 0.0;
+  double thickest_ = -kInfinity;  ///< largest coaxial overlap; negative: gap
+  std::optional<ContactAxis> axis_;
+  double deepest_ = 0.0;
+  double thickness_ = kInfinity;
+  std::optional<Contact> contact_;
+};
+
+}  // namespace
+
+PreparedBody::PreparedBody(TriangleMesh mesh_W, SurfaceRegions regions_W, double deflection_)
+    : mesh(std::move(mesh_W)), tree(mesh), regions(std::move(regions_W)), deflection(deflection_) {
+  const bool hasFree = std::any_of(regions.labels.begin(), regions.labels.end(),
+                                   [](const Label& label) { return label.kind == LabelKind::Free; });
+  if (hasFree) deviation = deflection;
+  for (const CylinderRegion& cylinder : regions.cylinders) deviation = std::max(deviation, cylinder.sagitta);
+}
+
+const SolidDepth* PreparedBody::depth() const {
+  if (!solid) solid = SolidDepth::of(mesh);
+  return *solid ? &**solid : nullptr;
+}
+
+double PreparedBody::deviationOf(const Label& label) const {
+  if (label.kind == LabelKind::Free) return deflection;
+  return label.kind == LabelKind::Plane ? 0.0 : regions.cylinders[label.index].sagitta;
+}
+
+std::optional<Contact> contactOf(const PreparedBody& a, const PreparedBody& b, const ContactLimits& limits) {
+  return PairExaminer(a, b, limits).examine();
+}
+
+}  // namespace glissade

@@ -1,0 +1,102 @@
+#include "engine/product/contact_report.h"
+
+#include <array>
+#include <map>
+#include <utility>
+
+#include "engine/product/contact_finder.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::array<std::pair<ContactKind, const char*>, 8> kKindNames{{{ContactKind::Clearance, "clearance"},
+                                                                         {ContactKind::Planar, "planar"},
+                                                                         {ContactKind::Cylindrical, "cylindrical"},
+                                                                         {ContactKind::Thread, "thread"},
+                                                                         {ContactKind::Press, "press"},
+                                                                         {ContactKind::Overlap, "overlap"},
+                                                                         {ContactKind::Contact, "contact"},
+                                                                         {ContactKind::Clash, "clash"}}};
+
+/// Prepares each body once, and the surfaces of each mesh once.
+class Preparation {
+ public:
+  explicit Preparation(const std::vector<ContactBody>& bodies) : bodies_(bodies), prepared_(bodies.size()) {}
+
+  const PreparedBody& operator[](std::size_t index) {
+    std::unique_ptr<const PreparedBody>& prepared = prepared_[index];
+    if (!prepared) {
+      const ContactBody& body = bodies_[index];
+      const Shape& shape = shapeOf(body.mesh);
+      prepared = std::make_unique<const PreparedBody>(transformed(shape.mesh, body.X_WB),
+                                                      transformed(shape.regions, body.X_WB), body.deflection);
+    }
+    return *prepared;
+  }
+
+ private:
+  struct Shape {
+    TriangleMesh mesh;
+    SurfaceRegions regions;
+  };
+
+  const Shape& shapeOf(const MeshPtr& mesh) {
+    const auto known = shapes_.find(mesh);
+    if (known != shapes_.end()) return known->second;
+    Shape shape{welded(*mesh), {}};
+    shape.regions = findSurfaceRegions(shape.mesh);
+    return shapes_.emplace(mesh, std::move(shape)).first->second;
+  }
+
+  const std::vector<ContactBody>& bodies_;
+  std::vector<std::unique_ptr<const PreparedBody>> prepared_;
+  std::map<MeshPtr, Shape> shapes_;
+};
+
+}  // namespace
+
+ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits, const StopToken& stop) {
+  ContactReport report;
+  std::vector<Box3> boxes;
+  for (const ContactBody& body : bodies) {
+    boxes.push_back(boundingBox(*body.mesh, body.X_WB));
+    const Vector3 margin = Vector3::Constant(0.5 * limits.clearanceUpTo + body.deflection + 1e-5);
+    boxes.back().min() -= margin;
+    boxes.back().max() += margin;
+  }
+  Preparation prepared(bodies);
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    for (std::size_t b = a + 1; b < bodies.size() && !stop.stopRequested(); ++b) {
+      if (limits.only && a != *limits.only && b != *limits.only) continue;
+      if (!boxes[a].intersects(boxes[b])) continue;
+      auto contact = contactOf(prepared[a], prepared[b], limits);
+      if (!contact) continue;
+      contact->a = a;
+      contact->b = b;
+      report.contacts.push_back(*contact);
+    }
+  }
+  return report;
+}
+
+double usualAllowance(const Contact& contact) {
+  constexpr double kMargin = 1e-6;
+  if (contact.kind == ContactKind::Clearance || contact.kind == ContactKind::Clash) return 0.0;
+  return contact.overlap + contact.deviation + kMargin;
+}
+
+const char* kindName(ContactKind kind) {
+  for (const auto& [each, name] : kKindNames) {
+    if (each == kind) return name;
+  }
+  return "";
+}
+
+std::optional<ContactKind> kindByName(const std::string& name) {
+  for (const auto& [kind, each] : kKindNames) {
+    if (name == each) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glissade

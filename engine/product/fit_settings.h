@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glissade {
+
+/// What a pair of bodies that are near in the assembled configuration is to each other.
+enum class ContactKind {
+  Clearance,    ///< apart; listed where a clearance is asked for
+  Planar,       ///< planes coincide
+  Cylindrical,  ///< a shaft has the radius of its hole
+  Thread,       ///< coaxial, the shaft clearly thicker than the hole: a thread drawn as a cylinder
+  Press,        ///< coaxial, the shaft slightly thicker than the hole
+  Overlap,      ///< any other overlap that is as designed
+  Contact,      ///< any other that touches
+  Clash         ///< an overlap too large to be as designed
+};
+
+/// What a person says about the fit of two bodies, named by id.
+struct FitEdit {
+  std::string a;
+  std::string b;
+  std::optional<ContactKind> kind;
+  std::optional<double> allowance;  ///< metres, >= 0; 0: clearance is required
+  bool accepted = false;            ///< a clash that does not stop the work
+};
+
+/// How a scenario treats bodies that touch or overlap in its assembled configuration.
+struct FitSettings {
+  double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
+  std::vector<FitEdit> pairs;
+};
+
+}  // namespace glissade

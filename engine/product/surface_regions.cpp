@@ -1,0 +1,260 @@
+#include "engine/product/surface_regions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "engine/product/cylinder_fit.h"
+
+namespace glissade {
+namespace {
+
+using Kind = SurfaceRegions::Kind;
+
+/// Vertices may be this far off a fitted surface, metres and share of the mesh's diagonal: exporters approximate
+/// edges, and write single precision.
+constexpr double kOffSurface = 2e-6;
+constexpr double kOffSurfaceShare = 1e-7;
+/// Cosine of the angle between two facets of one smooth surface, at most ten a turn.
+constexpr double kSmoothCosine = 0.809;
+/// Triangles that a cylinder is first fitted to.
+constexpr std::size_t kPatch = 8;
+/// Facets of a cylinder are turned against its axis by no more than this cosine.
+constexpr double kAlongAxis = 0.3;
+/// A cylinder has at least this many directions of facets.
+constexpr std::size_t kFewestFacets = 3;
+/// Cosine between the normals of triangles in one plane.
+constexpr double kFlatCosine = 0.9;
+/// A flat region is a facet of a free surface where smooth edges make this share of its border, and its neighbours
+/// over them are not much smaller.
+constexpr double kSmoothBorder = 0.6;
+constexpr double kFacetSize = 3.0;
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+class RegionFinder {
+ public:
+  explicit RegionFinder(const TriangleMesh& mesh) : mesh_(mesh) {
+    const double diagonal = mesh.vertices.empty() ? 0.0 : boundingBox(mesh).diagonal().norm();
+    tolerance_ = std::min(kOffSurface, 1e-4 * diagonal) + kOffSurfaceShare * diagonal;
+    result_.labels.resize(mesh.triangles.size());
+    measure();
+    connect();
+  }
+
+  SurfaceRegions find() {
+    findCylinders();
+    findPlanes();
+    return std::move(result_);
+  }
+
+ private:
+  void measure() {
+    for (const auto& [a, b, c] : mesh_.triangles) {
+      const Vector3 across = (mesh_.vertices[b] - mesh_.vertices[a]).cross(mesh_.vertices[c] - mesh_.vertices[a]);
+      areas_.push_back(0.5 * across.norm());
+      normals_.push_back(across.stableNormalized());
+    }
+  }
+
+  /// Triangles across each edge; none where an edge does not have exactly two.
+  void connect() {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::pair<std::uint32_t, int>>> uses;
+    neighbours_.assign(mesh_.triangles.size(), {kNone, kNone, kNone});
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (int i = 0; i < 3; ++i) uses[std::minmax(corner(t, i), corner(t, (i + 1) % 3))].push_back({t, i});
+    }
+    for (const auto& [edge, users] : uses) {
+      if (users.size() != 2) continue;
+      neighbours_[users[0].first][static_cast<std::size_t>(users[0].second)] = users[1].first;
+      neighbours_[users[1].first][static_cast<std::size_t>(users[1].second)] = users[0].first;
+    }
+  }
+
+  std::uint32_t corner(std::uint32_t t, int i) const { return mesh_.triangles[t][static_cast<std::size_t>(i)]; }
+  const Vector3& vertex(std::uint32_t t, int i) const { return mesh_.vertices[corner(t, i)]; }
+  bool isFree(std::uint32_t t) const { return result_.labels[t].kind == Kind::Free; }
+  bool isSmooth(std::uint32_t a, std::uint32_t b) const { return normals_[a].dot(normals_[b]) > kSmoothCosine; }
+
+  /// Triangles from the seed on, over edges that `accept` lets pass (from, to).
+  template <class Accept>
+  std::vector<std::uint32_t> grow(std::uint32_t seed, std::size_t most, const Accept& accept) {
+    ++visit_;
+    visited_.resize(mesh_.triangles.size(), 0);
+    std::vector<std::uint32_t> region{seed};
+    visited_[seed] = visit_;
+    for (std::size_t i = 0; i < region.size() && region.size() < most; ++i) {
+      for (const std::uint32_t next : neighbours_[region[i]]) {
+        if (next == kNone || visited_[next] == visit_ || !isFree(next) || !accept(region[i], next)) continue;
+        visited_[next] = visit_;
+        region.push_back(next);
+        if (region.size() == most) break;
+      }
+    }
+    return region;
+  }
+
+  std::vector<Vector3> verticesOf(const std::vector<std::uint32_t>& region) const {
+    std::vector<std::uint32_t> indices;
+    for (const std::uint32_t t : region)
+      indices.insert(indices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    std::vector<Vector3> points;
+    for (const std::uint32_t index : indices) points.push_back(mesh_.vertices[index]);
+    return points;
+  }
+
+  std::vector<Vector3> normalsOf(const std::vector<std::uint32_t>& region) const {
+    std::vector<Vector3> normals;
+    for (const std::uint32_t t : region) normals.push_back(normals_[t]);
+    return normals;
+  }
+
+  void findCylinders() {
+    for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
+      if (!isFree(seed) || areas_[seed] <= 0.0) continue;
+      const auto patch =
+          grow(seed, kPatch, [&](std::uint32_t a, std::uint32_t b) { return areas_[b] > 0.0 && isSmooth(a, b); });
+      if (patch.size() < 4) continue;
+      const auto first = fitCylinder(verticesOf(patch), normalsOf(patch), tolerance_);
+      if (first) addCylinder(seed, *first);
+    }
+  }
+
+  bool isOn(const FittedCylinder& cylinder, std::uint32_t t) const {
+    if (std::abs(normals_[t].dot(cylinder.direction)) > kAlongAxis) return false;
+    for (int i = 0; i < 3; ++i) {
+      if (std::abs(cylinder.distanceFromAxis(vertex(t, i)) - cylinder.radius) > tolerance_) return false;
+    }
+    return true;
+  }
+
+  void addCylinder(std::uint32_t seed, const FittedCylinder& first) {
+    if (!isOn(first, seed)) return;
+    const auto accept = [&](std::uint32_t a, std::uint32_t b) { return isSmooth(a, b) && isOn(first, b); };
+    const auto region = grow(seed, mesh_.triangles.size(), accept);
+    if (facetsOf(region) < kFewestFacets) return;
+    const auto fitted = fitCylinder(verticesOf(region), normalsOf(region), tolerance_);
+    if (!fitted) return;
+    CylinderRegion cylinder{fitted->point, fitted->direction, fitted->radius, isShaft(*fitted, seed)};
+    cylinder.low = std::numeric_limits<double>::infinity();
+    cylinder.high = -cylinder.low;
+    for (const std::uint32_t t : region) {
+      for (int i = 0; i < 3; ++i) {
+        const double height = (vertex(t, i) - fitted->point).dot(fitted->direction);
+        cylinder.low = std::min(cylinder.low, height);
+        cylinder.high = std::max(cylinder.high, height);
+        const Vector3 middle = 0.5 * (vertex(t, i) + vertex(t, (i + 1) % 3));
+        cylinder.sagitta = std::max(cylinder.sagitta, fitted->radius - fitted->distanceFromAxis(middle));
+      }
+      result_.labels[t] = {Kind::Cylinder, static_cast<std::uint32_t>(result_.cylinders.size())};
+    }
+    result_.cylinders.push_back(cylinder);
+  }
+
+  std::size_t facetsOf(const std::vector<std::uint32_t>& region) const {
+    std::vector<Vector3> directions;
+    for (const std::uint32_t t : region) {
+      const bool known = std::any_of(directions.begin(), directions.end(),
+                                     [&](const Vector3& d) { return d.dot(normals_[t]) > 0.9999; });
+      if (!known) directions.push_back(normals_[t]);
+      if (directions.size() >= kFewestFacets) break;
+    }
+    return directions.size();
+  }
+
+  bool isShaft(const FittedCylinder& cylinder, std::uint32_t t) const {
+    const Vector3 from = (vertex(t, 0) + vertex(t, 1) + vertex(t, 2)) / 3.0 - cylinder.point;
+    return normals_[t].dot(from - from.dot(cylinder.direction) * cylinder.direction) > 0.0;
+  }
+
+  void findPlanes() {
+    std::vector<std::uint32_t> seeds(mesh_.triangles.size());
+    std::iota(seeds.begin(), seeds.end(), 0U);
+    std::stable_sort(seeds.begin(), seeds.end(), [&](auto a, auto b) { return areas_[a] > areas_[b]; });
+    std::vector<std::vector<std::uint32_t>> regions;
+    for (const std::uint32_t seed : seeds) {
+      if (!isFree(seed) || areas_[seed] <= 0.0) continue;
+      const Vector3 normal = normals_[seed];
+      const double offset = normal.dot(vertex(seed, 0));
+      const auto region = grow(seed, mesh_.triangles.size(), [&](std::uint32_t, std::uint32_t t) {
+        // A sliver has no normal to speak of: its vertices decide.
+        for (int i = 0; i < 3; ++i) {
+          if (std::abs(normal.dot(vertex(t, i)) - offset) > tolerance_) return false;
+        }
+        return normals_[t].dot(normal) > kFlatCosine || areas_[t] < 1e-6 * areas_[seed];
+      });
+      for (const std::uint32_t t : region) {
+        result_.labels[t] = {Kind::Plane, static_cast<std::uint32_t>(result_.planes.size())};
+      }
+      result_.planes.push_back({normal, offset});
+      regions.push_back(region);
+    }
+    freeFacets(regions);
+  }
+
+  /// Takes back the planes that are facets of a free surface.
+  void freeFacets(const std::vector<std::vector<std::uint32_t>>& regions) {
+    std::vector<double> area(regions.size(), 0.0);
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      for (const std::uint32_t t : regions[r]) area[r] += areas_[t];
+    }
+    std::vector<std::size_t> facets;
+    for (std::size_t r = 0; r < regions.size(); ++r) {
+      if (isFacet(regions[r], r, area)) facets.push_back(r);
+    }
+    for (const std::size_t r : facets) {
+      for (const std::uint32_t t : regions[r]) result_.labels[t] = {};
+    }
+  }
+
+  bool isFacet(const std::vector<std::uint32_t>& region, std::size_t r, const std::vector<double>& area) const {
+    double border = 0.0;
+    double smooth = 0.0;
+    double areaAcross = 0.0;
+    for (const std::uint32_t t : region) {
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t next = neighbours_[t][static_cast<std::size_t>(i)];
+        const SurfaceRegions::Label across = next == kNone ? SurfaceRegions::Label{} : result_.labels[next];
+        if (next != kNone && across.kind == Kind::Plane && across.index == r) continue;
+        const double length = (vertex(t, i) - vertex(t, (i + 1) % 3)).norm();
+        border += length;
+        if (next == kNone || across.kind != Kind::Plane || !isSmooth(t, next)) continue;
+        smooth += length;
+        areaAcross += length * area[across.index];
+      }
+    }
+    return smooth > kSmoothBorder * border && area[r] * smooth <= kFacetSize * areaAcross;
+  }
+
+  const TriangleMesh& mesh_;
+  double tolerance_ = 0.0;
+  std::vector<double> areas_;
+  std::vector<Vector3> normals_;
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  std::vector<std::uint32_t> visited_;
+  std::uint32_t visit_ = 0;
+  SurfaceRegions result_;
+};
+
+}  // namespace
+
+SurfaceRegions findSurfaceRegions(const TriangleMesh& mesh) { return RegionFinder(mesh).find(); }
+
+SurfaceRegions transformed(SurfaceRegions regions, const Pose& X_WB) {
+  const auto rotated = [&](const Vector3& v) -> Vector3 { return X_WB.orientation * v; };
+  for (PlaneRegion& plane : regions.planes) {
+    plane.normal = rotated(plane.normal);
+    plane.offset += plane.normal.dot(X_WB.position);
+  }
+  for (CylinderRegion& cylinder : regions.cylinders) {
+    cylinder.point = X_WB * cylinder.point;
+    cylinder.direction = rotated(cylinder.direction);
+  }
+  return regions;
+}
+
+}  // namespace glissade

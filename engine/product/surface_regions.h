@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// A plane that connected triangles of a mesh lie in: normal . p = offset.
+struct PlaneRegion {
+  Vector3 normal;  ///< unit, outwards
+  double offset = 0.0;
+};
+
+/// A cylinder that the vertices of connected triangles of a mesh lie on.
+struct CylinderRegion {
+  Vector3 point;      ///< on the axis
+  Vector3 direction;  ///< unit
+  double radius = 0.0;
+  bool shaft = false;    ///< the material is inside: a shaft; else a hole
+  double low = 0.0;      ///< extent along the axis from `point`
+  double high = 0.0;     ///< likewise
+  double sagitta = 0.0;  ///< metres that the triangles are off the cylinder, at most
+};
+
+/// Planes and cylinders of a mesh. Where a triangle is in neither it belongs to a free surface.
+struct SurfaceRegions {
+  enum class Kind : std::uint8_t { Free, Plane, Cylinder };
+  struct Label {
+    Kind kind = Kind::Free;
+    std::uint32_t index = 0;  ///< into `planes` or `cylinders`; 0 of a free surface
+  };
+  std::vector<PlaneRegion> planes;
+  std::vector<CylinderRegion> cylinders;
+  std::vector<Label> labels;  ///< of each triangle
+};
+
+/// Fits planes and cylinders to connected triangles by growing regions over edges. The mesh must be welded. Vertices
+/// that an exporter put on a cylinder give its exact radius, however coarse the triangles are. A prism with fewer than
+/// ten sides a turn is not taken as a cylinder.
+SurfaceRegions findSurfaceRegions(const TriangleMesh& mesh);
+
+/// The regions of the mesh placed at X_WB.
+SurfaceRegions transformed(SurfaceRegions regions, const Pose& X_WB);
+
+}  // namespace glissade

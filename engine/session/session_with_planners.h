@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/session/session.h"
+
+namespace glissade {
+
+/// Sessions that plan with planners of the caller's choice instead of makePlannerRegistry().
+std::unique_ptr<Session> makeThreadedSession(SessionConfig config, PlannerRegistry planners);
+std::unique_ptr<LockstepSession> makeLockstepSession(SessionConfig config, PlannerRegistry planners);
+
+}  // namespace glissade

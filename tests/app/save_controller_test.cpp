@@ -1,0 +1,198 @@
+#include "app/window/save_controller.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTimer>
+
+#include <csignal>
+
+#include "app/window/save_conflict.h"
+#include "engine/base/file.h"
+#include "engine/base/file_versions.h"
+#include "engine/scenario/scenario_file.h"
+#include "tests/engine/scenario/scenario_fixture.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+using test::TemporaryFolder;
+
+/// Presses a button of the next dialog; gives what the dialog says.
+class NextDialog {
+ public:
+  explicit NextDialog(const char* button) {
+    QTimer::singleShot(0, qApp, [this, button = QString::fromLatin1(button)] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (box == nullptr) return;
+      said_ = box->text() + QLatin1Char('\n') + box->informativeText();
+      for (QAbstractButton* each : box->buttons()) {
+        if (each->text().remove(QLatin1Char('&')) == button) return each->click();
+      }
+      box->reject();
+      ADD_FAILURE() << "no button " << button.toStdString();
+    });
+  }
+  const QString& said() const { return said_; }
+
+ private:
+  QString said_;
+};
+
+/// A window that holds one scenario.
+class SaveControllerTest : public testing::Test {
+ protected:
+  SaveControllerTest() {
+    SaveHost host;
+    host.scenario = [this] { return open_; };
+    host.isModified = [this] { return modified_; };
+    host.contentFor = [this](const std::string&) { return open_->scenario; };
+    host.openModified = [this](const ScenarioPtr& scenario) {
+      open_ = scenario;
+      modified_ = true;
+    };
+    host.mayDiscard = [] { return true; };
+    host.showError = [this](const QString&, const Diagnostic& why) { errors_.push_back(why); };
+    saves_ = new SaveController(std::move(host), &window_);
+  }
+
+  Scenario named(const std::string& name) const {
+    Scenario scenario = test::boxScenario();
+    scenario.name = name;
+    return scenario;
+  }
+  std::string nameIn(const std::string& file) const { return parseScenario(test::readWhole(file), file)->name; }
+  void open(const std::string& file) {
+    auto opened = openScenarioFile(file);
+    ASSERT_TRUE(opened.ok()) << toString(opened.error());
+    saves_->noteContent(file, opened->sha256);
+    open_ = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
+  }
+  /// What a program leaves that is killed with these edits.
+  void leaveEdits(const std::string& data, const UnsavedEdits& edits) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      auto slot = AutosaveSlot::make(data);
+      if (!slot || !(*slot)->write(edits)) ::_exit(1);
+      ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+  }
+  void offer(const std::string& data) { saves_->keepUnsavedEdits(QString::fromStdString(data)); }
+
+  TemporaryFolder folder_;
+  QWidget window_;
+  SaveController* saves_;
+  ScenarioPtr open_;
+  bool modified_ = false;
+  std::vector<Diagnostic> errors_;
+};
+
+TEST_F(SaveControllerTest, NoticesThatSomebodyElseHasChangedTheFile) {
+  const std::string file = folder_.write("a.json", writeScenario(named("opened")));
+  open(file);
+  ASSERT_TRUE(saves_->save(named("mine"), file));
+  ASSERT_TRUE(saves_->save(named("mine again"), file));
+  folder_.write("a.json", writeScenario(named("theirs")));
+  EXPECT_EQ(saves_->save(named("mine at last"), file).status, SaveStatus::ChangedByOthers);
+  EXPECT_EQ(nameIn(file), "theirs");
+  EXPECT_TRUE(saves_->save(named("elsewhere"), folder_ / "b.json"));
+  open(file);
+  saves_->allowReplacing();
+  folder_.write("a.json", writeScenario(named("theirs again")));
+  EXPECT_TRUE(saves_->save(named("mine at last"), file));
+  EXPECT_EQ(nameIn(earlierVersions(file).front().path), "theirs again");
+}
+
+TEST_F(SaveControllerTest, AsksWhoseVersionCounts) {
+  SaveResult changed;
+  changed.status = SaveStatus::ChangedByOthers;
+  changed.why.file = "/home/a.json";
+  const std::vector<std::pair<const char*, ConflictAnswer>> answers{
+      {"Overwrite", ConflictAnswer::KeepMine},
+      {"Open the other version", ConflictAnswer::TakeTheirs},
+      {"Save as...", ConflictAnswer::SaveAs},
+      {"Cancel", ConflictAnswer::Cancel}};
+  for (const auto& [button, answer] : answers) {
+    const NextDialog dialog(button);
+    EXPECT_EQ(askAboutConflict(changed, &window_), answer) << button;
+    EXPECT_TRUE(dialog.said().contains(QStringLiteral("/home/a.json")));
+  }
+  SaveResult removed = changed;
+  removed.status = SaveStatus::RemovedByOthers;
+  const NextDialog dialog("Save again");
+  EXPECT_EQ(askAboutConflict(removed, &window_), ConflictAnswer::KeepMine);
+}
+
+TEST_F(SaveControllerTest, OpensEarlierVersions) {
+  const std::string file = folder_.write("a.json", writeScenario(named("first")));
+  open(file);
+  ASSERT_TRUE(saves_->save(named("second"), file));
+  ASSERT_TRUE(saves_->save(named("third"), file));
+  emit saves_->versionsMenu()->aboutToShow();
+  const QList<QAction*> actions = saves_->versionsMenu()->actions();
+  ASSERT_EQ(actions.size(), 2);
+  EXPECT_TRUE(actions[0]->text().startsWith(QStringLiteral("Version 2")));
+  actions[1]->trigger();
+  EXPECT_EQ(open_->scenario.name, "first");
+  EXPECT_EQ(open_->file, file);
+  EXPECT_TRUE(modified_);
+  EXPECT_EQ(nameIn(file), "third");
+  EXPECT_TRUE(saves_->save(open_->scenario, file));  // nobody else has changed the file
+}
+
+TEST_F(SaveControllerTest, OffersTheEditsOfAKilledProgram) {
+  const std::string file = folder_.write("a.json", writeScenario(named("opened")));
+  const std::string data = folder_ / "data";
+  leaveEdits(data, {file, sha256(test::readWhole(file)), named("edited")});
+  const NextDialog dialog("Open them");
+  offer(data);
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("as it was before these edits"))) << dialog.said().toStdString();
+  ASSERT_TRUE(open_);
+  EXPECT_EQ(open_->scenario.name, "edited");
+  EXPECT_EQ(open_->file, file);
+  EXPECT_EQ(nameIn(file), "opened");  // only a save writes it
+  EXPECT_TRUE(saves_->save(open_->scenario, file));
+}
+
+TEST_F(SaveControllerTest, EditsOfAFileThatHasChangedDoNotReplaceIt) {
+  const std::string file = folder_.write("a.json", writeScenario(named("changed since")));
+  leaveEdits(folder_ / "data", {file, sha256("as it was"), named("edited")});
+  const NextDialog dialog("Open them");
+  offer(folder_ / "data");
+  EXPECT_TRUE(dialog.said().contains(QStringLiteral("has changed since"))) << dialog.said().toStdString();
+  ASSERT_TRUE(open_);
+  EXPECT_EQ(saves_->save(open_->scenario, file).status, SaveStatus::ChangedByOthers);
+}
+
+TEST_F(SaveControllerTest, AsksAgainLaterAndForgetsWhatIsDiscardedOrSaved) {
+  const std::string data = folder_ / "data";
+  leaveEdits(data, {"", "", named("never saved")});
+  {
+    const NextDialog dialog("Ask later");
+    offer(data);
+    EXPECT_TRUE(dialog.said().contains(QStringLiteral("never saved")));
+    EXPECT_FALSE(open_);
+  }
+  EXPECT_EQ(findAbandonedEdits(data).size(), 1U);
+  {
+    const NextDialog dialog("Discard them");
+    offer(data);
+  }
+  EXPECT_TRUE(findAbandonedEdits(data).empty());
+  const std::string file = folder_.write("a.json", writeScenario(named("saved")));
+  leaveEdits(data, {file, "", named("saved")});
+  offer(data);  // no question: the file holds them
+  EXPECT_TRUE(findAbandonedEdits(data).empty());
+  EXPECT_TRUE(errors_.empty());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,190 @@
+#include "widgets/document/workbench_document.h"
+#include "tests/engine/support/directories.h"
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+namespace {
+
+class WorkbenchDocumentTest : public testing::Test {
+ protected:
+  WorkbenchDocumentTest() {
+    auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
+    const auto scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
+    document.open(scenario);
+  }
+
+  std::string text() const { return writeScenario(document.current()); }
+
+  const AssemblyItem wall{AssemblyItem::Kind::Body, "O1"};
+  WorkbenchDocument document;
+  SemanticDocument& semantics = document.semantics();
+};
+
+TEST_F(WorkbenchDocumentTest, AMoveIsOneStepBackAndForth) {
+  const std::string before = text();
+  int rearranged = 0;
+  QObject::connect(&document, &WorkbenchDocument::changed,
+                   [&](Changes what) { rearranged += what & Change::Arrangement ? 1 : 0; });
+  ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
+  const std::string after = text();
+  EXPECT_NE(after, before);
+  EXPECT_EQ(document.scenario()->obstacles.front().X_WB.position, Vector3(0.1, 0.2, 0.3));
+  document.undoStack().undo();
+  EXPECT_EQ(text(), before);
+  document.undoStack().redo();
+  EXPECT_EQ(text(), after);
+  EXPECT_EQ(rearranged, 3);
+  ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
+  EXPECT_EQ(rearranged, 3) << "nothing was moved";
+}
+
+TEST_F(WorkbenchDocumentTest, StepsOfOneNumberAreOneStepBack) {
+  const std::string before = text();
+  for (const double x : {0.1, 0.2, 0.3}) {
+    ASSERT_TRUE(document.place(wall, Pose::translation({x, 0, 0}), QStringLiteral("x")).ok());
+  }
+  EXPECT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(text(), before);
+}
+
+TEST_F(WorkbenchDocumentTest, ABodyComesBackWithItsAttributesInAnyOrderOfEdits) {
+  SemanticSelection selected;
+  selected.bodies.insert(QStringLiteral("O1"));
+  ASSERT_TRUE(semantics.setAttribute(selected, "shape", AttributeValue(std::string("wall"))).ok());
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  semantics.select(selected);
+  Scenario without = document.current();
+  ASSERT_TRUE(removeBody("O1", without).ok());
+  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), without).ok());
+  EXPECT_EQ(semantics.edits().bodies.count("O1"), 0U);
+  EXPECT_TRUE(semantics.selection().bodies.isEmpty());
+  document.undoStack().undo();
+  EXPECT_EQ(semantics.bodyValue(QStringLiteral("O1"), "shape").value, AttributeValue(std::string("wall")));
+  EXPECT_EQ(document.scenario()->obstacles.front().X_WB.position, Vector3(0, 0, 1));
+  document.undoStack().undo();
+  document.undoStack().undo();
+  EXPECT_FALSE(document.undoStack().canUndo());
+  EXPECT_EQ(semantics.edits().bodies.count("O1"), 0U);
+}
+
+TEST_F(WorkbenchDocumentTest, IsSavedWhileTheFileSaysTheSame) {
+  EXPECT_TRUE(document.isProblemSaved());
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  EXPECT_FALSE(document.isProblemSaved());
+  document.undoStack().undo();
+  EXPECT_TRUE(document.isProblemSaved());
+}
+
+TEST_F(WorkbenchDocumentTest, WhatCannotBeLoadedIsRefusedAndChangesNothing) {
+  const std::string before = text();
+  Scenario broken = document.current();
+  broken.assets.push_back({"gone", "gone.stl", "", 1.0, UpAxis::Z});
+  broken.object.geometry = MeshGeometry{"gone"};
+  const Outcome outcome = document.edit(QStringLiteral("Break"), broken);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_NE(outcome.error().file.find("gone.stl"), std::string::npos);
+  EXPECT_EQ(text(), before);
+  EXPECT_FALSE(document.undoStack().canUndo());
+}
+
+/// What was announced, with the phase: "view 255".
+void record(WorkbenchDocument& document, std::vector<std::string>& rounds) {
+  const auto note = [&rounds](const char* phase) {
+    return [&rounds, phase](Changes what) { rounds.push_back(phase + std::string(" ") + std::to_string(int(what))); };
+  };
+  // In another order than that of the phases.
+  QObject::connect(&document, &WorkbenchDocument::changed, &document, note("panels"));
+  QObject::connect(&document, &WorkbenchDocument::changedForSession, &document, note("session"));
+  QObject::connect(&document, &WorkbenchDocument::changedForView, &document, note("view"));
+}
+
+TEST_F(WorkbenchDocumentTest, EveryChangeIsOneRoundOfThreePhases) {
+  std::vector<std::string> rounds;
+  record(document, rounds);
+  document.open(ScenarioPtr(document.scenario()));
+  EXPECT_EQ(rounds, (std::vector<std::string>{"view 255", "session 255", "panels 255"}));
+  rounds.clear();
+  Scenario without = document.current();
+  without.attributeDefinitions.clear();
+  without.places.clear();
+  without.milestones.clear();
+  ASSERT_TRUE(removeBody("O1", without).ok());
+  const bool editsChange = !(semanticEditsOf(without) == semantics.edits());
+  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), without).ok());
+  const int what = int(Change::Arrangement) | (editsChange ? int(Change::Semantics) : 0);
+  const std::string flags = std::to_string(what);
+  ASSERT_GE(rounds.size(), 3U);
+  EXPECT_EQ(rounds[0], "view " + flags);
+  EXPECT_EQ(rounds[1], "session " + flags);
+  EXPECT_EQ(rounds[2], "panels " + flags);
+}
+
+TEST_F(WorkbenchDocumentTest, AChangeMadeInARoundHasARoundOfItsOwn) {
+  std::vector<std::string> rounds;
+  QObject::connect(&document, &WorkbenchDocument::changed, &document, [this](Changes what) {
+    EnvironmentOptions options = document.options();
+    options.identifier = "watershed";
+    if (what & Change::Arrangement) document.setOptions(options);
+  });
+  record(document, rounds);
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  const std::vector<std::string> first{"view 2", "session 2", "panels 2", "view 16", "session 16", "panels 16"};
+  ASSERT_GE(rounds.size(), first.size());
+  EXPECT_TRUE(std::equal(first.begin(), first.end(), rounds.begin()));
+}
+
+TEST_F(WorkbenchDocumentTest, TheSameAgainIsNotAnnounced) {
+  std::vector<std::string> rounds;
+  record(document, rounds);
+  document.setSettings(document.settings());
+  document.setOptions(document.options());
+  document.setResults(document.results());
+  EXPECT_TRUE(rounds.empty());
+  RunSettings settings = document.settings();
+  ++settings.seed;
+  document.setSettings(settings);
+  EXPECT_EQ(rounds, (std::vector<std::string>{"view 32", "session 32", "panels 32"}));
+  EXPECT_FALSE(document.isModified()) << "seeds are tried out";
+  settings.strategy = "birrt";
+  document.setSettings(settings);
+  EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(WorkbenchDocumentTest, WhatWasSavedIsOpenedTheSame) {
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath(QStringLiteral("saved.json")).toStdString();
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  RunSettings settings = document.settings();
+  settings.seed = 77;
+  document.setSettings(settings);
+  EXPECT_TRUE(document.isModified());
+  const Scenario content = document.contentFor(file);
+  ASSERT_TRUE(saveScenario(content, file).ok());
+  document.noteSaved(file, content);
+  EXPECT_FALSE(document.isModified());
+  EXPECT_EQ(document.scenario()->file, file);
+  const auto loaded = loadScenario(file);
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_EQ(loaded->scenario.seed, 77U);
+  EXPECT_EQ(loaded->obstacles.front().X_WB.position, Vector3(0, 0, 1));
+  document.undoStack().undo();
+  EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(WorkbenchDocumentTest, AScenarioWithoutAFileIsModifiedUntilItIsSaved) {
+  auto made = std::make_shared<LoadedScenario>(*document.scenario());
+  made->file.clear();
+  document.open(made);
+  EXPECT_TRUE(document.isModified());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,42 @@
+#include "engine/base/guarded.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace glissade {
+namespace {
+
+TEST(Guarded, ReturnsNothingWhereTheWorkEnds) {
+  int done = 0;
+  EXPECT_FALSE(guarded("counting", [&] { ++done; }));
+  EXPECT_EQ(done, 1);
+}
+
+TEST(Guarded, ExhaustedMemoryIsALimit) {
+  const auto why = guarded("planning", [] { throw std::bad_alloc(); });
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->kind, ErrorKind::LimitReached);
+  EXPECT_EQ(why->reason, "there was not enough memory while planning (std::bad_alloc)");
+  EXPECT_FALSE(why->advice.empty());
+}
+
+TEST(Guarded, OtherExceptionsAreInternalAndNameTheWork) {
+  const auto why = guarded("smoothing the path", [] { throw std::runtime_error("no motion"); });
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->kind, ErrorKind::Internal);
+  EXPECT_EQ(why->reason, "an error occurred while smoothing the path: no motion");
+  EXPECT_FALSE(why->advice.empty());
+}
+
+TEST(Guarded, WhatIsNoExceptionClassIsCaughtToo) {
+  const auto why = guarded("planning", [] { throw 7; });
+  ASSERT_TRUE(why);
+  EXPECT_EQ(why->kind, ErrorKind::Internal);
+  EXPECT_NE(why->reason.find("while planning"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glissade

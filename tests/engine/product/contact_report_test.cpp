@@ -1,0 +1,149 @@
+#include "engine/product/contact_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "engine/geometry/primitives.h"
+#include "engine/import/step_import.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/support/random_pose.h"
+#include "tests/engine/support/step_files.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kRoom = 0.5;  ///< half width of where bodies are put, metres
+
+ContactBody body(const char* id, const TriangleMesh& mesh, const Pose& X_WB) {
+  return {id, std::make_shared<const TriangleMesh>(mesh), X_WB};
+}
+
+/// A shaft in a ring's hole, both turned about their axis at random, somewhere.
+ContactReport shaftInHole(RandomStream& random, double shaft, double hole, const ContactLimits& limits = {}) {
+  const Pose place = randomPose(random, kRoom);
+  const auto turned = [&] {
+    return place * Pose{Vector3::Zero(), Quaternion(Eigen::AngleAxisd(random.uniform(), Vector3::UnitZ()))};
+  };
+  const int segments = 16 + static_cast<int>(40.0 * random.uniform());
+  return findContacts({body("ring", test::makeRing(hole, 3.0 * hole, 0.01, segments), turned()),
+                       body("shaft", test::makeRing(0.0, shaft, 0.04, segments + 5), turned())},
+                      limits);
+}
+
+TEST(ContactReport, TellsShaftsInHolesByTheirRadii) {
+  RandomStream random(1, "shafts");
+  for (int round = 0; round < 3; ++round) {
+    const double hole = 0.002 + 0.004 * random.uniform();
+    const auto kindOf = [&](double shaft) {
+      const ContactReport report = shaftInHole(random, shaft, hole);
+      return report.contacts.size() == 1 ? kindName(report.contacts.front().kind) : "none";
+    };
+    EXPECT_STREQ(kindOf(hole), "cylindrical");
+    EXPECT_STREQ(kindOf(1.1 * hole), "thread");
+    EXPECT_STREQ(kindOf(1.01 * hole), "press");
+    EXPECT_STREQ(kindOf(0.98 * hole), "none");
+    EXPECT_STREQ(kindOf(hole + 0.0015), "clash");
+  }
+}
+
+TEST(ContactReport, MeasuresCoaxialOverlapsAndGapsExactly) {
+  RandomStream random(2, "coaxial");
+  for (int round = 0; round < 3; ++round) {
+    const double hole = 0.003 + 0.004 * random.uniform();
+    const double difference = 0.0001 + 0.0004 * random.uniform();
+    const ContactReport thicker = shaftInHole(random, hole + difference, hole);
+    ASSERT_EQ(thicker.contacts.size(), 1U);
+    EXPECT_NEAR(thicker.contacts.front().overlap, difference, 1e-7);
+    ASSERT_TRUE(thicker.contacts.front().axis);
+    EXPECT_NEAR(thicker.contacts.front().axis->radiusA, hole, 1e-7);
+    EXPECT_NEAR(thicker.contacts.front().axis->radiusB, hole + difference, 1e-7);
+    ContactLimits band;
+    band.clearanceUpTo = 2.0 * difference;
+    const ContactReport thinner = shaftInHole(random, hole - difference, hole, band);
+    ASSERT_EQ(thinner.contacts.size(), 1U);
+    EXPECT_EQ(thinner.contacts.front().kind, ContactKind::Clearance);
+    EXPECT_NEAR(thinner.contacts.front().gap, difference, 1e-7);
+  }
+}
+
+TEST(ContactReport, MeasuresBlocksThatTouchOverlapAndStandApart) {
+  RandomStream random(3, "blocks");
+  const TriangleMesh block = makeBox({0.02, 0.03, 0.04});
+  for (int round = 0; round < 3; ++round) {
+    const Pose place = randomPose(random, kRoom);
+    const double shift = 0.01 * random.uniform();
+    const auto report = [&](double gap, double clearance) {
+      ContactLimits limits;
+      limits.clearanceUpTo = clearance;
+      return findContacts(
+          {body("a", block, place), body("b", block, place * Pose::translation({0.02 + gap, shift, shift}))}, limits);
+    };
+    const double way = 0.0001 + 0.0008 * random.uniform();
+    ASSERT_EQ(report(0.0, 0.0).contacts.size(), 1U);
+    EXPECT_EQ(report(0.0, 0.0).contacts.front().kind, ContactKind::Planar);
+    EXPECT_TRUE(report(way, 0.5 * way).contacts.empty());
+    const ContactReport apart = report(way, 2.0 * way);
+    ASSERT_EQ(apart.contacts.size(), 1U);
+    EXPECT_NEAR(apart.contacts.front().gap, way, 1e-7);
+    const ContactReport deep = report(-way, 0.0);
+    ASSERT_EQ(deep.contacts.size(), 1U);
+    EXPECT_EQ(deep.contacts.front().kind, ContactKind::Overlap);
+    EXPECT_NEAR(deep.contacts.front().overlap, way, 1e-6);
+    EXPECT_EQ(report(-0.0015, 0.0).contacts.front().kind, ContactKind::Clash);
+  }
+}
+
+TEST(ContactReport, CallsABlockInsideAnotherAClash) {
+  const ContactReport report = findContacts({body("inner", makeBox({0.01, 0.01, 0.01}), Pose::identity()),
+                                             body("outer", makeBox({0.1, 0.1, 0.1}), Pose::identity())});
+  ASSERT_EQ(report.contacts.size(), 1U);
+  EXPECT_EQ(report.contacts.front().kind, ContactKind::Clash);
+}
+
+TEST(ContactReport, AsksOnlyForThePairsOfOneBody) {
+  const TriangleMesh cube = makeBox({0.01, 0.01, 0.01});
+  const std::vector<ContactBody> row{body("a", cube, Pose::identity()),
+                                     body("b", cube, Pose::translation({0.01, 0.0, 0.0})),
+                                     body("c", cube, Pose::translation({0.02, 0.0, 0.0}))};
+  ContactLimits limits;
+  EXPECT_EQ(findContacts(row, limits).contacts.size(), 2U);
+  limits.only = 2;
+  ASSERT_EQ(findContacts(row, limits).contacts.size(), 1U);
+  EXPECT_EQ(findContacts(row, limits).contacts.front().a, 1U);
+}
+
+TEST(ContactReport, NamesEveryKindOnce) {
+  std::set<std::string> names;
+  for (const ContactKind kind :
+       {ContactKind::Clearance, ContactKind::Planar, ContactKind::Cylindrical, ContactKind::Thread, ContactKind::Press,
+        ContactKind::Overlap, ContactKind::Contact, ContactKind::Clash}) {
+    EXPECT_TRUE(names.insert(kindName(kind)).second);
+    EXPECT_EQ(kindByName(kindName(kind)), kind);
+  }
+  EXPECT_FALSE(kindByName("glue"));
+}
+
+TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
+  const auto parts = importStep(test::stepFile("fits.step"), 0.0);
+  ASSERT_TRUE(parts);
+  std::vector<ContactBody> bodies;
+  for (const StepPart& part : *parts) bodies.push_back({part.path, part.mesh, part.X_FP, part.deflection});
+  std::map<std::string, std::string> kinds;
+  for (const Contact& contact : findContacts(bodies).contacts) {
+    const auto nameOf = [&](std::size_t i) { return bodies[i].id.substr(bodies[i].id.rfind('/') + 1); };
+    const auto [low, high] = std::minmax({nameOf(contact.a), nameOf(contact.b)});
+    kinds[low + " " + high] = kindName(contact.kind);
+    EXPECT_EQ(usualAllowance(contact) > 0.0, contact.kind != ContactKind::Clash) << low << " " << high;
+  }
+  const std::map<std::string, std::string> expected{{"bolt bracket", "cylindrical"}, {"bolt plate", "cylindrical"},
+                                                    {"bolt nut", "cylindrical"},     {"bracket plate", "planar"},
+                                                    {"nut plate", "planar"},         {"plate screw", "thread"},
+                                                    {"dowel plate", "press"},        {"block plate", "clash"}};
+  EXPECT_EQ(kinds, expected);
+}
+
+}  // namespace
+}  // namespace glissade

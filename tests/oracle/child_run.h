@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace glissade::oracle {
+
+struct ChildLimits {
+  double seconds = 30.0;
+  long megabytes = 2048;  ///< largest resident memory of the child or of a child of its own
+};
+
+struct ChildEnd {
+  int exitCode = -1;  ///< -1: a signal ended it
+  int signal = 0;
+  bool hung = false;  ///< it was killed at the limit
+  double seconds = 0.0;
+  long megabytes = 0;  ///< the largest resident memory
+  std::string output;
+  std::string errors;  ///< both cut off at 1 MB
+};
+
+/// Runs a program with the streams going to memory; kills it and all that it started when the time is up.
+ChildEnd runChild(const std::vector<std::string>& command, const ChildLimits& limits);
+
+}  // namespace glissade::oracle

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/oracle/exact_judge.h"
+
+namespace glissade::oracle {
+
+/// What the paths of a folder of scenes came to.
+struct Judged {
+  std::uint64_t paths = 0;
+  Verdict verdict;
+  std::vector<std::string> findings;  ///< one line for each path that penetrates
+};
+
+/// Judges every CSV in every folder that holds a `scenario.json`.
+Judged judgeScenes(const std::string& folder);
+
+struct CampaignOptions {
+  std::string pathMaker;  ///< the program
+  std::string folder;     ///< scenes with a finding stay in it
+  std::uint64_t seed = 1;
+  std::uint64_t paths = 60;  ///< at least
+};
+
+/// Writes scenes, lets the path maker produce certified paths, and judges them, batch by batch. Prints rows
+/// "name | tried | clean | defects | seconds | peak MB | seed". Returns 0 where nothing penetrates and the
+/// independent check agrees with every certificate.
+int runCampaign(const CampaignOptions& options);
+
+}  // namespace glissade::oracle

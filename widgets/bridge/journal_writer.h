@@ -1,0 +1,51 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "engine/scenario/run_journal.h"
+
+namespace glissade {
+
+/// Writes the journal of one run on a thread of its own, because a line takes milliseconds to reach the disk.
+/// After the first line that the disk does not take nothing more is written; what is there stays.
+class JournalWriter {
+ public:
+  using Part = std::shared_ptr<const RunLog>;
+
+  /// `head` is what the journal begins with.
+  JournalWriter(RunRecord head, std::string folder);
+  /// Removes the journal: who ends cleanly does not need it.
+  ~JournalWriter();
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  void append(Part part);
+  /// Waits until all that was appended is on the disk, or cannot be written.
+  void waitUntilWritten();
+  /// Why the journal is not complete on the disk.
+  std::optional<Diagnostic> trouble() const;
+
+ private:
+  void run();
+  Outcome write(const Part& part);
+
+  RunRecord head_;
+  std::string folder_;
+  std::unique_ptr<RunJournal> journal_;  ///< used by the thread, and after it has ended
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Part> waiting_;  ///< the first one is being written; null stands for the head
+  std::optional<Diagnostic> trouble_;
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,208 @@
+#include "widgets/document/workbench_document.h"
+
+#include <QScopedValueRollback>
+#include <QUndoCommand>
+
+#include <utility>
+
+#include "engine/base/file.h"
+#include "engine/scenario/asset_path.h"
+#include "engine/scenario/run_record.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade {
+
+/// The scenario before and after an edit, as values, with the file that their assets are named from.
+class ArrangementCommand final : public QUndoCommand {
+ public:
+  ArrangementCommand(WorkbenchDocument& document, const QString& text, Scenario after, ScenarioPtr loaded,
+                     QString mergeKey)
+      : QUndoCommand(text),
+        document_(document),
+        file_(loaded->file),
+        before_(document.current()),
+        after_(std::move(after)),
+        loaded_(std::move(loaded)),
+        mergeKey_(std::move(mergeKey)) {}
+
+  void undo() override { document_.applyArrangement(before_, file_); }
+  void redo() override {
+    if (const ScenarioPtr loaded = std::move(loaded_)) {
+      document_.takeArrangement(loaded);
+    } else {
+      document_.applyArrangement(after_, file_);
+    }
+  }
+  int id() const override { return mergeKey_.isEmpty() ? -1 : 2; }
+  bool mergeWith(const QUndoCommand* next) override {
+    const auto& other = static_cast<const ArrangementCommand&>(*next);
+    if (other.mergeKey_ != mergeKey_ || other.file_ != file_) return false;
+    after_ = other.after_;
+    return true;
+  }
+
+ private:
+  WorkbenchDocument& document_;
+  std::string file_;
+  Scenario before_;
+  Scenario after_;
+  ScenarioPtr loaded_;  ///< until it is done for the first time
+  QString mergeKey_;
+};
+
+WorkbenchDocument::WorkbenchDocument(QObject* parent) : QObject(parent), semantics_(undo_) {
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this] { announce(Change::File); });
+  connect(&semantics_, &SemanticDocument::changed, this, [this] {
+    if (semantics_.edits() == *edits_) return;
+    edits_ = std::make_shared<const SemanticEdits>(semantics_.edits());
+    announce(Change::Semantics);
+  });
+}
+
+WorkbenchDocument::~WorkbenchDocument() {
+  // The undo stack signals its own end, when its observers may be gone.
+  undo_.disconnect();
+}
+
+void WorkbenchDocument::announce(Changes what) {
+  pending_ |= what;
+  if (announcing_ || collecting_ || !scenario_) return;
+  const QScopedValueRollback<bool> announcing(announcing_, true);
+  while (pending_) {
+    const Changes now = std::exchange(pending_, Changes());
+    emit changedForView(now);
+    emit changedForSession(now);
+    emit changed(now);
+  }
+}
+
+void WorkbenchDocument::changeInOneRound(const std::function<void()>& change) {
+  {
+    const QScopedValueRollback<bool> collecting(collecting_, true);
+    change();
+  }
+  announce({});
+}
+
+void WorkbenchDocument::open(const ScenarioPtr& scenario) {
+  changeInOneRound([&] {
+    scenario_ = scenario;
+    geometry_ = scenario->geometry;
+    savedProblem_ = scenario->file.empty() ? std::string() : problemSha256(scenario->scenario);
+    options_ = scenario->scenario.environment;
+    settings_ = {scenario->scenario.planner, scenario->scenario.seed, scenario->parameters};
+    results_ = {};
+    undo_.clear();
+    if (scenario->file.empty()) undo_.resetClean();
+    semantics_.open(*scenario);
+    announce(Changes(kEveryChange));
+  });
+}
+
+Scenario WorkbenchDocument::current() const {
+  Scenario scenario = scenario_->scenario;
+  setSemanticEdits(semantics_.edits(), scenario);
+  return scenario;
+}
+
+/// `assembly` in the scenario as it is now, its assets named from `file`.
+Result<ScenarioPtr> WorkbenchDocument::load(const Scenario& assembly, const std::string& file) {
+  Scenario scenario = scenario_->scenario;
+  takeAssembly(movedTo(scenario_->file, assembly, file), scenario);
+  auto loaded = realiseScenario(std::move(scenario), folderOf(scenario_->file), scenario_->file, geometry_);
+  if (!loaded) return loaded.error();
+  addGeometry(loaded->geometry);
+  return ScenarioPtr(std::make_shared<LoadedScenario>(std::move(*loaded)));
+}
+
+Outcome WorkbenchDocument::edit(const QString& text, Scenario after, const QString& mergeKey) {
+  auto loaded = load(after, scenario_->file);
+  if (!loaded) return loaded.error();
+  undo_.push(new ArrangementCommand(*this, text, std::move(after), std::move(*loaded), mergeKey));
+  return Done{};
+}
+
+Outcome WorkbenchDocument::place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey) {
+  Scenario after = current();
+  if (poseOf(after, item) == X_WB) return Done{};
+  const Outcome placed = glissade::place(item, X_WB, after);
+  if (!placed) return placed;
+  return edit(tr("Move %1").arg(item.kind == AssemblyItem::Kind::Body    ? QString::fromStdString(item.bodyId)
+                                : item.kind == AssemblyItem::Kind::Start ? tr("the start")
+                                                                         : tr("the goal")),
+              std::move(after), mergeKey);
+}
+
+void WorkbenchDocument::takeArrangement(const ScenarioPtr& scenario) {
+  changeInOneRound([&] {
+    scenario_ = scenario;
+    semantics_.rearrange(*scenario);
+    announce(Change::Arrangement);
+  });
+}
+
+void WorkbenchDocument::applyArrangement(const Scenario& assembly, const std::string& file) {
+  const auto loaded = load(assembly, file);
+  if (loaded) {
+    takeArrangement(*loaded);
+  } else {
+    emit undoFailed(loaded.error());
+  }
+}
+
+void WorkbenchDocument::setKnowledge(const SceneKnowledgePtr& knowledge) {
+  if (knowledge != semantics_.knowledge()) semantics_.setKnowledge(knowledge);
+  announce(Change::Knowledge);
+}
+
+void WorkbenchDocument::setOptions(const EnvironmentOptions& options) {
+  if (options == options_) return;
+  options_ = options;
+  announce(Change::Options);
+}
+
+void WorkbenchDocument::setSettings(const RunSettings& settings) {
+  if (settings == settings_) return;
+  settings_ = settings;
+  announce(Change::Settings);
+}
+
+void WorkbenchDocument::setResults(const RunResults& results) {
+  if (results == results_) return;
+  results_ = results;
+  announce(Change::Results);
+}
+
+Scenario WorkbenchDocument::contentFor(const std::string& file) const {
+  Scenario scenario = movedTo(file, current(), scenario_->file);
+  scenario.environment = options_;
+  scenario.planner = settings_.strategy;
+  scenario.seed = settings_.seed;
+  for (const ParameterSpec& spec : parameterTable()) {
+    const double value = settings_.parameters[spec.id];
+    if (value != scenario_->parameters[spec.id]) scenario.parameters[spec.id] = value;
+  }
+  return scenario;
+}
+
+void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& content) {
+  changeInOneRound([&] {
+    auto saved = std::make_shared<LoadedScenario>(*scenario_);
+    saved->scenario = content;
+    saved->file = file;
+    saved->parameters = settings_.parameters;
+    savedProblem_ = problemSha256(content);
+    scenario_ = std::move(saved);
+    undo_.setClean();
+    announce(Change::File);
+  });
+}
+
+bool WorkbenchDocument::isModified() const {
+  return scenario_ && (!undo_.isClean() || options_ != scenario_->scenario.environment ||
+                       settings_.strategy != scenario_->scenario.planner);
+}
+
+bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }
+
+}  // namespace glissade

@@ -1,0 +1,124 @@
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <functional>
+
+#include "engine/planning/path_examination.h"
+#include "engine/scenario/assembly_edits.h"
+#include "engine/scenario/scenario_ptr.h"
+#include "widgets/document/document_change.h"
+#include "widgets/document/semantic_document.h"
+
+namespace glissade {
+
+/// What the next run begins with, as the session has it.
+struct RunSettings {
+  std::string strategy;
+  std::uint64_t seed = 1;
+  ParameterValues parameters{1.0};
+
+  friend bool operator==(const RunSettings&, const RunSettings&) = default;
+};
+
+/// The path that is there: found by the run, or given and examined.
+struct RunResults {
+  std::shared_ptr<const Path> path;                ///< certified; null: none
+  std::shared_ptr<const PathExamination> refused;  ///< a path that does not hold here; null: none
+  PathProvenance provenance;                       ///< of either
+  bool smoothed = false;                           ///< `path` was shortened after it was planned
+
+  friend bool operator==(const RunResults& a, const RunResults& b) {
+    return a.path == b.path && a.refused == b.refused && a.smoothed == b.smoothed;
+  }
+};
+
+/// What the user edits and shares: the scenario with its arrangement, semantic edits, rules and environment options,
+/// the undo stack, the environment model, the results, the file. Everything else in the window observes it and posts
+/// edits to it (README.md). Used on the GUI thread only.
+///
+/// A change is announced in a round of three signals: changedForView(), changedForSession(), changed(). The order of
+/// the observers of one signal does not matter. A change that an observer makes is announced in a round of its own,
+/// after the present one.
+class WorkbenchDocument final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit WorkbenchDocument(QObject* parent = nullptr);
+  ~WorkbenchDocument() override;
+
+  /// Null until a scenario was opened; never null again.
+  const ScenarioPtr& scenario() const { return scenario_; }
+  /// The scenario with the semantic edits as they are: what an edit begins with.
+  Scenario current() const;
+  SemanticDocument& semantics() { return semantics_; }
+  const SemanticDocument& semantics() const { return semantics_; }
+  /// The semantic edits, shared with the session.
+  const SemanticEditsPtr& edits() const { return edits_; }
+  const SceneKnowledgePtr& knowledge() const { return semantics_.knowledge(); }
+  const EnvironmentOptions& options() const { return options_; }
+  const RunSettings& settings() const { return settings_; }
+  const RunResults& results() const { return results_; }
+  QUndoStack& undoStack() { return undo_; }
+
+  /// Replaces everything. One without a file counts as modified until it is saved.
+  void open(const ScenarioPtr& scenario);
+  /// Makes the scenario so, as an undoable command. Refused where its geometry cannot be loaded. Edits with one
+  /// `mergeKey` become one.
+  Outcome edit(const QString& text, Scenario after, const QString& mergeKey = {});
+  /// Puts a body, or an end of the motion, somewhere; undoable.
+  Outcome place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey = {});
+  /// The environment model of the arrangement as it is. The same again: it holds for this arrangement, too.
+  void setKnowledge(const SceneKnowledgePtr& knowledge);
+  void setOptions(const EnvironmentOptions& options);
+  void setSettings(const RunSettings& settings);
+  void setResults(const RunResults& results);
+
+  /// What Save writes into this file: assets are named as seen from there.
+  Scenario contentFor(const std::string& file) const;
+  /// `content` was written into the file, which is the document's from now on.
+  void noteSaved(const std::string& file, const Scenario& content);
+  /// What Save would write is not what the file holds. Seed and parameters do not count: they are tried out.
+  bool isModified() const;
+  /// The file has the same bodies, ends and geometry: a recording that names the file can be replayed.
+  bool isProblemSaved() const;
+
+  /// Geometry that was read meanwhile, and need not be read again.
+  void addGeometry(const GeometryCache& read) { geometry_.insert(read.begin(), read.end()); }
+  const GeometryCache& geometry() const { return geometry_; }
+
+ signals:
+  /// First, for the 3D view: it knows the scenario before a session publishes a snapshot of it.
+  void changedForView(glissade::Changes what);
+  /// Second, for what runs: the session, background work.
+  void changedForSession(glissade::Changes what);
+  /// Third, for panels and controllers.
+  void changed(glissade::Changes what);
+  /// An edit could not be undone or done again.
+  void undoFailed(const glissade::Diagnostic& why);
+
+ private:
+  friend class ArrangementCommand;
+  void announce(Changes what);
+  /// Announces all that `change` does in one round.
+  void changeInOneRound(const std::function<void()>& change);
+  Result<ScenarioPtr> load(const Scenario& assembly, const std::string& file);
+  void takeArrangement(const ScenarioPtr& scenario);
+  void applyArrangement(const Scenario& assembly, const std::string& file);
+
+  QUndoStack undo_;
+  SemanticDocument semantics_;
+  ScenarioPtr scenario_;
+  SemanticEditsPtr edits_ = std::make_shared<const SemanticEdits>();
+  EnvironmentOptions options_;
+  RunSettings settings_;
+  RunResults results_;
+  std::string savedProblem_;  ///< hash of the problem as it was opened or saved; empty: it never was
+  GeometryCache geometry_;    ///< all geometry that this scenario had since it was opened
+  Changes pending_;
+  bool collecting_ = false;  ///< changes are announced later, in one round
+  bool announcing_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,21 @@
+#include "widgets/plots/picture_file.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+
+#include "engine/base/file.h"
+
+namespace glissade {
+
+Outcome savePicture(const QImage& picture, const QString& file) {
+  const std::string name = file.toStdString();
+  QBuffer content;
+  content.open(QIODevice::WriteOnly);
+  if (!picture.save(&content, QFileInfo(file).suffix().toLatin1().constData())) {
+    return Diagnostic{ErrorKind::Usage, name, "", "the picture cannot be written in this format",
+                      "Choose a name that ends in .png or .jpg."};
+  }
+  return writeFileAtomically(name, content.data().toStdString());
+}
+
+}  // namespace glissade
