@@ -55,6 +55,15 @@ void cube(QPainter& painter, const QPolygonF& face) {
   painter.drawLine(QPointF(8, 7.5), QPointF(8, 14.5));
 }
 
+/// A disc in the colour of the pen.
+void ball(QPainter& painter, double opacity) {
+  QPainterPath disc;
+  disc.addEllipse(QRectF(2, 2, 12, 12));
+  QColor colour = painter.pen().color();
+  colour.setAlphaF(opacity);
+  painter.fillPath(disc, colour);
+}
+
 std::vector<std::pair<const char*, Drawing>> drawings() {
   return {
       {"file.open",
@@ -166,6 +175,24 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
       {"view.top",
        [](QPainter& p) {
          cube(p, QPolygonF({{8, 1.5}, {14, 4.5}, {8, 7.5}, {2, 4.5}}));
+       }},
+      {"display.shaded-edges",
+       [](QPainter& p) {
+         ball(p, 0.35);
+         p.drawEllipse(QRectF(2, 2, 12, 12));
+       }},
+      {"display.shaded", [](QPainter& p) { ball(p, 0.8); }},
+      {"display.see-through",
+       [](QPainter& p) {
+         ball(p, 0.12);
+         p.drawEllipse(QRectF(2, 2, 12, 12));
+         p.drawEllipse(QRectF(5.5, 2, 5, 12));
+       }},
+      {"display.wireframe",
+       [](QPainter& p) {
+         p.drawEllipse(QRectF(2, 2, 12, 12));
+         p.drawEllipse(QRectF(5.5, 2, 5, 12));
+         p.drawEllipse(QRectF(2, 5.5, 12, 5));
        }},
   };
 }

@@ -9,6 +9,7 @@
 #include "app/window/device_controller.h"
 #include "app/window/device_script.h"
 #include "app/window/difficulty_controller.h"
+#include "app/window/display_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
 #include "app/window/help_pages.h"
@@ -56,6 +57,7 @@ MainWindow::~MainWindow() {
 /// A new panel is one line among the docks.
 void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
+  new DisplayController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);

@@ -24,6 +24,7 @@ class Menus {
     add(tr("&Study"), {"study."});
     add(tr("&Operator"), {"operator."});
     QMenu* view = add(tr("&View"), {"view.", "", "body."});
+    fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
     fill(view->addMenu(tr("Lay&ers")), {"layer."});
     QMenu* panels = view->addMenu(tr("&Panels"));
     fill(panels, {"panel.", ""});
@@ -51,9 +52,29 @@ class Menus {
       auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)]));
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
+    bar->addSeparator();
+    addDisplayButton(*bar);
   }
 
  private:
+  /// One button for the display modes: it shows the present one, and its menu has all.
+  void addDisplayButton(QToolBar& bar) {
+    auto* button = new QToolButton(&bar);
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(tr("&Display"), button);
+    fill(menu, {"display."});
+    button->setMenu(menu);
+    for (QAction* action : menu->actions()) {
+      const auto show = [button, action] {
+        if (action->isChecked()) button->setDefaultAction(action);
+      };
+      QObject::connect(action, &QAction::toggled, button, show);
+      show();
+    }
+    bar.addWidget(button);
+  }
+
   /// `prefixes` of action ids; an empty one is a separator.
   QMenu* add(const QString& title, std::initializer_list<const char*> prefixes) {
     QMenu* menu = window_.menuBar()->addMenu(title);

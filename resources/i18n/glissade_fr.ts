@@ -4,6 +4,86 @@
 <context>
     <name>Actions</name>
     <message>
+        <source>&amp;Keep the roadmap</source>
+        <translation>&amp;Garder le graphe</translation>
+    </message>
+    <message>
+        <source>Draw the roadmap in full while a path is shown; else it is faint then</source>
+        <translation>Dessiner le graphe en entier pendant qu’un chemin est affiché ; sinon il est alors estompé</translation>
+    </message>
+    <message>
+        <source>Shaded with &amp;edges</source>
+        <translation>Ombré avec &amp;arêtes</translation>
+    </message>
+    <message>
+        <source>Draw bodies opaque, with their edges</source>
+        <translation>Dessiner les corps opaques, avec leurs arêtes</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>&amp;Ombré</translation>
+    </message>
+    <message>
+        <source>Draw bodies opaque, without edges</source>
+        <translation>Dessiner les corps opaques, sans arêtes</translation>
+    </message>
+    <message>
+        <source>See-&amp;through</source>
+        <translation>&amp;Transparent</translation>
+    </message>
+    <message>
+        <source>Draw bodies transparent, with all their edges</source>
+        <translation>Dessiner les corps transparents, avec toutes leurs arêtes</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Fil de fer</translation>
+    </message>
+    <message>
+        <source>Draw only the edges of bodies; hidden edges are dashed</source>
+        <translation>Ne dessiner que les arêtes des corps ; les arêtes cachées sont en tirets</translation>
+    </message>
+    <message>
+        <source>Selected: shaded with edges</source>
+        <translation>Sélection : ombrée avec arêtes</translation>
+    </message>
+    <message>
+        <source>Draw the selected bodies opaque, with their edges</source>
+        <translation>Dessiner les corps sélectionnés opaques, avec leurs arêtes</translation>
+    </message>
+    <message>
+        <source>Selected: shaded</source>
+        <translation>Sélection : ombrée</translation>
+    </message>
+    <message>
+        <source>Draw the selected bodies opaque, without edges</source>
+        <translation>Dessiner les corps sélectionnés opaques, sans arêtes</translation>
+    </message>
+    <message>
+        <source>Selected: see-through</source>
+        <translation>Sélection : transparente</translation>
+    </message>
+    <message>
+        <source>Draw the selected bodies transparent, with all their edges</source>
+        <translation>Dessiner les corps sélectionnés transparents, avec toutes leurs arêtes</translation>
+    </message>
+    <message>
+        <source>Selected: wireframe</source>
+        <translation>Sélection : fil de fer</translation>
+    </message>
+    <message>
+        <source>Draw only the edges of the selected bodies</source>
+        <translation>Ne dessiner que les arêtes des corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>Selected: as the view</source>
+        <translation>Sélection : comme la vue</translation>
+    </message>
+    <message>
+        <source>Draw the selected bodies in the display mode of the view again</source>
+        <translation>Redonner aux corps sélectionnés le mode d’affichage de la vue</translation>
+    </message>
+    <message>
         <source>&amp;Open...</source>
         <translation>&amp;Ouvrir...</translation>
     </message>
@@ -955,6 +1035,10 @@
 </context>
 <context>
     <name>Menus</name>
+    <message>
+        <source>&amp;Display</source>
+        <translation>&amp;Affichage</translation>
+    </message>
     <message>
         <source>&amp;File</source>
         <translation>&amp;Fichier</translation>

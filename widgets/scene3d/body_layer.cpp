@@ -1,5 +1,9 @@
 #include "widgets/scene3d/body_layer.h"
 
+#include <osg/ColorMask>
+#include <osg/CullFace>
+#include <osg/Depth>
+#include <osg/LineStipple>
 #include <osg/PolygonOffset>
 
 #include <algorithm>
@@ -11,49 +15,117 @@
 namespace glissade {
 namespace {
 
-/// A ghost of more edges fades, or it would be a solid blob that hides what it stands beside.
+/// A ghost of more edges fades, or it would hide what it stands beside.
 constexpr double kPlainEdges = 400.0;
 constexpr double kLeastShown = 0.03;
 constexpr double kLeastFilled = 0.25;
+constexpr float kGhostFill = 0.16F;
+/// Of the part of the moved object that other bodies hide.
+constexpr float kHiddenFill = 0.45F;
+constexpr float kHiddenEdges = 0.30F;
+/// OSG draws bins by their number: opaque bodies are in 0, transparent ones in 10.
+constexpr int kHiddenSilhouetteBin = 1;
+constexpr int kMovedBodyBin = 2;
+constexpr float kEdgeWidth = 1.2F;
+constexpr float kHighlightFill = 0.55F;
+constexpr float kHighlightEdges = 2.0F;
+constexpr unsigned short kDashes = 0x3333;
 
-struct Opacity {
-  double surface;
-  double edges;
-};
+osg::Vec4 withOpacity(const osg::Vec4& colour, float opacity) { return {colour.r(), colour.g(), colour.b(), opacity}; }
 
-Opacity opacityOf(BodyStyle style, std::size_t edges) {
-  switch (style) {
-    case BodyStyle::Solid: return {1.0, 1.0};
-    case BodyStyle::SeeThrough: return {kObstacleOpacity, 1.0};
-    case BodyStyle::Ghost: break;
-  }
-  const double shown = kPlainEdges / std::max(kPlainEdges, static_cast<double>(edges));
-  return {0.16 * std::max(kLeastFilled, shown), std::max(kLeastShown, shown)};
+osg::ref_ptr<osg::Geode> geodeOf(const osg::ref_ptr<osg::Geometry>& geometry) {
+  osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+  geode->addDrawable(geometry);
+  return geode;
 }
 
-osg::Vec4 faded(const osg::Vec4& colour, double by) {
-  return {colour.r(), colour.g(), colour.b(), colour.a() * static_cast<float>(by)};
+/// Edges lie on the surface: the surface is pushed back so that they are not torn.
+osg::ref_ptr<osg::Geode> surfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
+  osg::ref_ptr<osg::Geode> surface = geodeOf(makeSurface(shape, colour));
+  surface->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
+  return surface;
+}
+
+osg::ref_ptr<osg::Geode> edgesOf(const BodyShape& shape, const osg::Vec4& colour, float width) {
+  return geodeOf(makeLines(shape.edges, LineKind::Segments, colour, width));
+}
+
+/// The edges that a surface hides, dashed.
+osg::ref_ptr<osg::Geode> hiddenEdgesOf(const BodyShape& shape, const ScenePalette& palette) {
+  const osg::Vec4 colour = withOpacity(palette.lines, 0.5F * palette.lines.a());
+  osg::ref_ptr<osg::Geometry> lines = makeLines(shape.edges, LineKind::Segments, colour, palette.pixelScale);
+  osg::StateSet* state = lines->getOrCreateStateSet();
+  state->setAttributeAndModes(new osg::LineStipple(std::max(1, static_cast<int>(palette.pixelScale)), kDashes));
+  state->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+  return geodeOf(lines);
+}
+
+/// What other bodies hide of a body: flat, drawn before the body's own surface is.
+osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::Vec4& colour,
+                                            const ScenePalette& palette) {
+  osg::ref_ptr<osg::Group> group = new osg::Group;
+  osg::ref_ptr<osg::Geode> fill = geodeOf(makeSurface(shape, withOpacity(colour, kHiddenFill)));
+  fill->getOrCreateStateSet()->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
+  group->addChild(fill);
+  group->addChild(edgesOf(shape, withOpacity(palette.lines, kHiddenEdges), palette.pixelScale));
+  for (unsigned i = 0; i < group->getNumChildren(); ++i) {
+    makeUnlit(*group->getChild(i));
+    osg::StateSet* state = group->getChild(i)->getOrCreateStateSet();
+    constexpr auto kOver = osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE;
+    state->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false), kOver);
+    state->setRenderBinDetails(kHiddenSilhouetteBin, "RenderBin", osg::StateSet::OVERRIDE_RENDERBIN_DETAILS);
+  }
+  return group;
 }
 
 }  // namespace
 
-osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose& X_WB, const osg::Vec4& colour,
-                                            BodyStyle style, const ScenePalette& palette) {
+osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                            DisplayMode mode, const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
-  const std::vector<Vector3> lines = featureEdges(mesh);
-  const Opacity opacity = opacityOf(style, lines.size() / 2);
-  osg::ref_ptr<osg::Geode> surface = new osg::Geode;
-  surface->addDrawable(
-      makeSurface(mesh, osg::Vec4(colour.r(), colour.g(), colour.b(), static_cast<float>(opacity.surface))));
-  // Edges lie on the surface: push the surface back so that they are not torn.
-  surface->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
-  if (style != BodyStyle::Solid) makeTransparent(*surface);
-  osg::ref_ptr<osg::Geode> edges = new osg::Geode;
-  const osg::Vec4 edgeColour = faded(style == BodyStyle::Ghost ? colour : palette.lines, opacity.edges);
-  const float width = (style == BodyStyle::SeeThrough ? 1.0F : 1.5F) * palette.pixelScale;
-  edges->addDrawable(makeLines(lines, LineKind::Segments, edgeColour, width));
+  const float opacity = mode == DisplayMode::SeeThrough ? static_cast<float>(kObstacleOpacity) : 1.0F;
+  osg::ref_ptr<osg::Geode> surface = surfaceOf(shape, withOpacity(colour, opacity));
+  if (mode == DisplayMode::SeeThrough) makeTransparent(*surface);
+  if (mode == DisplayMode::Wireframe) {
+    surface->getOrCreateStateSet()->setAttribute(new osg::ColorMask(false, false, false, false));
+  }
   transform->addChild(surface);
-  transform->addChild(edges);
+  if (mode == DisplayMode::Shaded) return transform;
+  transform->addChild(edgesOf(shape, palette.lines, kEdgeWidth * palette.pixelScale));
+  if (mode == DisplayMode::Wireframe) transform->addChild(hiddenEdgesOf(shape, palette));
+  return transform;
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                             const ScenePalette& palette) {
+  const double edges = 0.5 * static_cast<double>(shape.edges->size());
+  const double shown = kPlainEdges / std::max(kPlainEdges, edges);
+  const auto fill = static_cast<float>(std::max(kLeastFilled, shown));
+  osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
+  osg::ref_ptr<osg::Geode> surface = surfaceOf(shape, withOpacity(colour, kGhostFill * fill));
+  makeTransparent(*surface);
+  transform->addChild(surface);
+  const auto opacity = static_cast<float>(std::max(kLeastShown, shown));
+  transform->addChild(edgesOf(shape, withOpacity(colour, colour.a() * opacity), 1.5F * palette.pixelScale));
+  return transform;
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette) {
+  osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
+  // Not pushed back: it lies before the body's own surface.
+  osg::ref_ptr<osg::Geode> skin = geodeOf(makeSurface(shape, withOpacity(colour, kHighlightFill)));
+  makeTransparent(*skin);
+  transform->addChild(skin);
+  transform->addChild(edgesOf(shape, colour, kHighlightEdges * palette.pixelScale));
+  return transform;
+}
+
+osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette) {
+  osg::ref_ptr<osg::MatrixTransform> transform = makeBody(shape, X_WB, colour, DisplayMode::ShadedWithEdges, palette);
+  transform->getChild(0)->getOrCreateStateSet()->setRenderBinDetails(kMovedBodyBin, "RenderBin");
+  transform->addChild(hiddenSilhouetteOf(shape, colour, palette));
   return transform;
 }
 

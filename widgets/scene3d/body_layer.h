@@ -3,23 +3,30 @@
 #include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
-#include "engine/environment/rigid_body.h"
+#include "engine/geometry/pose.h"
+#include "widgets/scene3d/body_shape.h"
+#include "widgets/scene3d/display_mode.h"
 #include "widgets/scene3d/palette.h"
 
 namespace glissade {
 
-/// How a rigid body is drawn.
-enum class BodyStyle {
-  Solid,       ///< the object in the operator's hand
-  SeeThrough,  ///< obstacles: what happens between and behind them matters
-  Ghost        ///< start, goal, and the object along the path
-};
+/// A body's surface and feature edges under one transform.
+osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                            DisplayMode mode, const ScenePalette& palette);
 
-/// A body's surface and feature edges under one transform; the style fixes its transparency.
-osg::ref_ptr<osg::MatrixTransform> makeBody(const TriangleMesh& mesh, const Pose& X_WB, const osg::Vec4& colour,
-                                            BodyStyle style, const ScenePalette& palette);
+/// The object at a pose where it is not: start, goal, a pose of the path. Fainter where the body has many edges.
+osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                             const ScenePalette& palette);
 
-/// Another colour for a body that makeBody made; its transparency stays.
+/// Over a body that is drawn: a bright skin and its edges, to mark it.
+osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette);
+
+/// The object that moves: shaded with edges, and its silhouette shows through the bodies before it.
+osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
+                                                 const ScenePalette& palette);
+
+/// Another colour for a body that one of these functions made; its transparency stays.
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour);
 
 }  // namespace glissade

@@ -17,8 +17,20 @@ constexpr float kPointSize = 8.0F;
 constexpr float kPathWidth = 4.0F;
 constexpr std::size_t kGhosts = 7;
 constexpr float kFaded = 0.45F;
+/// Opacity of the part of a path that bodies hide.
+constexpr float kHiddenPath = 0.4F;
 /// Share of the contact disc that is drawn: all of it would hide the scene.
 constexpr double kDrawnDisc = 0.5;
+
+/// Lines, fainter where a body hides them.
+void addSeenThrough(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour, float width,
+                    osg::Geode& geode) {
+  geode.addDrawable(makeLines(points, kind, colour, width));
+  const osg::Vec4 faint(colour.r(), colour.g(), colour.b(), kHiddenPath * colour.a());
+  osg::ref_ptr<osg::Geometry> hidden = makeLines(points, kind, faint, width);
+  hidden->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::GREATER, 0.0, 1.0, false));
+  geode.addDrawable(hidden);
+}
 
 }  // namespace
 
@@ -45,7 +57,7 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
   return group;
 }
 
-osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette,
+osg::ref_ptr<osg::Group> makePath(const Path& path, const BodyShape& object, const ScenePalette& palette,
                                   bool byAuthor) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
   PerAuthor<std::vector<Vector3>> segments;
@@ -61,19 +73,19 @@ osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, 
   for (std::size_t i = 0; byAuthor && i < segments.size(); ++i) {
     if (segments[i].empty()) continue;
     const osg::Vec4 colour = toOsg(authorColour(static_cast<Author>(i)));
-    line->addDrawable(makeLines(segments[i], LineKind::Segments, colour, width));
+    addSeenThrough(segments[i], LineKind::Segments, colour, width, *line);
   }
-  if (!byAuthor) line->addDrawable(makeLines(way, LineKind::Strip, palette.path, width));
+  if (!byAuthor) addSeenThrough(way, LineKind::Strip, palette.path, width, *line);
   group->addChild(line);
   const std::size_t count = std::min(kGhosts, path.points.size());
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const Pose& q = path.points[i * (path.points.size() - 1) / (count - 1)].q;
-    group->addChild(makeBody(object, q, palette.path, BodyStyle::Ghost, palette));
+    group->addChild(makeGhost(object, q, palette.path, palette));
   }
   return group;
 }
 
-osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const TriangleMesh& object,
+osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const BodyShape& object,
                                          const ScenePalette& palette) {
   const std::vector<PathPoint>& points = refused.path.points;
   std::vector<bool> isBlocked(points.size(), false);
@@ -95,7 +107,7 @@ osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const T
     const BlockedEdge& edge = refused.blocked[i * refused.blocked.size() / std::min(kGhosts, refused.blocked.size())];
     const Pose& to = points[std::min(edge.edge + 1, points.size() - 1)].q;
     const Pose q = interpolate(points[edge.edge].q, to, edge.at);
-    group->addChild(makeBody(object, q, palette.penetration, BodyStyle::Ghost, palette));
+    group->addChild(makeGhost(object, q, palette.penetration, palette));
   }
   return group;
 }

@@ -4,6 +4,7 @@
 #include <osg/ref_ptr>
 
 #include "engine/session/session.h"
+#include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/palette.h"
 
 namespace glissade {
@@ -14,11 +15,11 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
 
 /// The path: the way of the reference point, and ghosts of the object along it.
 /// `byAuthor`: each segment in the colour of who made it.
-osg::ref_ptr<osg::Group> makePath(const Path& path, const TriangleMesh& object, const ScenePalette& palette,
+osg::ref_ptr<osg::Group> makePath(const Path& path, const BodyShape& object, const ScenePalette& palette,
                                   bool byAuthor);
 
 /// A path that does not hold here: what is blocked of it, with the object in the way there; the rest fades.
-osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const TriangleMesh& object,
+osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const BodyShape& object,
                                          const ScenePalette& palette);
 
 }  // namespace glissade

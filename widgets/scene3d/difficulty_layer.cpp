@@ -43,20 +43,20 @@ void addGap(const Difficulty::Frontier& frontier, const ScenePalette& palette, o
 }  // namespace
 
 osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const LoadedScenario& scenario,
-                                        const ScenePalette& palette) {
+                                        BodyShapes& shapes, const ScenePalette& palette) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
-  const TriangleMesh& object = *scenario.object.mesh;
+  const BodyShape& object = shapes.of(scenario.object.mesh);
   if (const int body = blockingBody(difficulty); body >= 0) {
     const RigidBody& blocking = scenario.obstacles[static_cast<std::size_t>(body)];
-    group->addChild(makeBody(*blocking.mesh, blocking.X_WB, palette.penetration, BodyStyle::SeeThrough, palette));
+    group->addChild(makeHighlight(shapes.of(blocking.mesh), blocking.X_WB, palette.penetration, palette));
   }
   osg::ref_ptr<osg::Geode> marks = new osg::Geode;
   if (difficulty.frontier) addGap(*difficulty.frontier, palette, *marks);
   if (difficulty.tightest) {
-    group->addChild(makeBody(object, difficulty.tightest->q, palette.nearest, BodyStyle::Ghost, palette));
+    group->addChild(makeGhost(object, difficulty.tightest->q, palette.nearest, palette));
   }
   if (const auto& least = difficulty.leastPenetration) {
-    group->addChild(makeBody(object, least->q, palette.penetration, BodyStyle::Solid, palette));
+    group->addChild(makeMovedBody(object, least->q, palette.penetration, palette));
     addWay(*least, palette, *marks);
   }
   // Seen through whatever lies in front: it tells where to look.

@@ -4,6 +4,7 @@
 #include <osg/ref_ptr>
 
 #include "engine/planning/difficulty/difficulty.h"
+#include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/palette.h"
 
 namespace glissade {
@@ -11,7 +12,7 @@ namespace glissade {
 /// Why no path was found: the way of least penetration with the object at its deepest place and what
 /// blocks it there, the gap between the trees, and the object in the tightest passage.
 osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const LoadedScenario& scenario,
-                                        const ScenePalette& palette);
+                                        BodyShapes& shapes, const ScenePalette& palette);
 
 /// How deep and how tight, where that is.
 std::vector<SceneLabel> difficultyLabels(const Difficulty& difficulty);

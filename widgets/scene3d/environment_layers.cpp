@@ -32,8 +32,7 @@ osg::ref_ptr<osg::Group> transparentFaces(const std::vector<CellFace>& faces, co
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});
   }
-  auto surface = makeSurface(mesh, colour);
-  makeUnlit(*surface);
+  auto surface = makeFlatSurface(mesh, colour);
   makeTransparent(*surface);
   return groupOf(surface);
 }
@@ -160,12 +159,11 @@ osg::ref_ptr<osg::Group> makeCoarsePath(const CoarsePlan& plan, const ScenePalet
   return group;
 }
 
-osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const TriangleMesh& object,
-                                        const ScenePalette& palette) {
+osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const BodyShape& object, const ScenePalette& palette) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
   for (const TopologicalStep& step : plan.steps) {
     if (!step.milestone || step.border < 0) continue;
-    group->addChild(makeBody(object, step.to, osg::Vec4(0.84F, 0.15F, 0.15F, 1), BodyStyle::Ghost, palette));
+    group->addChild(makeGhost(object, step.to, osg::Vec4(0.84F, 0.15F, 0.15F, 1), palette));
   }
   return group;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/palette.h"
 
 namespace glissade {
@@ -34,8 +35,7 @@ osg::ref_ptr<osg::Group> makeGraph(const TopologicalGraph& graph, const ScenePal
 /// The coarse path through the graph.
 osg::ref_ptr<osg::Group> makeCoarsePath(const CoarsePlan& plan, const ScenePalette& palette);
 /// The milestones: the object in the configurations to pass through.
-osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const TriangleMesh& object,
-                                        const ScenePalette& palette);
+osg::ref_ptr<osg::Group> makeMilestones(const CoarsePlan& plan, const BodyShape& object, const ScenePalette& palette);
 /// The area that a local planner explores.
 osg::ref_ptr<osg::Group> makeRegion(const SamplingRegion& region, const ScenePalette& palette);
 /// The path in the colours of its topological steps, and ghosts of the object at the milestones.

@@ -7,15 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
 namespace {
 
-constexpr double kFeatureCosine = 0.866;  ///< of 30 degrees
 constexpr int kDiscSegments = 48;
 
 void setOneColour(osg::Geometry& geometry, const osg::Vec4& colour) {
@@ -26,53 +23,45 @@ void setOneColour(osg::Geometry& geometry, const osg::Vec4& colour) {
 
 }  // namespace
 
-osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour) {
-  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
-  osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
-  osg::ref_ptr<osg::Vec3Array> normals = new osg::Vec3Array;
+osg::ref_ptr<osg::Geometry> makeFlatSurface(const TriangleMesh& mesh, const osg::Vec4& colour) {
+  osg::ref_ptr<osg::Vec3Array> corners = new osg::Vec3Array;
+  corners->reserve(3 * mesh.triangles.size());
   for (const TriangleIndices& triangle : mesh.triangles) {
-    const osg::Vec3 normal = toOsg(faceNormal(mesh, triangle));
-    for (const auto vertex : triangle) {
-      vertices->push_back(toOsg(mesh.vertices[vertex]));
-      normals->push_back(normal);
-    }
+    for (const auto vertex : triangle) corners->push_back(toOsg(mesh.vertices[vertex]));
   }
-  geometry->setVertexArray(vertices);
-  geometry->setNormalArray(normals, osg::Array::BIND_PER_VERTEX);
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setVertexArray(corners);
   setOneColour(*geometry, colour);
-  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(vertices->size())));
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(corners->size())));
+  geometry->setUseVertexBufferObjects(true);
+  makeUnlit(*geometry);
+  return geometry;
+}
+
+osg::ref_ptr<osg::Geometry> makeSurface(const BodyShape& shape, const osg::Vec4& colour) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setVertexArray(shape.corners);
+  geometry->setNormalArray(shape.normals, osg::Array::BIND_PER_VERTEX);
+  setOneColour(*geometry, colour);
+  geometry->addPrimitiveSet(new osg::DrawArrays(GL_TRIANGLES, 0, static_cast<int>(shape.corners->size())));
   geometry->setUseVertexBufferObjects(true);
   return geometry;
 }
 
-std::vector<Vector3> featureEdges(const TriangleMesh& input) {
-  const TriangleMesh mesh = welded(input);
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Vector3>> facesOf;
-  for (const TriangleIndices& triangle : mesh.triangles) {
-    const Vector3 normal = faceNormal(mesh, triangle);
-    for (std::size_t i = 0; i < 3; ++i) {
-      facesOf[std::minmax(triangle[i], triangle[(i + 1) % 3])].push_back(normal);
-    }
-  }
-  std::vector<Vector3> points;
-  for (const auto& [edge, normals] : facesOf) {
-    const bool smooth = normals.size() == 2 && normals[0].dot(normals[1]) > kFeatureCosine;
-    if (smooth) continue;
-    points.push_back(mesh.vertices[edge.first]);
-    points.push_back(mesh.vertices[edge.second]);
-  }
-  return points;
-}
-
 osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
                                       float width) {
-  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
   osg::ref_ptr<osg::Vec3Array> vertices = new osg::Vec3Array;
   for (const Vector3& point : points) vertices->push_back(toOsg(point));
-  geometry->setVertexArray(vertices);
+  return makeLines(vertices, kind, colour, width);
+}
+
+osg::ref_ptr<osg::Geometry> makeLines(const osg::ref_ptr<osg::Vec3Array>& points, LineKind kind,
+                                      const osg::Vec4& colour, float width) {
+  osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
+  geometry->setVertexArray(points);
   setOneColour(*geometry, colour);
   const GLenum mode = kind == LineKind::Segments ? GL_LINES : GL_LINE_STRIP;
-  geometry->addPrimitiveSet(new osg::DrawArrays(mode, 0, static_cast<int>(vertices->size())));
+  geometry->addPrimitiveSet(new osg::DrawArrays(mode, 0, static_cast<int>(points->size())));
   geometry->setUseVertexBufferObjects(true);
   geometry->getOrCreateStateSet()->setAttributeAndModes(new osg::LineWidth(width));
   makeDrawing(*geometry);

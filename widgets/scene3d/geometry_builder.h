@@ -6,20 +6,23 @@
 #include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
+#include "widgets/scene3d/body_shape.h"
 
 namespace glissade {
 
-/// Flat-shaded triangles of a mesh; one colour for all of it.
-osg::ref_ptr<osg::Geometry> makeSurface(const TriangleMesh& mesh, const osg::Vec4& colour);
+/// Unlit triangles in one colour.
+osg::ref_ptr<osg::Geometry> makeFlatSurface(const TriangleMesh& mesh, const osg::Vec4& colour);
 
-/// The edges that a draughtsman would draw, as segment ends: open ones, and those whose faces meet at more than
-/// 30 degrees.
-std::vector<Vector3> featureEdges(const TriangleMesh& mesh);
+/// The surface of a shape in one colour; its arrays are shared.
+osg::ref_ptr<osg::Geometry> makeSurface(const BodyShape& shape, const osg::Vec4& colour);
 
 /// A set of separate line segments, or a polyline.
 enum class LineKind { Segments, Strip };
 osg::ref_ptr<osg::Geometry> makeLines(const std::vector<Vector3>& points, LineKind kind, const osg::Vec4& colour,
                                       float width);
+/// The same of points that are shared.
+osg::ref_ptr<osg::Geometry> makeLines(const osg::ref_ptr<osg::Vec3Array>& points, LineKind kind,
+                                      const osg::Vec4& colour, float width);
 
 /// Points of a size in pixels.
 osg::ref_ptr<osg::Geometry> makePoints(const std::vector<Vector3>& points, const osg::Vec4& colour, float size);

@@ -55,8 +55,7 @@ osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, do
   const double length = std::max(kShortest, kRadiiAtFull * strength) * objectRadius;
   const Pose X_WA{device.q_device.position, Quaternion::FromTwoVectors(Vector3::UnitZ(), force_W)};
   osg::ref_ptr<osg::Geode> geode = new osg::Geode;
-  geode->addDrawable(makeSurface(makeArrow(length, objectRadius), palette.guidance));
-  makeUnlit(*geode);
+  geode->addDrawable(makeFlatSurface(makeArrow(length, objectRadius), palette.guidance));
   osg::StateSet* state = geode->getOrCreateStateSet();
   state->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
   state->setRenderBinDetails(20, "RenderBin");

@@ -19,6 +19,8 @@ constexpr int kBatch = 8192;
 /// Larger trees fade, or nothing else could be seen for them.
 constexpr double kOpaqueSegments = 4000.0;
 constexpr double kLeastOpacity = 0.03;
+/// What is left of the roadmap once the path is the picture.
+constexpr double kFadedShare = 0.12;
 
 }  // namespace
 
@@ -66,7 +68,8 @@ void RoadmapLayer::update(const SessionSnapshot& snapshot) {
 /// do not hide each other.
 void RoadmapLayer::fade() {
   const double share = kOpaqueSegments / std::max<double>(1.0, static_cast<double>(segmentsDrawn_));
-  const auto opacity = static_cast<float>(std::clamp(share, kLeastOpacity, 1.0));
+  const double faded = faded_ ? kFadedShare : 1.0;
+  const auto opacity = static_cast<float>(faded * std::clamp(share, kLeastOpacity, 1.0));
   if (opacity == opacity_) return;
   opacity_ = opacity;
   osg::StateSet* state = root_->getOrCreateStateSet();
@@ -81,6 +84,11 @@ void RoadmapLayer::fade() {
       new osg::BlendFunc(osg::BlendFunc::CONSTANT_ALPHA, osg::BlendFunc::ONE_MINUS_CONSTANT_ALPHA));
   state->setAttributeAndModes(new osg::BlendColor(osg::Vec4(1.0F, 1.0F, 1.0F, opacity)));
   state->setAttributeAndModes(new osg::Depth(osg::Depth::LESS, 0.0, 1.0, false));
+}
+
+void RoadmapLayer::setFaded(bool faded) {
+  faded_ = faded;
+  fade();
 }
 
 void RoadmapLayer::clear() {

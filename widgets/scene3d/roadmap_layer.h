@@ -22,6 +22,8 @@ class RoadmapLayer {
   /// Takes in what is new; another run begins anew, and so does one that is shown at an earlier step.
   void update(const SessionSnapshot& snapshot);
   void clear();
+  /// Faint lines: something else is the picture.
+  void setFaded(bool faded);
 
   std::size_t segments() const { return segmentsDrawn_; }
   /// How many chunk uploads there have been: grows with what is new, not with what is there.
@@ -56,6 +58,7 @@ class RoadmapLayer {
   std::size_t segmentsDrawn_ = 0;
   std::size_t uploads_ = 0;
   float opacity_ = 1.0F;  ///< of the lines
+  bool faded_ = false;
   std::vector<RoadmapNode> nodes_;
   std::vector<RoadmapEdge> edges_;  ///< in the order drawn
   std::vector<Batch> lines_;

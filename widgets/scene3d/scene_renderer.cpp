@@ -1,21 +1,43 @@
 #include "widgets/scene3d/scene_renderer.h"
 
+#include <osg/LightSource>
+
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
+namespace {
+
+/// A light that turns with the view: faces of different directions differ in brightness from wherever one looks.
+/// `towards_V` is the direction to the light in view coordinates: x right, y up, z to the viewer.
+osg::ref_ptr<osg::LightSource> makeLight(int number, const osg::Vec3& towards_V, float diffuse, float ambient) {
+  osg::ref_ptr<osg::Light> light = new osg::Light(static_cast<unsigned>(number));
+  light->setPosition(osg::Vec4(towards_V, 0.0F));
+  light->setDiffuse(osg::Vec4(diffuse, diffuse, diffuse, 1.0F));
+  light->setAmbient(osg::Vec4(ambient, ambient, ambient, 1.0F));
+  light->setSpecular(osg::Vec4(0.0F, 0.0F, 0.0F, 1.0F));
+  osg::ref_ptr<osg::LightSource> source = new osg::LightSource;
+  source->setReferenceFrame(osg::LightSource::ABSOLUTE_RF);
+  source->setLight(light);
+  return source;
+}
+
+}  // namespace
 
 SceneRenderer::SceneRenderer(SceneView& view) : view_(view), viewer_(new osgViewer::Viewer) {
   viewer_->setThreadingModel(osgViewer::ViewerBase::SingleThreaded);
   window_ = viewer_->setUpViewerAsEmbeddedInWindow(0, 0, 64, 64);
   viewer_->setKeyEventSetsDone(0);
   viewer_->setQuitEventSetsDone(false);
-  viewer_->setLightingMode(osg::View::HEADLIGHT);
-  viewer_->getLight()->setAmbient(osg::Vec4(0.35F, 0.35F, 0.35F, 1.0F));
-  viewer_->getLight()->setDiffuse(osg::Vec4(0.75F, 0.75F, 0.75F, 1.0F));
-  viewer_->getLight()->setSpecular(osg::Vec4(0.0F, 0.0F, 0.0F, 1.0F));
+  viewer_->setLightingMode(osg::View::NO_LIGHT);
   viewer_->getCamera()->setComputeNearFarMode(osg::CullSettings::DO_NOT_COMPUTE_NEAR_FAR);
-  viewer_->setSceneData(view.root());
+  osg::ref_ptr<osg::Group> lit = new osg::Group;
+  lit->addChild(makeLight(0, {-0.35F, 0.55F, 0.75F}, 0.70F, 0.34F));
+  lit->addChild(makeLight(1, {0.75F, -0.25F, 0.60F}, 0.22F, 0.0F));
+  for (const GLenum mode : {GL_LIGHTING, GL_LIGHT0, GL_LIGHT1})
+    lit->getOrCreateStateSet()->setMode(mode, osg::StateAttribute::ON);
+  lit->addChild(view.root());
+  viewer_->setSceneData(lit);
 }
 
 void SceneRenderer::resize(int width, int height) {

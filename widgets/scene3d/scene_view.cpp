@@ -29,6 +29,7 @@ struct SceneView::Impl {
   std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
   osg::ref_ptr<osg::MatrixTransform> object;
   RoadmapLayer roadmap;
+  bool roadmapKept = false;
   CameraController camera;
   ScenePalette palette = paletteOf(Theme::Light);
   std::shared_ptr<const LoadedScenario> scenario;
@@ -41,8 +42,11 @@ struct SceneView::Impl {
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
   std::shared_ptr<const Difficulty> difficulty;
-  std::set<std::string> hidden;  ///< obstacles, by id
-  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  BodyShapes shapes;
+  DisplayMode mode = DisplayMode::ShadedWithEdges;
+  std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
+  std::set<std::string> hidden;                 ///< obstacles, by id
+  std::set<std::size_t> inHand;                 ///< obstacles that are not drawn where the scenario has them
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -76,8 +80,7 @@ struct SceneView::Impl {
       const RigidBody& body = scenario->obstacles[i];
       if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0 || inHand.count(i) != 0)
         continue;
-      layer(SceneLayer::Selection)
-          .addChild(makeBody(*body.mesh, body.X_WB, palette.path, BodyStyle::SeeThrough, palette));
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), body.X_WB, palette.path, palette));
     }
   }
 
@@ -94,7 +97,7 @@ struct SceneView::Impl {
     };
     show(SceneLayer::Graph, [&] { return plan->graph ? makeGraph(*plan->graph, palette) : nullptr; });
     show(SceneLayer::CoarsePath, [&] { return plan->graph ? makeCoarsePath(*plan, palette) : nullptr; });
-    show(SceneLayer::Milestones, [&] { return makeMilestones(*plan, *scenario->object.mesh, palette); });
+    show(SceneLayer::Milestones, [&] { return makeMilestones(*plan, shapes.of(scenario->object.mesh), palette); });
     show(SceneLayer::Region, [&]() -> osg::ref_ptr<osg::Group> {
       const TopologicalStep* step = stepShown(*plan);
       return step != nullptr && step->region ? makeRegion(*step->region, palette) : nullptr;
@@ -102,7 +105,7 @@ struct SceneView::Impl {
   }
 
   void showDifficulty() {
-    fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, palette) : nullptr);
+    fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, shapes, palette) : nullptr);
   }
 
   const TopologicalStep* stepShown(const CoarsePlan& plan) const {
@@ -111,6 +114,20 @@ struct SceneView::Impl {
       if (step.result == StepResult::Running) return &step;
     }
     return nullptr;
+  }
+
+  DisplayMode modeOf(const RigidBody& body) const {
+    const auto own = ownModes.find(body.id);
+    return own != ownModes.end() ? own->second : mode;
+  }
+
+  void showBodies() {
+    osg::Group& bodies = layer(SceneLayer::Bodies);
+    bodies.removeChildren(0, bodies.getNumChildren());
+    for (const RigidBody& body : scenario->obstacles) {
+      bodies.addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
+    }
+    showHidden();
   }
 
   /// The layer's children are the obstacles in their order.
@@ -136,18 +153,14 @@ struct SceneView::Impl {
     showDifficulty();
     if (!scenario) return;
     showPlan();
-    for (const RigidBody& body : scenario->obstacles) {
-      layer(SceneLayer::Bodies)
-          .addChild(makeBody(*body.mesh, body.X_WB, toOsg(body.colour), BodyStyle::SeeThrough, palette));
-    }
-    showHidden();
+    showBodies();
     const RigidBody& moved = scenario->object;
-    object = makeBody(*moved.mesh, moved.X_WB, toOsg(moved.colour), BodyStyle::Solid, palette);
+    object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
-    ends.addChild(makeBody(*moved.mesh, scenario->problem.start, palette.start, BodyStyle::Ghost, palette));
+    ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
-      ends.addChild(makeBody(*moved.mesh, *goal, palette.goal, BodyStyle::Ghost, palette));
+      ends.addChild(makeGhost(shapes.of(moved.mesh), *goal, palette.goal, palette));
     }
     layer(SceneLayer::Workspace)
         .addChild(makeLines(boxEdges(scenario->scenario.workspace), LineKind::Segments,
@@ -159,6 +172,7 @@ struct SceneView::Impl {
   void showSnapshot() {
     if (!snapshot || !scenario) return;
     roadmap.update(*snapshot);
+    roadmap.setFaded(snapshot->path && !roadmapKept);
     showPath();
     osg::Group& contact = layer(SceneLayer::Contact);
     contact.removeChildren(0, contact.getNumChildren());
@@ -170,7 +184,7 @@ struct SceneView::Impl {
   /// The arrow, and the object's tint.
   void showGuidance() {
     if (!object || !snapshot) return;
-    const bool shown = visible(SceneLayer::Guidance) && !playback;
+    const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
     const double radius = scenario->problem.world->objectRadius();
     fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, radius, palette) : nullptr);
     const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
@@ -183,9 +197,9 @@ struct SceneView::Impl {
     drawnRefusal = snapshot->refused;
     osg::Group& group = layer(SceneLayer::Path);
     group.removeChildren(0, group.getNumChildren());
-    if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, *scenario->object.mesh, palette));
+    if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, shapes.of(scenario->object.mesh), palette));
     if (!drawnPath) return;
-    group.addChild(makePath(*drawnPath, *scenario->object.mesh, palette, pathByAuthor));
+    group.addChild(makePath(*drawnPath, shapes.of(scenario->object.mesh), palette, pathByAuthor));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 
@@ -235,12 +249,14 @@ SceneView::~SceneView() = default;
 void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->environment = {};
   impl_->hidden.clear();
+  impl_->ownModes.clear();
   rearrange(std::move(scenario));
   fit();
 }
 
 void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->scenario = std::move(scenario);
+  impl_->shapes.dropUnused();
   impl_->snapshot.reset();
   impl_->playback.reset();
   impl_->drawnPlan.reset();
@@ -287,6 +303,21 @@ void SceneView::setHiddenBodies(const std::set<std::string>& bodyIds) {
 
 const std::set<std::string>& SceneView::hiddenBodies() const { return impl_->hidden; }
 
+void SceneView::setDisplayMode(DisplayMode mode) {
+  if (mode == impl_->mode) return;
+  impl_->mode = mode;
+  if (impl_->scenario) impl_->showBodies();
+}
+
+DisplayMode SceneView::displayMode() const { return impl_->mode; }
+
+void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes) {
+  impl_->ownModes = modes;
+  if (impl_->scenario) impl_->showBodies();
+}
+
+const std::map<std::string, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
+
 void SceneView::setCoarsePlan(const CoarsePlanPtr& plan) {
   if (plan == impl_->drawnPlan) return;
   impl_->drawnPlan = plan;
@@ -327,6 +358,11 @@ std::vector<SceneLabel> SceneView::labels() const {
     labels.push_back({0.5 * (p_W(edge.from) + p_W(edge.to)), {}, false, false, edge.cost, true});
   }
   return labels;
+}
+
+void SceneView::setRoadmapKept(bool kept) {
+  impl_->roadmapKept = kept;
+  impl_->showSnapshot();
 }
 
 void SceneView::setPathByAuthor(bool byAuthor) {

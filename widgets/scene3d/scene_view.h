@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
+#include "widgets/scene3d/display_mode.h"
 
 namespace osg {
 class Group;
@@ -85,6 +87,12 @@ class SceneView {
   /// Obstacles, by id, that are not drawn; none when a scenario is opened.
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   const std::set<std::string>& hiddenBodies() const;
+  /// How obstacles are drawn; the mode stays when another scenario is opened.
+  void setDisplayMode(DisplayMode mode);
+  DisplayMode displayMode() const;
+  /// Obstacles, by id, that have a display mode of their own; none when a scenario is opened.
+  void setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes);
+  const std::map<std::string, DisplayMode>& bodyDisplayModes() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
   void setCoarsePlan(const CoarsePlanPtr& plan);
   /// The topological step whose region is shown; nothing: the one that is running.
@@ -93,6 +101,8 @@ class SceneView {
   void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
   /// Texts of the visible layers: names of places, costs of the graph.
   std::vector<SceneLabel> labels() const;
+  /// Draws the roadmap as it is while a path is shown, too; else it is faint then.
+  void setRoadmapKept(bool kept);
   /// Colours the path's segments by who made them, instead of all alike.
   void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
