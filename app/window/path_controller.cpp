@@ -6,12 +6,16 @@
 
 #include "app/window/export_dialog.h"
 #include "app/window/path_script.h"
+#include "engine/planning/clearance_profile.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
 
 namespace glissade {
 namespace {
+
+/// Places of the path at which its clearance is measured for the curve.
+constexpr std::size_t kProfileSamples = 400;
 
 /// "*.csv *.json"
 QString readablePatterns() {
@@ -32,6 +36,7 @@ PathController::PathController(const Workbench& bench)
     bench_.scene.refresh();
   });
   connect(panel_, &PathPanel::playbackEnded, this, [this] { bench_.actions["path.play"]->setChecked(false); });
+  connect(&measuring_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &PathController::show);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & Change::Results) show();
@@ -48,6 +53,10 @@ void PathController::connectActions() {
   bench_.onAction("path.first-blocked", this, [this] {
     bringToFront();
     panel_->showFirstBlocked();
+  });
+  bench_.onAction("path.tightest", this, [this] {
+    bringToFront();
+    panel_->showTightest();
   });
   bench_.onAction("file.open-path", this, [this] { chooseFile(); });
   bench_.onAction("file.export", this, [this] { chooseExport(); });
@@ -94,11 +103,31 @@ void PathController::show() {
   if (!snapshot) return;
   const RunResults replayed{snapshot->path, snapshot->refused, snapshot->provenance, snapshot->smoothed};
   const RunResults results = bench_.run.isLive() ? bench_.document.results() : replayed;
-  const bool isNew = results.path && results.path != results_.path;
+  const bool isOther = results.path != results_.path;
+  const bool isNew = results.path && isOther;
   results_ = results;
   panel_->setPath(results.path, results.refused, *bench_.document.scenario());
   enableActions();
+  if (isOther) measureClearance();
   if (isNew && snapshot->run > 0 && !snapshot->coarsePlan) bringToFront();
+}
+
+void PathController::measureClearance() {
+  measuring_.cancel();
+  bench_.scene.view().setPathProfile(nullptr);
+  if (!results_.path) return;
+  const ScenarioPtr scenario = bench_.document.scenario();
+  const auto measure = [this, scenario, path = results_.path](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto query = scenario->problem.world->makeQuery();
+    auto profile = std::make_shared<const ClearanceProfile>(
+        clearanceProfile(*query, path->configurations(), scenario->problem.metric(), kProfileSamples, watch));
+    return [this, scenario, profile] {
+      panel_->setProfile(profile, *scenario);
+      bench_.scene.view().setPathProfile(profile);
+      bench_.scene.refresh();
+    };
+  };
+  measuring_.start("measuring the clearance along the path", measure, bench_.work.isAtOnce());
 }
 
 void PathController::chooseExport() {
@@ -137,6 +166,7 @@ void PathController::enableActions() {
   bench_.enable("path.play", path || refused);
   bench_.enable("path.smooth", live && path && !snapshot->pathWork);
   bench_.actions["path.smooth"]->setChecked(results_.smoothed);
+  bench_.enable("path.tightest", path);
   bench_.enable("path.first-blocked", refused && !results_.refused->blocked.empty());
   bench_.enable("file.export", path);
   bench_.enable("file.open-path", live && !isRunning(*snapshot));

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/window/workbench.h"
+#include "widgets/bridge/background_task.h"
 #include "widgets/panels/path_panel.h"
 
 namespace glissade {
@@ -30,6 +31,8 @@ class PathController final : public QObject {
   void show();
   void bringToFront();
   void showError(const Diagnostic& why);
+  /// Measures the clearance along the path that is shown, in the background.
+  void measureClearance();
   void chooseFile();
   void chooseExport();
   void enableActions();
@@ -37,6 +40,7 @@ class PathController final : public QObject {
   const Workbench& bench_;
   PathPanel* panel_;
   RunResults results_;  ///< that are shown
+  BackgroundTask measuring_;
 };
 
 }  // namespace glissade

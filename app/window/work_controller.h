@@ -22,6 +22,7 @@ class WorkController final : public QObject {
   WorkController(SessionBridge& bridge, const ActionCatalogue& actions, QStatusBar& bar);
 
   void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
+  bool isAtOnce() const { return atOnce_; }
   /// Another work that is under way is cancelled, unless it is one to be finished: then this one waits,
   /// in place of another that did.
   void run(const QString& what, const BackgroundTask::Work& work) { run({what, work, false}); }

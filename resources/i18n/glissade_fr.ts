@@ -4,12 +4,36 @@
 <context>
     <name>Actions</name>
     <message>
+        <source>Loop</source>
+        <translation>Boucle</translation>
+    </message>
+    <message>
+        <source>Begin again when the path was played to its end</source>
+        <translation>Recommencer quand le chemin a été joué jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>Backwards</source>
+        <translation>À rebours</translation>
+    </message>
+    <message>
+        <source>Play the path from its goal to its start</source>
+        <translation>Jouer le chemin du but vers le départ</translation>
+    </message>
+    <message>
+        <source>Tigh&amp;test place</source>
+        <translation>Passage le plus &amp;étroit</translation>
+    </message>
+    <message>
+        <source>Show the object at the place of the smallest clearance</source>
+        <translation>Montrer l&apos;objet là où le jeu est le plus petit</translation>
+    </message>
+    <message>
         <source>&amp;Keep the roadmap</source>
         <translation>&amp;Garder le graphe</translation>
     </message>
     <message>
         <source>Draw the roadmap in full while a path is shown; else it is faint then</source>
-        <translation>Dessiner le graphe en entier pendant qu’un chemin est affiché ; sinon il est alors estompé</translation>
+        <translation>Dessiner le graphe en entier pendant qu&apos;un chemin est affiché ; sinon il est alors estompé</translation>
     </message>
     <message>
         <source>Shaded with &amp;edges</source>
@@ -81,7 +105,7 @@
     </message>
     <message>
         <source>Draw the selected bodies in the display mode of the view again</source>
-        <translation>Redonner aux corps sélectionnés le mode d’affichage de la vue</translation>
+        <translation>Redonner aux corps sélectionnés le mode d&apos;affichage de la vue</translation>
     </message>
     <message>
         <source>&amp;Open...</source>
@@ -625,11 +649,11 @@
     </message>
     <message>
         <source>&amp;Open study results...</source>
-        <translation>&amp;Ouvrir les résultats d’une étude...</translation>
+        <translation>&amp;Ouvrir les résultats d&apos;une étude...</translation>
     </message>
     <message>
         <source>Browse a study&apos;s tables and plots, and see its runs again</source>
-        <translation>Parcourir les tableaux et les courbes d’une étude, et revoir ses essais</translation>
+        <translation>Parcourir les tableaux et les courbes d&apos;une étude, et revoir ses essais</translation>
     </message>
     <message>
         <source>&amp;Report as PDF...</source>
@@ -637,7 +661,7 @@
     </message>
     <message>
         <source>Write the report of the study that is open as PDF</source>
-        <translation>Écrire en PDF le rapport de l’étude ouverte</translation>
+        <translation>Écrire en PDF le rapport de l&apos;étude ouverte</translation>
     </message>
     <message>
         <source>S&amp;mooth the path</source>
@@ -2523,6 +2547,14 @@
 <context>
     <name>glissade::PathPanel</name>
     <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Vitesse de lecture</translation>
+    </message>
+    <message>
         <source>Place on the path</source>
         <translation>Position sur le chemin</translation>
     </message>
@@ -2535,28 +2567,28 @@
         <translation>rien à proximité</translation>
     </message>
     <message>
-        <source>clearance %1 mm to %2</source>
-        <translation>jeu de %1 mm avec %2</translation>
+        <source>clearance %1 to %2</source>
+        <translation>jeu de %1 avec %2</translation>
     </message>
     <message>
         <source>Certified free of penetration</source>
         <translation>Certifié sans pénétration</translation>
     </message>
     <message>
-        <source>%1 configurations, %2 m, %3°</source>
-        <translation>%1 configurations, %2 m, %3°</translation>
+        <source>%1 configurations, %2, %3°</source>
+        <translation>%1 configurations, %2, %3°</translation>
     </message>
     <message>
         <source>Length by author</source>
         <translation>Longueur par auteur</translation>
     </message>
     <message>
-        <source>proved %1 mm, required %2 mm</source>
-        <translation>prouvé %1 mm, exigé %2 mm</translation>
+        <source>proved %1, required %2</source>
+        <translation>prouvé %1, exigé %2</translation>
     </message>
     <message>
-        <source>required %1 mm</source>
-        <translation>exigé %1 mm</translation>
+        <source>required %1</source>
+        <translation>exigé %1</translation>
     </message>
     <message>
         <source>%1 of %2 edges slide</source>
@@ -2572,7 +2604,7 @@
     </message>
     <message>
         <source>It leaves the workspace at configuration %1.</source>
-        <translation>Il quitte l’espace de travail à la configuration %1.</translation>
+        <translation>Il quitte l&apos;espace de travail à la configuration %1.</translation>
     </message>
     <message>
         <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
@@ -2583,12 +2615,12 @@
         <translation>Ce chemin ne tient pas ici</translation>
     </message>
     <message>
-        <source>of 32-bit coordinates, which may be %1 mm nearer</source>
-        <translation>des coordonnées de 32 bits, qui peuvent être %1 mm plus près</translation>
+        <source>of 32-bit coordinates, which may be %1 nearer</source>
+        <translation>des coordonnées de 32 bits, qui peuvent être %1 plus près</translation>
     </message>
     <message>
-        <source>of triangles; STEP surfaces may be %1 mm nearer</source>
-        <translation>des triangles ; les surfaces STEP peuvent être %1 mm plus près</translation>
+        <source>of triangles; STEP surfaces may be %1 nearer</source>
+        <translation>des triangles ; les surfaces STEP peuvent être %1 plus près</translation>
     </message>
 </context>
 <context>
@@ -3210,7 +3242,7 @@
     </message>
     <message>
         <source>Open the scenario with the strategy, operator, parameters and seed of the chosen run, and run it</source>
-        <translation>Ouvrir le scénario avec la stratégie, l’opérateur, les paramètres et la graine de l’essai choisi, et le lancer</translation>
+        <translation>Ouvrir le scénario avec la stratégie, l&apos;opérateur, les paramètres et la graine de l&apos;essai choisi, et le lancer</translation>
     </message>
     <message>
         <source>%1 — study</source>
@@ -3250,7 +3282,7 @@
     </message>
     <message>
         <source>The study declares no findings.</source>
-        <translation>L’étude n’énonce pas de constats.</translation>
+        <translation>L&apos;étude n&apos;énonce pas de constats.</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -3261,11 +3293,11 @@
     <name>glissade::StudyController</name>
     <message>
         <source>Open the results of a study</source>
-        <translation>Ouvrir les résultats d’une étude</translation>
+        <translation>Ouvrir les résultats d&apos;une étude</translation>
     </message>
     <message>
         <source>The study cannot be opened</source>
-        <translation>L’étude ne peut pas être ouverte</translation>
+        <translation>L&apos;étude ne peut pas être ouverte</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -3281,13 +3313,13 @@
     </message>
     <message>
         <source>The run cannot be shown</source>
-        <translation>L’essai ne peut pas être montré</translation>
+        <translation>L&apos;essai ne peut pas être montré</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) of runs could not be read and are left out.</source>
         <translation>
-            <numerusform>%n fichier d’essai n’a pas pu être lu et est laissé de côté.</numerusform>
-            <numerusform>%n fichiers d’essais n’ont pas pu être lus et sont laissés de côté.</numerusform>
+            <numerusform>%n fichier d&apos;essai n&apos;a pas pu être lu et est laissé de côté.</numerusform>
+            <numerusform>%n fichiers d&apos;essais n&apos;ont pas pu être lus et sont laissés de côté.</numerusform>
         </translation>
     </message>
     <message>
@@ -3296,11 +3328,11 @@
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
-        <translation>La graine %1 a fini comme dans l’étude : %2 nœuds.</translation>
+        <translation>La graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
     </message>
     <message>
         <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
-        <translation>La graine %1 a fini autrement que dans l’étude : avec %2 nœuds. Est-ce une autre version ?</translation>
+        <translation>La graine %1 a fini autrement que dans l&apos;étude : avec %2 nœuds. Est-ce une autre version ?</translation>
     </message>
     <message>
         <source>Reading the study</source>
@@ -3350,6 +3382,25 @@
     <message>
         <source>the goal</source>
         <translation>le but</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ClearanceCurve</name>
+    <message>
+        <source>Clearance along the path</source>
+        <translation>Jeu le long du chemin</translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>rien à proximité</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>measuring the clearance</source>
+        <translation>mesure du jeu en cours</translation>
     </message>
 </context>
 </TS>

@@ -45,7 +45,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item != nullptr) emit poseShown(places_[static_cast<std::size_t>(rows_->indexOfTopLevelItem(item))]);
   });
-  connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose) { emit poseShown(pose); });
+  connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose, double /*share*/) { emit poseShown(pose); });
   connect(slider_, &WaySlider::playbackEnded, this, &DifficultyPanel::playbackEnded);
   summary_->setText(tr("Nothing was looked into yet."));
 }

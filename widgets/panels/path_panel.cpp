@@ -5,12 +5,17 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <array>
 #include <cmath>
 
 #include "engine/planning/path_bounds.h"
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
+
+/// Of playing: 1 shows the whole path in twelve seconds.
+constexpr std::array<double, 6> kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
@@ -21,12 +26,12 @@ QString nameOf(int body, const LoadedScenario& scenario) {
 
 QString certificateText(const MotionCertificate& certificate, const LoadedScenario& scenario) {
   const int body = certificate.nearest.body;
-  const QString what = body < 0 ? PathPanel::tr("nothing near")
-                                : PathPanel::tr("clearance %1 mm to %2")
-                                      .arg(number(certificate.minClearance * 1e3, 2), nameOf(body, scenario));
-  QString held = PathPanel::tr("proved %1 mm, required %2 mm")
-                     .arg(number(certificate.provedClearance * 1e3, 3), number(certificate.tolerance * 1e3, 3));
-  if (body < 0) held = PathPanel::tr("required %1 mm").arg(number(certificate.tolerance * 1e3, 3));
+  const QString what =
+      body < 0 ? PathPanel::tr("nothing near")
+               : PathPanel::tr("clearance %1 to %2").arg(lengthText(certificate.minClearance), nameOf(body, scenario));
+  QString held = PathPanel::tr("proved %1, required %2")
+                     .arg(lengthText(certificate.provedClearance), lengthText(certificate.tolerance));
+  if (body < 0) held = PathPanel::tr("required %1").arg(lengthText(certificate.tolerance));
   if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
     held += QStringLiteral("; ") + PathPanel::tr("%1 of %2 edges slide").arg(sliding).arg(certificate.edges.size());
   }
@@ -34,11 +39,11 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
       QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text += QStringLiteral("<br>") +
-            PathPanel::tr("of triangles; STEP surfaces may be %1 mm nearer").arg(number(deviation * 1e3, 3));
+            PathPanel::tr("of triangles; STEP surfaces may be %1 nearer").arg(lengthText(deviation));
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
-    text += QStringLiteral("<br>") + PathPanel::tr("of 32-bit coordinates, which may be %1 mm nearer")
-                                         .arg(QLocale().toString(spacing * 1e3, 'g', 2));
+    text += QStringLiteral("<br>") +
+            PathPanel::tr("of 32-bit coordinates, which may be %1 nearer").arg(lengthText(spacing));
   }
   return text;
 }
@@ -71,12 +76,15 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
       figures_(new QLabel(this)),
       sharesTitle_(new QWidget(this)),
       shares_(new AuthorBar(this)),
-      slider_(new WaySlider(this)) {
+      curve_(new ClearanceCurve(this)),
+      slider_(new WaySlider(this)),
+      speed_(new QComboBox(this)) {
   for (QLabel* label : {certificate_, figures_}) label->setWordWrap(true);
   certificate_->setObjectName(QStringLiteral("certificate"));
   slider_->setAccessibleName(tr("Place on the path"));
   slider_->setToolTip(tr("Place on the path"));
-  auto* row = makeActionRow(actions, {"path.play", "path.first-blocked", "path.smooth", "file.export"}, this);
+  auto* row =
+      makeActionRow(actions, {"path.play", "path.first-blocked", "path.tightest", "path.smooth", "file.export"}, this);
   for (int i = 0; i < row->count(); ++i) {
     if (auto* button = qobject_cast<QToolButton*>(row->itemAt(i)->widget())) {
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
@@ -94,9 +102,16 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(figures_);
   layout->addWidget(sharesTitle_);
   layout->addWidget(shares_);
+  layout->addWidget(curve_);
   layout->addLayout(row);
+  layout->addLayout(makePlaybackRow(actions));
   layout->addStretch();
-  connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose) { emit poseShown(pose); });
+  connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose, double share) {
+    curve_->setPlace(share);
+    emit poseShown(pose);
+  });
+  connect(curve_, &ClearanceCurve::placeChosen, slider_, &WaySlider::showAt);
+  curve_->hide();
   connect(slider_, &WaySlider::playbackEnded, this, &PathPanel::playbackEnded);
   certificate_->setText(tr("No path yet."));
 }
@@ -112,6 +127,8 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shar
   figures_->setVisible(shown != nullptr);
   sharesTitle_->setVisible(shown != nullptr);
   shares_->setVisible(shown != nullptr);
+  curve_->setVisible(path != nullptr);
+  curve_->setProfile(nullptr, {}, 0.0);
   emit poseShown(std::nullopt);
   if (path) certificate_->setText(certificateText(path->certificate, scenario));
   if (refused) certificate_->setText(refusalText(*refused, *slider_, scenario));
@@ -123,9 +140,9 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shar
 }
 
 void PathPanel::showFigures(const Path& path, const Se3Metric& metric) {
-  figures_->setText(tr("%1 configurations, %2 m, %3°")
+  figures_->setText(tr("%1 configurations, %2, %3°")
                         .arg(path.points.size())
-                        .arg(number(path.length(), 2), number(path.rotation() * 180.0 / std::acos(-1.0), 0)));
+                        .arg(lengthText(path.length()), number(path.rotation() * 180.0 / std::acos(-1.0), 0)));
   const PerAuthor<double> lengths = path.lengthByAuthor(metric);
   PerAuthor<QString> percents;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -137,6 +154,37 @@ void PathPanel::showFigures(const Path& path, const Se3Metric& metric) {
 
 void PathPanel::showFirstBlocked() {
   if (refused_ && !refused_->blocked.empty()) slider_->showAt(shareOf(refused_->blocked.front(), *slider_));
+}
+
+void PathPanel::setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario) {
+  QStringList bodies;
+  for (const RigidBody& body : scenario.obstacles) bodies << QString::fromStdString(body.name);
+  curve_->setProfile(profile, bodies, path_ ? path_->certificate.tolerance : 0.0);
+}
+
+void PathPanel::showTightest() {
+  const auto& profile = curve_->profile();
+  if (!profile || !profile->tightest()) return;
+  slider_->showAt(profile->samples[*profile->tightest()].share);
+}
+
+/// Speed, loop, backwards.
+QHBoxLayout* PathPanel::makePlaybackRow(const ActionCatalogue& actions) {
+  speed_->setAccessibleName(tr("Speed of playing"));
+  speed_->setToolTip(tr("Speed of playing"));
+  for (const double speed : kSpeeds) speed_->addItem(QLocale().toString(speed) + QStringLiteral("×"), speed);
+  speed_->setCurrentIndex(speed_->findData(1.0));
+  QAction* loop = actions["path.loop"];
+  QAction* backwards = actions["path.backwards"];
+  const auto apply = [this, loop, backwards] {
+    slider_->setPlayback({speed_->currentData().toDouble(), loop->isChecked(), backwards->isChecked()});
+  };
+  connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, apply);
+  for (QAction* action : {loop, backwards}) connect(action, &QAction::toggled, this, apply);
+  auto* row = makeActionRow(actions, {"path.loop", "path.backwards"}, this);
+  row->insertWidget(0, speed_);
+  row->insertWidget(0, new QLabel(tr("Speed"), this));
+  return row;
 }
 
 void PathPanel::setPlaying(bool playing) { slider_->setPlaying(playing); }

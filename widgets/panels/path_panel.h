@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QWidget>
 #include <memory>
@@ -9,12 +10,13 @@
 #include "engine/scenario/scenario.h"
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
+#include "widgets/panels/clearance_curve.h"
 #include "widgets/panels/way_slider.h"
 
 namespace glissade {
 
-/// The path found or given: its certificate or what is in its way, its figures, and a slider that moves the
-/// object along it.
+/// The path found or given: its certificate or what is in its way, its figures, its clearance as a curve, and a slider
+/// that moves the object along it.
 class PathPanel final : public QWidget {
   Q_OBJECT
 
@@ -24,8 +26,12 @@ class PathPanel final : public QWidget {
   /// Both null: there is no path.
   void setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
                const LoadedScenario& scenario);
+  /// The clearance along the path that is shown; null: not known yet.
+  void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
   void showFirstBlocked();
+  /// The object at the place of the smallest clearance.
+  void showTightest();
 
  signals:
   /// The pose to show, or nothing when playback is over and the hand is shown again.
@@ -34,6 +40,7 @@ class PathPanel final : public QWidget {
 
  private:
   void showFigures(const Path& path, const Se3Metric& metric);
+  QHBoxLayout* makePlaybackRow(const ActionCatalogue& actions);
 
   std::shared_ptr<const Path> path_;
   std::shared_ptr<const PathExamination> refused_;
@@ -41,7 +48,9 @@ class PathPanel final : public QWidget {
   QLabel* figures_;
   QWidget* sharesTitle_;
   AuthorBar* shares_;
+  ClearanceCurve* curve_;
   WaySlider* slider_;
+  QComboBox* speed_;
 };
 
 }  // namespace glissade

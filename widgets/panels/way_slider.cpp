@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPositions = 2000;
 constexpr int kTickMilliseconds = 16;
-/// The whole way plays in this time.
+/// At speed 1 the whole way passes in this time.
 constexpr double kPlaySeconds = 12.0;
 
 }  // namespace
@@ -37,7 +37,10 @@ void WaySlider::setWay(std::vector<Pose> way, const Se3Metric& metric) {
 
 void WaySlider::setPlaying(bool playing) {
   if (playing && isEnabled()) {
-    if (value() == kPositions) setValue(0);
+    const int end = playback_.backwards ? 0 : kPositions;
+    if (value() == end) setValue(kPositions - end);
+    played_ = static_cast<double>(value()) / kPositions;
+    clock_.start();
     timer_.start();
   } else if (timer_.isActive()) {
     timer_.stop();
@@ -46,9 +49,13 @@ void WaySlider::setPlaying(bool playing) {
 }
 
 void WaySlider::tick() {
-  const int step = std::max(1, static_cast<int>(kPositions * kTickMilliseconds / (1000.0 * kPlaySeconds)));
-  setValue(value() + step);
-  if (value() == kPositions) setPlaying(false);
+  const double passed = static_cast<double>(clock_.restart()) / 1000.0 * playback_.speed / kPlaySeconds;
+  if (std::lround(played_ * kPositions) != value()) played_ = static_cast<double>(value()) / kPositions;  // dragged
+  played_ += playback_.backwards ? -passed : passed;
+  const bool atEnd = played_ < 0.0 || played_ > 1.0;
+  played_ = playback_.loop ? played_ - std::floor(played_) : std::clamp(played_, 0.0, 1.0);
+  setValue(static_cast<int>(std::lround(played_ * kPositions)));
+  if (atEnd && !playback_.loop) setPlaying(false);
 }
 
 double WaySlider::shareAt(std::size_t configuration, double at) const {
@@ -70,7 +77,8 @@ void WaySlider::showPosition(int position) {
   const auto after = std::upper_bound(arrival_.begin() + 1, arrival_.end() - 1, s);
   const auto i = static_cast<std::size_t>(after - arrival_.begin());
   const double length = arrival_[i] - arrival_[i - 1];
-  emit poseShown(interpolate(way_[i - 1], way_[i], length > 0.0 ? (s - arrival_[i - 1]) / length : 1.0));
+  emit poseShown(interpolate(way_[i - 1], way_[i], length > 0.0 ? (s - arrival_[i - 1]) / length : 1.0),
+                 static_cast<double>(position) / kPositions);
 }
 
 }  // namespace glissade

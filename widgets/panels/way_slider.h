@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QSlider>
 #include <QTimer>
 #include <vector>
@@ -8,7 +9,15 @@
 
 namespace glissade {
 
-/// A place on a way, as a slider that can play: the whole way passes in a fixed time.
+/// How a way is played.
+struct Playback {
+  double speed = 1.0;  ///< 1: the whole way passes in twelve seconds
+  bool loop = false;   ///< begins again at the end
+  bool backwards = false;
+};
+
+/// A place on a way, as a slider that can play. Playing follows the clock: a slow machine shows fewer pictures of the
+/// same motion.
 class WaySlider final : public QSlider {
   Q_OBJECT
 
@@ -18,6 +27,7 @@ class WaySlider final : public QSlider {
   /// Its first configuration; empty: there is none. Says nothing.
   void setWay(std::vector<Pose> way, const Se3Metric& metric);
   void setPlaying(bool playing);
+  void setPlayback(const Playback& playback) { playback_ = playback; }
   /// In the metric, metres.
   double length() const { return arrival_.empty() ? 0.0 : arrival_.back(); }
   /// The share of the whole way that lies before a place on the way from one configuration to the next.
@@ -25,7 +35,8 @@ class WaySlider final : public QSlider {
   void showAt(double share);
 
  signals:
-  void poseShown(const glissade::Pose& pose);
+  /// `share` of the way's metric length lies before the pose.
+  void poseShown(const glissade::Pose& pose, double share);
   void playbackEnded();
 
  private:
@@ -35,6 +46,9 @@ class WaySlider final : public QSlider {
   std::vector<Pose> way_;
   std::vector<double> arrival_;  ///< metric length from the start to each configuration
   QTimer timer_;
+  QElapsedTimer clock_;
+  Playback playback_;
+  double played_ = 0.0;  ///< the place that playing has reached, in [0, 1]
 };
 
 }  // namespace glissade

@@ -19,6 +19,7 @@
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/guidance_layer.h"
 #include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/path_layer.h"
 #include "widgets/scene3d/roadmap_layer.h"
 
 namespace glissade {
@@ -37,6 +38,7 @@ struct SceneView::Impl {
   std::shared_ptr<const Path> drawnPath;
   std::shared_ptr<const PathExamination> drawnRefusal;
   bool pathByAuthor = false;
+  std::shared_ptr<const ClearanceProfile> pathProfile;
   std::optional<Pose> playback;
   EnvironmentPicture environment;
   CoarsePlanPtr drawnPlan;
@@ -199,7 +201,7 @@ struct SceneView::Impl {
     group.removeChildren(0, group.getNumChildren());
     if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, shapes.of(scenario->object.mesh), palette));
     if (!drawnPath) return;
-    group.addChild(makePath(*drawnPath, shapes.of(scenario->object.mesh), palette, pathByAuthor));
+    group.addChild(makePath({*drawnPath, shapes.of(scenario->object.mesh), pathProfile.get(), pathByAuthor}, palette));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 
@@ -362,6 +364,12 @@ std::vector<SceneLabel> SceneView::labels() const {
 
 void SceneView::setRoadmapKept(bool kept) {
   impl_->roadmapKept = kept;
+  impl_->showSnapshot();
+}
+
+void SceneView::setPathProfile(std::shared_ptr<const ClearanceProfile> profile) {
+  impl_->pathProfile = std::move(profile);
+  impl_->drawnPath.reset();
   impl_->showSnapshot();
 }
 

@@ -18,6 +18,7 @@ class Group;
 namespace glissade {
 
 class CameraController;
+struct ClearanceProfile;
 struct Difficulty;
 
 /// Light or dark window; the scene follows.
@@ -103,6 +104,8 @@ class SceneView {
   std::vector<SceneLabel> labels() const;
   /// Draws the roadmap as it is while a path is shown, too; else it is faint then.
   void setRoadmapKept(bool kept);
+  /// Colours the path by its clearance, from tight to wide; null: one colour.
+  void setPathProfile(std::shared_ptr<const ClearanceProfile> profile);
   /// Colours the path's segments by who made them, instead of all alike.
   void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.

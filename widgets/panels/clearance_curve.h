@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+
+#include "engine/planning/clearance_profile.h"
+
+namespace glissade {
+
+/// The distance to the nearest body along a path, on a logarithmic axis; its colour tells which body is nearest. A
+/// click or a drag goes to that place of the path, the pointer over the curve tells distance and body; Left and Right
+/// go along it.
+class ClearanceCurve final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ClearanceCurve(QWidget* parent = nullptr);
+
+  /// `bodies`: the names of the obstacles by index. `required`: the required clearance, metres. Null: not known.
+  void setProfile(std::shared_ptr<const ClearanceProfile> profile, const QStringList& bodies, double required);
+  const std::shared_ptr<const ClearanceProfile>& profile() const { return profile_; }
+  /// The place of the path that is shown, as a share of its length.
+  void setPlace(double share);
+
+  QSize sizeHint() const override;
+
+ signals:
+  void placeChosen(double share);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QRectF plotArea() const;
+  double shareAt(double x) const;
+  double yOf(double distance) const;
+  const ClearanceSample& sampleAt(double share) const;
+  QString textOf(const ClearanceSample& sample) const;
+  QColor colourOf(int body) const;
+  void paintGrid(QPainter& painter) const;
+  void paintCurve(QPainter& painter) const;
+
+  std::shared_ptr<const ClearanceProfile> profile_;
+  QStringList bodies_;
+  std::vector<int> bodyOrder_;  ///< nearest bodies in the order in which they appear: the order of their colours
+  double required_ = 0.0;
+  double least_ = 0.0;  ///< of the axis, metres
+  double most_ = 1.0;
+  double place_ = 0.0;
+};
+
+}  // namespace glissade
