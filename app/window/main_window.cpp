@@ -18,6 +18,7 @@
 #include "app/window/menus.h"
 #include "app/window/recording_controller.h"
 #include "app/window/run_controller.h"
+#include "app/window/section_controller.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
@@ -58,6 +59,7 @@ MainWindow::~MainWindow() {
 void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
+  auto* sections = new SectionController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);
@@ -79,6 +81,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
   docks_.add({tr("Semantics"), "semantics", environment->semanticsPanel(), DockPlace::UpperRight, "panel.semantics",
               Scrolling::Own});
+  docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});

@@ -4,6 +4,14 @@
 <context>
     <name>Actions</name>
     <message>
+        <source>Section panel</source>
+        <translation>Panneau Coupe</translation>
+    </message>
+    <message>
+        <source>Bring the section planes to the front</source>
+        <translation>Mettre les plans de coupe au premier plan</translation>
+    </message>
+    <message>
         <source>Loop</source>
         <translation>Boucle</translation>
     </message>
@@ -2296,6 +2304,10 @@
 <context>
     <name>glissade::MainWindow</name>
     <message>
+        <source>Section</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
     </message>
@@ -3401,6 +3413,25 @@
     <message>
         <source>measuring the clearance</source>
         <translation>mesure du jeu en cours</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SectionPanel</name>
+    <message>
+        <source>Sections cut obstacles open. The object that moves stays whole.</source>
+        <translation>Les coupes ouvrent les obstacles. L&apos;objet mobile reste entier.</translation>
+    </message>
+    <message>
+        <source>Cut obstacles open across %1</source>
+        <translation>Ouvrir les obstacles par une coupe à travers %1</translation>
+    </message>
+    <message>
+        <source>Place of the section across %1</source>
+        <translation>Position de la coupe à travers %1</translation>
+    </message>
+    <message>
+        <source>Show the other side of the section across %1</source>
+        <translation>Montrer l&apos;autre côté de la coupe à travers %1</translation>
     </message>
 </context>
 </TS>

@@ -258,6 +258,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Bring the path and its certificate to the front"), false},
       {"panel.difficulty", QT_TRANSLATE_NOOP("Actions", "Difficulty panel"), "Alt+6",
        QT_TRANSLATE_NOOP("Actions", "Bring the reasons why no path was found to the front"), false},
+      {"panel.section", QT_TRANSLATE_NOOP("Actions", "Section panel"), "Alt+7",
+       QT_TRANSLATE_NOOP("Actions", "Bring the section planes to the front"), false},
       {"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keys and shortcuts"), "F1",
        QT_TRANSLATE_NOOP("Actions", "How to steer, and all shortcuts"), false},
       {"help.about", QT_TRANSLATE_NOOP("Actions", "&About Glissade"), "",

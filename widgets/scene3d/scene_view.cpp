@@ -21,6 +21,7 @@
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/path_layer.h"
 #include "widgets/scene3d/roadmap_layer.h"
+#include "widgets/scene3d/section_layer.h"
 
 namespace glissade {
 
@@ -47,8 +48,11 @@ struct SceneView::Impl {
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
   std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
-  std::set<std::string> hidden;                 ///< obstacles, by id
-  std::set<std::size_t> inHand;                 ///< obstacles that are not drawn where the scenario has them
+  SectionClip sectionClip;
+  osg::ref_ptr<osg::Group> caps = new osg::Group;
+  std::vector<Plane> sections;
+  std::set<std::string> hidden;  ///< obstacles, by id
+  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -132,6 +136,28 @@ struct SceneView::Impl {
     showHidden();
   }
 
+  void showSections() {
+    sectionClip.setSections(sections, {&layer(SceneLayer::Bodies), &layer(SceneLayer::Selection)});
+    caps->removeChildren(0, caps->getNumChildren());
+    if (!scenario || !visible(SceneLayer::Bodies)) return;
+    for (std::size_t i = 0; i < std::min(sections.size(), kMostSections); ++i) showCaps(i);
+  }
+
+  /// The caps of one section are cut by the others.
+  void showCaps(std::size_t section) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      const RigidBody& body = scenario->obstacles[i];
+      if (hidden.count(body.id) != 0 || inHand.count(i) != 0) continue;
+      if (const auto cap = makeCap(body, sections[section], palette)) group->addChild(cap);
+    }
+    for (std::size_t other = 0; other < sections.size(); ++other) {
+      if (other != section)
+        group->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(other), osg::StateAttribute::ON);
+    }
+    caps->addChild(group);
+  }
+
   /// The layer's children are the obstacles in their order.
   void showHidden() {
     for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
@@ -139,6 +165,7 @@ struct SceneView::Impl {
       layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(shown ? ~0U : 0U);
     }
     showSelection();
+    showSections();
   }
 
   void rebuild() {
@@ -237,6 +264,8 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
     layer = new osg::Group;
     impl_->root->addChild(layer);
   }
+  impl_->root->addChild(impl_->sectionClip.node());
+  impl_->root->addChild(impl_->caps);
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
   for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
                               SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region}) {
@@ -252,6 +281,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->environment = {};
   impl_->hidden.clear();
   impl_->ownModes.clear();
+  impl_->sections.clear();
   rearrange(std::move(scenario));
   fit();
 }
@@ -273,6 +303,7 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
   impl_->inHand.insert(obstacle);
   impl_->place(SceneLayer::Bodies, obstacle, X_WB);
   impl_->showSelection();
+  if (!impl_->sections.empty()) impl_->showSections();
 }
 
 void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 0, X_WB); }
@@ -319,6 +350,15 @@ void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& mo
 }
 
 const std::map<std::string, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
+
+void SceneView::setSections(const std::vector<Plane>& sections) {
+  impl_->sections = sections;
+  impl_->showSections();
+}
+
+const std::vector<Plane>& SceneView::sections() const { return impl_->sections; }
+
+Box3 SceneView::extent() const { return impl_->extent(); }
 
 void SceneView::setCoarsePlan(const CoarsePlanPtr& plan) {
   if (plan == impl_->drawnPlan) return;
@@ -403,6 +443,7 @@ void SceneView::setPixelScale(double scale) {
 void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
   if (visible == layerVisible(layer)) return;
   impl_->layer(layer).setNodeMask(visible ? ~0U : 0U);
+  if (layer == SceneLayer::Bodies) impl_->showSections();
   if (layer >= SceneLayer::Graph) {
     if (impl_->scenario) impl_->showPlan();
   } else if (layer >= SceneLayer::FreeCells) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/geometry/plane_section.h"
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 #include "widgets/scene3d/display_mode.h"
@@ -94,6 +95,12 @@ class SceneView {
   /// Obstacles, by id, that have a display mode of their own; none when a scenario is opened.
   void setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes);
   const std::map<std::string, DisplayMode>& bodyDisplayModes() const;
+  /// Cuts obstacles open: what lies on the side of a section's normal is not drawn, and the cut faces are filled. The
+  /// object is never cut. None when a scenario is opened; at most kMostSections.
+  void setSections(const std::vector<Plane>& sections);
+  const std::vector<Plane>& sections() const;
+  /// The box of what is drawn: bodies and both ends of the object. Empty without a scenario.
+  Box3 extent() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
   void setCoarsePlan(const CoarsePlanPtr& plan);
   /// The topological step whose region is shown; nothing: the one that is running.
