@@ -1,5 +1,6 @@
 #include "app/window/assembly_controller.h"
 
+#include <QLineEdit>
 #include <QLocale>
 #include <QVBoxLayout>
 
@@ -18,6 +19,12 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
       placement_(new PlacementPanel(panel_)) {
   auto* column = new QVBoxLayout(panel_);
   column->setContentsMargins(0, 0, 0, 0);
+  auto* search = new QLineEdit(panel_);
+  search->setPlaceholderText(tr("Search bodies"));
+  search->setAccessibleName(search->placeholderText());
+  search->setClearButtonEnabled(true);
+  connect(search, &QLineEdit::textChanged, scenePanel_, &ScenePanel::setFilter);
+  column->addWidget(search);
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   for (const char* id : {"assembly.moves", "assembly.remove", "body.hide", "body.isolate", "body.show-all"}) {

@@ -126,6 +126,21 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.drawLine(QPointF(11, 5.5), QPointF(15, 10.5));
          p.drawLine(QPointF(15, 5.5), QPointF(11, 10.5));
        }},
+      {"path.tightest",
+       [](QPainter& p) {
+         p.drawArc(QRectF(-2, -7.5, 20, 14), 200 * 16, 140 * 16);
+         p.drawArc(QRectF(-2, 9.5, 20, 14), 20 * 16, 140 * 16);
+         p.drawLine(QPointF(1, 8), QPointF(15, 8));
+       }},
+      {"path.loop",
+       [](QPainter& p) {
+         p.drawArc(QRectF(2.5, 2.5, 11, 11), 60 * 16, 290 * 16);
+         fill(p, QPolygonF({{9.5, 0.5}, {14, 3}, {9.5, 6}}));
+       }},
+      {"path.backwards",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{12, 2}, {2, 8}, {12, 14}}));
+       }},
       {"path.smooth",
        [](QPainter& p) {
          p.drawPolyline(QPolygonF({{2, 13}, {5, 4}, {9, 10}, {14, 3}}));

@@ -66,10 +66,13 @@ class Menus {
     fill(menu, {"display."});
     button->setMenu(menu);
     for (QAction* action : menu->actions()) {
+      // The icon changes with the mode and with the theme.
       const auto show = [button, action] {
-        if (action->isChecked()) button->setDefaultAction(action);
+        if (!action->isChecked()) return;
+        button->setIcon(action->icon());
+        button->setToolTip(action->toolTip());
       };
-      QObject::connect(action, &QAction::toggled, button, show);
+      QObject::connect(action, &QAction::changed, button, show);
       show();
     }
     bar.addWidget(button);

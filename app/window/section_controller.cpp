@@ -1,11 +1,17 @@
 #include "app/window/section_controller.h"
 
 #include "engine/base/number_text.h"
+#include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 
 SectionController::SectionController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), panel_(new SectionPanel(&bench.window)) {
+  // What is nearer to the viewer is cut away, so that the cut faces are seen.
+  connect(panel_, &SectionPanel::switchedOn, this, [this](int axis) {
+    const CameraController& camera = bench_.scene.view().camera();
+    panel_->setOtherSide(axis, (camera.eye() - camera.focus())[axis] < 0.0);
+  });
   connect(panel_, &SectionPanel::changed, this, [this] {
     bench_.scene.view().setSections(panel_->sections());
     bench_.scene.refresh();

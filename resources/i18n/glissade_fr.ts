@@ -1518,6 +1518,10 @@
 <context>
     <name>glissade::AssemblyController</name>
     <message>
+        <source>Search bodies</source>
+        <translation>Rechercher des corps</translation>
+    </message>
+    <message>
         <source>Goal out</source>
         <translation>But : dehors</translation>
     </message>

@@ -48,6 +48,16 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
   return text;
 }
 
+/// Texts would widen the panel.
+void showIconsOnly(const QHBoxLayout& row) {
+  for (int i = 0; i < row.count(); ++i) {
+    auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
+    if (button == nullptr) continue;
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    button->setMinimumWidth(2 * button->iconSize().width());  // icons come later
+  }
+}
+
 double shareOf(const BlockedEdge& blocked, const WaySlider& slider) { return slider.shareAt(blocked.edge, blocked.at); }
 
 QString refusalText(const PathExamination& refused, const WaySlider& slider, const LoadedScenario& scenario) {
@@ -85,12 +95,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   slider_->setToolTip(tr("Place on the path"));
   auto* row =
       makeActionRow(actions, {"path.play", "path.first-blocked", "path.tightest", "path.smooth", "file.export"}, this);
-  for (int i = 0; i < row->count(); ++i) {
-    if (auto* button = qobject_cast<QToolButton*>(row->itemAt(i)->widget())) {
-      button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-      button->setMinimumWidth(2 * button->iconSize().width());  // icons come later, and texts would widen the panel
-    }
-  }
+  showIconsOnly(*row);
   row->insertWidget(1, slider_, 1);
   auto* title = makeActionRow(actions, {"view.path-authors"}, sharesTitle_);
   title->setContentsMargins(0, 0, 0, 0);
@@ -99,12 +104,12 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   sharesTitle_->setLayout(title);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(certificate_);
+  layout->addLayout(row);
+  layout->addWidget(curve_);
+  layout->addLayout(makePlaybackRow(actions));
   layout->addWidget(figures_);
   layout->addWidget(sharesTitle_);
   layout->addWidget(shares_);
-  layout->addWidget(curve_);
-  layout->addLayout(row);
-  layout->addLayout(makePlaybackRow(actions));
   layout->addStretch();
   connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose, double share) {
     curve_->setPlace(share);
@@ -182,6 +187,7 @@ QHBoxLayout* PathPanel::makePlaybackRow(const ActionCatalogue& actions) {
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, apply);
   for (QAction* action : {loop, backwards}) connect(action, &QAction::toggled, this, apply);
   auto* row = makeActionRow(actions, {"path.loop", "path.backwards"}, this);
+  showIconsOnly(*row);
   row->insertWidget(0, speed_);
   row->insertWidget(0, new QLabel(tr("Speed"), this));
   return row;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kIdRole = Qt::UserRole;       // of bodies
 constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
+constexpr int kObstacleRole = Qt::UserRole + 2;
 
 QIcon swatch(const Colour& colour) {
   QPixmap pixmap(14, 14);
@@ -24,6 +25,24 @@ QString place(const Pose& pose) {
   return numbers.join(QStringLiteral("  ")) + QStringLiteral(" m");
 }
 
+bool isObstacle(const QTreeWidgetItem* item) { return item->data(0, kObstacleRole).toBool(); }
+
+/// Hides what has no obstacle of that name; the whole of an assembly whose own name matches stays.
+bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
+  const bool matches = matched || item.text(0).contains(text, Qt::CaseInsensitive);
+  bool any = item.childCount() == 0 && matches;
+  for (int i = 0; i < item.childCount(); ++i) any = filterUnder(*item.child(i), text, matches) || any;
+  item.setHidden(!any);
+  return any;
+}
+
+/// The bodies of an item: its own, or all under an assembly.
+void collectBodies(const QTreeWidgetItem& item, QSet<QString>& bodies) {
+  const QVariant id = item.data(0, kIdRole);
+  if (id.isValid()) bodies.insert(id.toString());
+  for (int i = 0; i < item.childCount(); ++i) collectBodies(*item.child(i), bodies);
+}
+
 }  // namespace
 
 ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
@@ -32,13 +51,14 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   setRootIsDecorated(true);
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
+  setTextElideMode(Qt::ElideMiddle);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   header()->setStretchLastSection(false);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
   header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-    if (item->parent() != obstacles_ || obstacles_ == nullptr) return;
+    if (!isObstacle(item)) return;
     emit bodyChecked(item->data(0, kIdRole).toString(), item->checkState(0) == Qt::Checked);
   });
   connect(this, &QTreeWidget::itemSelectionChanged, this, &ScenePanel::takeSelection);
@@ -78,12 +98,45 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
   addEnd(*object, tr("start  %1").arg(place(scenario.problem.start)), AssemblyItem::Kind::Start);
   addEnd(*object, tr("goal  %1").arg(goal != nullptr ? place(*goal) : tr("out")), AssemblyItem::Kind::Goal);
   obstacles_ = addGroup(tr("Obstacles"));
-  for (const RigidBody& body : scenario.obstacles) {
-    QTreeWidgetItem* item = addBody(*obstacles_, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
-    item->setCheckState(0, Qt::Checked);
-    item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));
-  }
+  for (const RigidBody& body : scenario.obstacles) addObstacle(body);
   showDeflections(scenario);
+}
+
+void ScenePanel::addObstacle(const RigidBody& body) {
+  QStringList path = QString::fromStdString(body.name).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+  QTreeWidgetItem* parent = obstacles_;
+  while (path.size() > 1) parent = assemblyUnder(*parent, path.takeFirst());
+  QTreeWidgetItem* item = addBody(*parent, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));
+  if (!path.isEmpty()) item->setText(0, path.front());
+  item->setData(0, kObstacleRole, true);
+  item->setCheckState(0, Qt::Checked);
+  item->setToolTip(0, tr("%1: drawn while the box is checked").arg(item->toolTip(0)));
+}
+
+QTreeWidgetItem* ScenePanel::assemblyUnder(QTreeWidgetItem& parent, const QString& name) {
+  for (int i = 0; i < parent.childCount(); ++i) {
+    QTreeWidgetItem* child = parent.child(i);
+    if (!isObstacle(child) && child->text(0) == name) return child;
+  }
+  auto* assembly = new QTreeWidgetItem(&parent, {name});
+  assembly->setFlags(assembly->flags() | Qt::ItemIsAutoTristate | Qt::ItemIsUserCheckable);
+  assembly->setToolTip(0, name);
+  assembly->setExpanded(true);
+  return assembly;
+}
+
+std::vector<QTreeWidgetItem*> ScenePanel::obstacleItems() const {
+  std::vector<QTreeWidgetItem*> items;
+  for (QTreeWidgetItemIterator item(obstacles_); obstacles_ != nullptr && *item != nullptr; ++item) {
+    if (isObstacle(*item)) items.push_back(*item);
+  }
+  return items;
+}
+
+void ScenePanel::setFilter(const QString& text) {
+  for (int i = 0; obstacles_ != nullptr && i < obstacles_->childCount(); ++i) {
+    filterUnder(*obstacles_->child(i), text, false);
+  }
 }
 
 /// How exactly the triangles of STEP parts stand for their surfaces.
@@ -98,8 +151,7 @@ void ScenePanel::showDeflections(const LoadedScenario& scenario) {
 
 void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
   const QSignalBlocker block(this);
-  for (int i = 0; obstacles_ != nullptr && i < obstacles_->childCount(); ++i) {
-    QTreeWidgetItem* item = obstacles_->child(i);
+  for (QTreeWidgetItem* item : obstacleItems()) {
     const bool hidden = bodyIds.count(item->data(0, kIdRole).toString().toStdString()) != 0;
     item->setCheckState(0, hidden ? Qt::Unchecked : Qt::Checked);
   }
@@ -113,6 +165,11 @@ void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional
     const QVariant end = (*item)->data(0, kEndRole);
     const bool isChosenEnd = end.isValid() && chosen && static_cast<int>(chosen->kind) == end.toInt();
     (*item)->setSelected(isChosenEnd || (id.isValid() && bodyIds.contains(id.toString())));
+    // An assembly counts as selected where all of its bodies are.
+    if (id.isValid() || end.isValid() || (*item)->parent() == nullptr) continue;
+    QSet<QString> bodies;
+    collectBodies(**item, bodies);
+    (*item)->setSelected(bodyIds.contains(bodies));
   }
   viewport()->update();
 }
@@ -126,7 +183,7 @@ void ScenePanel::takeSelection() {
       emit endChosen(static_cast<AssemblyItem::Kind>(end.toInt()));
       return;
     }
-    bodies.insert(item->data(0, kIdRole).toString());
+    collectBodies(*item, bodies);
   }
   emit bodiesChosen(bodies);
 }

@@ -5,12 +5,15 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/scenario/assembly_edits.h"
 
 namespace glissade {
 
-/// What is in the scene: bodies with their colour, mobility and triangles, the object, its ends.
+/// What is in the scene: the object, its ends, and the obstacles with their colour, mobility and triangles. Obstacles
+/// stand under the assemblies of their file: a name as in "pump/cover/screw" is a part of "pump/cover". To select, hide
+/// or show an assembly is to do so with all of its bodies.
 class ScenePanel final : public QTreeWidget {
   Q_OBJECT
 
@@ -18,6 +21,8 @@ class ScenePanel final : public QTreeWidget {
   explicit ScenePanel(QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
+  /// Leaves the obstacles whose names contain this text; empty: all.
+  void setFilter(const QString& text);
   /// The obstacles, by id, whose boxes are not checked. Announces nothing.
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   /// What is selected: rigid bodies by id, or the start or the goal. Announces nothing.
@@ -34,9 +39,15 @@ class ScenePanel final : public QTreeWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   static QTreeWidgetItem* addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind);
 
+  void addObstacle(const RigidBody& body);
+  /// The item of an assembly under `parent`; made at the first call.
+  static QTreeWidgetItem* assemblyUnder(QTreeWidgetItem& parent, const QString& name);
   QTreeWidgetItem* addEnd(QTreeWidgetItem& group, const QString& text, AssemblyItem::Kind end);
   void showDeflections(const LoadedScenario& scenario);
   void takeSelection();
+
+  /// The items of the obstacles, in their order.
+  std::vector<QTreeWidgetItem*> obstacleItems() const;
 
   QTreeWidgetItem* obstacles_ = nullptr;
 };

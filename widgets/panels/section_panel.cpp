@@ -53,6 +53,9 @@ SectionPanel::Row SectionPanel::addRow(int axis) {
     showLengths();
     emit changed();
   };
+  connect(row.on, &QCheckBox::toggled, this, [this, axis](bool on) {
+    if (on) emit switchedOn(axis);
+  });
   connect(row.on, &QCheckBox::toggled, this, announce);
   connect(row.place, &QSlider::valueChanged, this, announce);
   connect(row.otherSide, &QToolButton::toggled, this, announce);
@@ -75,6 +78,12 @@ void SectionPanel::setSection(int axis, bool on, double share) {
   const Row& row = rows_[static_cast<std::size_t>(axis)];
   row.place->setValue(static_cast<int>(std::lround(share * kPositions)));
   row.on->setChecked(on);
+}
+
+void SectionPanel::setOtherSide(int axis, bool otherSide) {
+  QToolButton* button = rows_[static_cast<std::size_t>(axis)].otherSide;
+  const QSignalBlocker block(button);
+  button->setChecked(otherSide);
 }
 
 double SectionPanel::placeOf(int axis) const {

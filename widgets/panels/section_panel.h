@@ -24,11 +24,15 @@ class SectionPanel final : public QWidget {
   void setExtent(const Box3& extent);
   /// Switches a section on at a share of the extent along its axis (0: x), or off.
   void setSection(int axis, bool on, double share);
+  /// Which side of a section is cut away: that of the axis, or the other one.
+  void setOtherSide(int axis, bool otherSide);
   /// The sections that are on.
   std::vector<Plane> sections() const;
 
  signals:
   void changed();
+  /// Before changed().
+  void switchedOn(int axis);
 
  private:
   struct Row {

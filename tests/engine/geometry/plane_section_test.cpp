@@ -54,7 +54,7 @@ TEST(PlaneSection, TheHoleOfAHollowBodyIsAPolygonOfTheOtherDirection) {
 }
 
 TEST(PlaneSection, AreasOfParallelPlanesAddUpToTheVolume) {
-  RandomStream random(7);
+  RandomStream random(7, "plane sections");
   const TriangleMesh box = makeBox({0.3, 0.5, 0.7});
   for (int round = 0; round < 20; ++round) {
     Vector3 normal(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
