@@ -4,6 +4,8 @@
 #include <QMouseEvent>
 #include <QTreeWidget>
 
+#include <algorithm>
+
 #include "app/window/environment_controller.h"
 #include "engine/base/number_text.h"
 #include "engine/environment/place_identifier.h"
@@ -32,10 +34,17 @@ Outcome clickStep(const EnvironmentController& environment, const std::string& n
   return Done{};
 }
 
-Outcome select(SemanticDocument& document, const EnvironmentController& environment, const std::string& kind,
+bool hasBody(const LoadedScenario& scenario, const std::string& id) {
+  const auto& obstacles = scenario.obstacles;
+  return scenario.object.id == id ||
+         std::any_of(obstacles.begin(), obstacles.end(), [&id](const RigidBody& body) { return body.id == id; });
+}
+
+Outcome select(WorkbenchDocument& workbench, const EnvironmentController& environment, const std::string& kind,
                const std::string& name) {
+  SemanticDocument& document = workbench.semantics();
   SemanticSelection selection;
-  if (kind == "body") {
+  if (kind == "body" && workbench.scenario() && hasBody(*workbench.scenario(), name)) {
     selection.bodies.insert(QString::fromStdString(name));
   } else if (kind == "step") {
     return clickStep(environment, name);
@@ -44,8 +53,10 @@ Outcome select(SemanticDocument& document, const EnvironmentController& environm
       if (document.semantics()->placeName(place) == name) selection.places.insert(static_cast<int>(place));
     }
   }
-  if (selection == SemanticSelection{})
-    return wrongCommand("there is no " + kind + " '" + name + "'", "Find the places first.");
+  if (selection == SemanticSelection{}) {
+    return wrongCommand("there is no " + kind + " '" + name + "'",
+                        kind == "place" ? "Find the places first." : "Give its id.");
+  }
   document.select(selection);
   return Done{};
 }
@@ -137,8 +148,8 @@ void addEnvironmentCommands(const Workbench& bench, EnvironmentController& envir
   using Words = ScriptCommands::Words;
   ScriptCommands& scripts = bench.scripts;
   SemanticDocument& document = bench.document.semantics();
-  scripts.add("select", 2, [&document, &environment](const Words& words) {
-    return select(document, environment, words[0], words[1]);
+  scripts.add("select", 2, [&bench, &environment](const Words& words) {
+    return select(bench.document, environment, words[0], words[1]);
   });
   scripts.add("attribute", 2, [&document](const Words& words) { return setAttribute(document, words[0], words[1]); });
   scripts.add("type", 2, [&environment](const Words& words) { return type(environment, words[0], words[1]); });

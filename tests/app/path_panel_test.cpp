@@ -70,7 +70,7 @@ TEST_F(PathPanelTest, ACertificateAboutTrianglesSaysByHowMuchSurfacesMayBeNearer
   EXPECT_FALSE(text().contains(QStringLiteral("32-bit"))) << text().toStdString();
   scenario.coordinateSpacings = {{scenario.object.id, 1e-6}, {"a", 2e-6}};
   panel.setPath(std::make_shared<Path>(*path), nullptr, scenario);
-  EXPECT_TRUE(text().contains(QStringLiteral("0.003 mm nearer"))) << text().toStdString();
+  EXPECT_TRUE(text().contains(QStringLiteral("3.00 µm nearer"))) << text().toStdString();
 }
 
 }  // namespace

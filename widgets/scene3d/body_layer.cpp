@@ -118,6 +118,7 @@ osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const P
   makeTransparent(*skin);
   transform->addChild(skin);
   transform->addChild(edgesOf(shape, colour, kHighlightEdges * palette.pixelScale));
+  transform->addChild(hiddenSilhouetteOf(shape, colour, palette));
   return transform;
 }
 

@@ -18,7 +18,7 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
 osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                              const ScenePalette& palette);
 
-/// Over a body that is drawn: a bright skin and its edges, to mark it.
+/// Over a body that is drawn: a bright skin and its edges, to mark it. It shows through the bodies before it.
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                                  const ScenePalette& palette);
 

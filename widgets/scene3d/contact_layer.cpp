@@ -1,7 +1,5 @@
 #include "widgets/scene3d/contact_layer.h"
 
-#include <osg/Depth>
-
 #include <cmath>
 
 #include "widgets/scene3d/geometry_builder.h"
@@ -27,7 +25,7 @@ osg::ref_ptr<osg::Group> makeContact(const SessionSnapshot& snapshot, const Scen
   marks->addDrawable(makeLines(pair, LineKind::Segments, colour, (near ? 3.0F : 1.5F) * palette.pixelScale));
   marks->addDrawable(makePoints(pair, colour, kPointSize * palette.pixelScale));
   // Seen through whatever lies in front: it tells where contact is.
-  marks->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  makeOverlay(*marks);
   group->addChild(marks);
   if (!near) return group;
   const double radius = kDrawnDisc * snapshot.parameters[ParameterId::ContactRadius];

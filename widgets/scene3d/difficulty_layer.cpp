@@ -1,7 +1,5 @@
 #include "widgets/scene3d/difficulty_layer.h"
 
-#include <osg/Depth>
-
 #include <iomanip>
 #include <sstream>
 
@@ -60,7 +58,7 @@ osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const Load
     addWay(*least, palette, *marks);
   }
   // Seen through whatever lies in front: it tells where to look.
-  marks->getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
+  makeOverlay(*marks);
   group->addChild(marks);
   return group;
 }

@@ -1,8 +1,5 @@
 #include "widgets/scene3d/environment_layers.h"
 
-#include <osg/Depth>
-#include <osg/Geode>
-
 #include <algorithm>
 #include <cmath>
 
@@ -47,11 +44,6 @@ std::vector<Vector3> outlines(const std::vector<CellFace>& faces) {
     }
   }
   return points;
-}
-
-/// Drawn over everything: it tells what the plan is, wherever one looks from.
-void makeOverlay(osg::Node& node) {
-  node.getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false));
 }
 
 }  // namespace

@@ -120,6 +120,11 @@ void makeDrawing(osg::Node& node) {
   state->setAttributeAndModes(new osg::Depth(osg::Depth::LEQUAL, 0.0, 1.0, false));
 }
 
+void makeOverlay(osg::Node& node) {
+  node.getOrCreateStateSet()->setAttributeAndModes(new osg::Depth(osg::Depth::ALWAYS, 0.0, 1.0, false),
+                                                   osg::StateAttribute::ON | osg::StateAttribute::OVERRIDE);
+}
+
 void makeTransparent(osg::Node& node) {
   osg::StateSet* state = node.getOrCreateStateSet();
   state->setAttributeAndModes(new osg::BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA));

@@ -6,6 +6,7 @@
 #include <osg/LightModel>
 #include <osg/MatrixTransform>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -47,6 +48,7 @@ struct SceneView::Impl {
   std::shared_ptr<const Difficulty> difficulty;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
+  bool drawnSeeThrough = false;                 ///< since places or cells are shown
   std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
   SectionClip sectionClip;
   osg::ref_ptr<osg::Group> caps = new osg::Group;
@@ -61,7 +63,7 @@ struct SceneView::Impl {
     if (content) layer(id).addChild(content);
   }
 
-  bool visible(SceneLayer id) { return layer(id).getNodeMask() != 0U; }
+  bool visible(SceneLayer id) const { return layers[static_cast<std::size_t>(id)]->getNodeMask() != 0U; }
 
   /// Layers that are hidden stay empty: some take time to make.
   void showEnvironment() {
@@ -76,6 +78,7 @@ struct SceneView::Impl {
     show(SceneLayer::StaticCells, [&] { return cells(CellKind::Static); });
     show(SceneLayer::Places, [&] { return makePlaces(environment, palette); });
     show(SceneLayer::Borders, [&] { return makeBorders(environment.knowledge->environment->map, palette); });
+    showModes();
     showSelection();
   }
 
@@ -124,10 +127,26 @@ struct SceneView::Impl {
 
   DisplayMode modeOf(const RigidBody& body) const {
     const auto own = ownModes.find(body.id);
-    return own != ownModes.end() ? own->second : mode;
+    if (own != ownModes.end()) return own->second;
+    return mode != DisplayMode::Wireframe && showsSpace() ? DisplayMode::SeeThrough : mode;
+  }
+
+  /// Places and cells lie behind obstacles and in their holes: opaque obstacles would hide them.
+  bool showsSpace() const {
+    constexpr std::array kSpace{SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
+                                SceneLayer::Places, SceneLayer::Borders};
+    return environment.knowledge &&
+           std::any_of(kSpace.begin(), kSpace.end(), [this](SceneLayer id) { return visible(id); });
+  }
+
+  /// Draws the bodies anew where the layers that are shown ask for another display mode.
+  void showModes() {
+    if (!scenario || drawnSeeThrough == showsSpace()) return;
+    showBodies();
   }
 
   void showBodies() {
+    drawnSeeThrough = showsSpace();
     osg::Group& bodies = layer(SceneLayer::Bodies);
     bodies.removeChildren(0, bodies.getNumChildren());
     for (const RigidBody& body : scenario->obstacles) {

@@ -89,7 +89,8 @@ class SceneView {
   /// Obstacles, by id, that are not drawn; none when a scenario is opened.
   void setHiddenBodies(const std::set<std::string>& bodyIds);
   const std::set<std::string>& hiddenBodies() const;
-  /// How obstacles are drawn; the mode stays when another scenario is opened.
+  /// How obstacles are drawn; the mode stays when another scenario is opened. While places, borders or cells are shown,
+  /// shaded obstacles are see-through.
   void setDisplayMode(DisplayMode mode);
   DisplayMode displayMode() const;
   /// Obstacles, by id, that have a display mode of their own; none when a scenario is opened.

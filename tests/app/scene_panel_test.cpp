@@ -1,0 +1,77 @@
+#include "widgets/panels/scene_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "tests/engine/support/test_worlds.h"
+
+namespace glissade {
+namespace {
+
+class ScenePanelTest : public ::testing::Test {
+ protected:
+  ScenePanelTest() {
+    scenario.problem = windowProblem();
+    scenario.object = boxBody("peg", {0.1, 0.1, 0.1}, Pose::identity());
+    for (const char* name : {"pump/cover/screw", "pump/cover/screw#2", "pump/housing", "plate"}) {
+      scenario.obstacles.push_back(boxBody(name, {0.1, 0.1, 0.1}, Pose::identity()));
+    }
+    panel.setScenario(scenario);
+  }
+
+  QTreeWidgetItem* item(const QString& text) const {
+    const auto found = panel.findItems(text, Qt::MatchExactly | Qt::MatchRecursive);
+    return found.isEmpty() ? nullptr : found.front();
+  }
+
+  LoadedScenario scenario;
+  ScenePanel panel;
+};
+
+TEST_F(ScenePanelTest, BodiesStandUnderTheirAssemblies) {
+  ASSERT_NE(item(QStringLiteral("cover")), nullptr);
+  EXPECT_EQ(item(QStringLiteral("cover"))->childCount(), 2);
+  EXPECT_EQ(item(QStringLiteral("pump"))->childCount(), 2);
+  EXPECT_EQ(item(QStringLiteral("screw#2"))->parent(), item(QStringLiteral("cover")));
+  EXPECT_EQ(item(QStringLiteral("plate"))->parent(), item(QStringLiteral("pump"))->parent());
+}
+
+TEST_F(ScenePanelTest, UncheckingAnAssemblyHidesAllOfItsBodies) {
+  QSignalSpy checked(&panel, &ScenePanel::bodyChecked);
+  item(QStringLiteral("cover"))->setCheckState(0, Qt::Unchecked);
+  QSet<QString> hidden;
+  for (const auto& arguments : checked) {
+    EXPECT_FALSE(arguments[1].toBool());
+    hidden.insert(arguments[0].toString());
+  }
+  EXPECT_EQ(hidden, (QSet<QString>{QStringLiteral("pump/cover/screw"), QStringLiteral("pump/cover/screw#2")}));
+}
+
+TEST_F(ScenePanelTest, SelectingAnAssemblySelectsAllOfItsBodies) {
+  QSignalSpy chosen(&panel, &ScenePanel::bodiesChosen);
+  item(QStringLiteral("pump"))->setSelected(true);
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].value<QSet<QString>>().size(), 3);
+}
+
+TEST_F(ScenePanelTest, AnAssemblyIsSelectedWhereAllOfItsBodiesAre) {
+  panel.showSelection({QStringLiteral("pump/cover/screw"), QStringLiteral("pump/cover/screw#2")}, std::nullopt);
+  EXPECT_TRUE(item(QStringLiteral("cover"))->isSelected());
+  EXPECT_FALSE(item(QStringLiteral("pump"))->isSelected());
+}
+
+TEST_F(ScenePanelTest, TheFilterLeavesWhatMatchesWithItsAssemblies) {
+  panel.setFilter(QStringLiteral("HOUS"));
+  EXPECT_FALSE(item(QStringLiteral("housing"))->isHidden());
+  EXPECT_FALSE(item(QStringLiteral("pump"))->isHidden());
+  EXPECT_TRUE(item(QStringLiteral("cover"))->isHidden());
+  EXPECT_TRUE(item(QStringLiteral("plate"))->isHidden());
+  panel.setFilter(QStringLiteral("cover"));
+  EXPECT_FALSE(item(QStringLiteral("screw"))->isHidden());
+  panel.setFilter(QString());
+  EXPECT_FALSE(item(QStringLiteral("plate"))->isHidden());
+}
+
+}  // namespace
+}  // namespace glissade
