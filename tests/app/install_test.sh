@@ -25,6 +25,6 @@ if [ -e "$bin/glissade" ]; then
   done
 fi
 rm "$root/path.csv" "$root/window.png" 2>/dev/null || true
-while read -r file; do rm "$file"; done <"$build/install_manifest.txt"
+while read -r file || [ -n "$file" ]; do rm "$file"; done <"$build/install_manifest.txt"
 left=$(find "$root" -type f -o -type l)
 test -z "$left" || { echo "left behind: $left"; exit 1; }
