@@ -4,11 +4,24 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/scenario/scenario_io.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
 namespace {
+
+TEST(Samples, EveryScenarioIsReadWithoutAWarning) {
+  int read = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourceDirectory() + "/samples")) {
+    if (entry.path().extension() != ".json") continue;
+    const auto scenario = loadScenario(entry.path().string());
+    if (!scenario.ok()) continue;  // a study
+    EXPECT_TRUE(scenario->warnings.empty()) << entry.path();
+    ++read;
+  }
+  EXPECT_GE(read, 16);
+}
 
 TEST(Samples, TheShapeGameIsWhatItsGeneratorWrites) {
   const test::TemporaryFolder folder;
