@@ -178,7 +178,7 @@ class FitFinder {
     }
     refuse(fit,
            "fit so that the object would have to be taken " + millimetres(fit.allowance) +
-               " thinner, which is more than its local thickness gives: it counts as a clash",
+               " thinner, which its local thickness or its shape does not give: it counts as a clash",
            "Mend the parts.");
   }
 
