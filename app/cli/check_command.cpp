@@ -15,7 +15,9 @@ namespace glissade::cli {
 namespace {
 
 MotionCertificate judge(const std::vector<PathPoint>& points, const LoadedScenario& loaded, const StopToken& stop) {
-  const IndependentCheck check(loaded.problem.world->obstacles(), loaded.problem.world->object());
+  const CollisionWorld& world = *loaded.problem.world;
+  const std::vector<double> allowances = allowancesOf(loaded.fits.allowed, world.obstacles().size());
+  const IndependentCheck check(world.obstacles(), world.object(), allowances);
   return check.check(configurationsOf(points), demandsOf(points, loaded.parameters), stop);
 }
 
@@ -31,7 +33,9 @@ MotionCertificate outsideWorkspace(std::size_t configuration) {
 int runCheck(const CheckOptions& options) {
   auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
-  reportWarnings(loaded->warnings);
+  const Interrupt interrupt;
+  const Outcome fitted = applyOptions(options.fits, *loaded, interrupt.token());
+  if (!fitted) return reportError(fitted.error(), options.format);
   const auto read = readPath(options.path);
   if (!read) return reportError(read.error(), options.format);
 
@@ -42,7 +46,6 @@ int runCheck(const CheckOptions& options) {
     if (!set) return reportError(set.error(), options.format);
   }
   const std::optional<std::size_t> outside = firstOutside(points, problem);
-  const Interrupt interrupt;
   const MotionCertificate certificate =
       outside ? outsideWorkspace(*outside) : judge(points, *loaded, interrupt.token());
   const PathEnds ends = endsOf(points, problem);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
 
 namespace glissade::cli {
@@ -11,7 +12,8 @@ struct CheckOptions {
   std::string scenario;
   std::string path;
   std::optional<double> requiredClearance;  ///< metres; the scenario's where absent
-  bool edges = false;                       ///< certificates of every edge
+  FitOptions fits;
+  bool edges = false;  ///< certificates of every edge
   Format format = Format::Text;
 };
 

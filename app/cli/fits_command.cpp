@@ -8,6 +8,7 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
+#include "engine/product/fit_rules.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -17,7 +18,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bodies = std::vector<ContactBody>;
 
-Result<Bodies> bodiesOfParts(const std::string& file, const StopToken& stop) {
+/// A product and what a person says about its fits.
+struct Product {
+  Bodies bodies;
+  FitSettings settings;
+};
+
+/// A contact as it is reported.
+struct Row {
+  Contact contact;
+  std::string a;
+  std::string b;
+  FitDecision decision;
+};
+using Rows = std::vector<Row>;
+
+Result<Product> productOfParts(const std::string& file, const StopToken& stop) {
   GeometryCache read;
   const auto geometry = readPart(usualPart(file), read, stop);
   if (!geometry) return geometry.error();
@@ -25,11 +41,11 @@ Result<Bodies> bodiesOfParts(const std::string& file, const StopToken& stop) {
   for (const GeometryPart& part : (*geometry)->parts) {
     bodies.push_back({part.name.empty() ? file : part.name, part.mesh, part.X_BP, part.deflection});
   }
-  return bodies;
+  return Product{std::move(bodies), {}};
 }
 
 /// The obstacles, and the object at its start.
-Result<Bodies> bodiesOfScenario(const std::string& file, const StopToken& stop) {
+Result<Product> productOfScenario(const std::string& file, const StopToken& stop) {
   const auto loaded = loadScenario(file, stop);
   if (!loaded) return loaded.error();
   reportWarnings(loaded->warnings);
@@ -42,31 +58,46 @@ Result<Bodies> bodiesOfScenario(const std::string& file, const StopToken& stop) 
     bodies.push_back({body.id, body.mesh, body.X_WB, deflectionOf(body.id)});
   }
   bodies.push_back({loaded->object.id, loaded->object.mesh, loaded->object.X_WB, deflectionOf(loaded->object.id)});
-  return bodies;
+  return Product{std::move(bodies), loaded->scenario.fits};
 }
 
-const char* statusOf(const Contact& contact) {
-  if (contact.kind == ContactKind::Clearance) return "clear";
-  return contact.kind == ContactKind::Clash ? "clash" : "allowed";
+Rows rowsOf(const ContactReport& report, const Product& product) {
+  constexpr double kGap = 1e-6;
+  Rows rows;
+  for (const Contact& contact : report.contacts) {
+    const std::string& a = product.bodies[contact.a].id;
+    const std::string& b = product.bodies[contact.b].id;
+    rows.push_back({contact, a, b, decideFit(contact, editOf(product.settings, a, b), product.settings, kGap)});
+  }
+  return rows;
 }
 
-std::map<std::string, int> countsOf(const ContactReport& report) {
+double allowanceOf(const Row& row) { return row.decision.refused ? 0.0 : row.decision.allowance; }
+
+const char* statusOf(const Row& row) {
+  if (row.decision.kind == ContactKind::Clearance) return "clear";
+  if (row.decision.refused) return "clash";
+  return row.decision.kind == ContactKind::Clash ? "accepted" : "allowed";
+}
+
+std::map<std::string, int> countsOf(const Rows& rows) {
   std::map<std::string, int> counts;
-  for (const Contact& contact : report.contacts) ++counts[kindName(contact.kind)];
+  for (const Row& row : rows) ++counts[kindName(row.decision.kind)];
   return counts;
 }
 
 Json toJson(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-Json toJson(const Contact& contact, const Bodies& bodies) {
-  Json json{{"a", bodies[contact.a].id},
-            {"b", bodies[contact.b].id},
-            {"kind", kindName(contact.kind)},
+Json toJson(const Row& row) {
+  const Contact& contact = row.contact;
+  Json json{{"a", row.a},
+            {"b", row.b},
+            {"kind", kindName(row.decision.kind)},
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},
             {"uncertainty_m", contact.uncertainty},
-            {"allowance_m", usualAllowance(contact)},
-            {"status", statusOf(contact)}};
+            {"allowance_m", allowanceOf(row)},
+            {"status", statusOf(row)}};
   if (contact.axis) {
     json["axis"] = {{"point", toJson(contact.axis->point)},
                     {"direction", toJson(contact.axis->direction)},
@@ -76,10 +107,10 @@ Json toJson(const Contact& contact, const Bodies& bodies) {
   return json;
 }
 
-void printJson(const ContactReport& report, const Bodies& bodies) {
+void printJson(const Rows& rows) {
   Json json{{"pairs", Json::array()}, {"counts", Json::object()}};
-  for (const Contact& contact : report.contacts) json["pairs"].push_back(toJson(contact, bodies));
-  for (const auto& [kind, count] : countsOf(report)) json["counts"][kind] = count;
+  for (const Row& row : rows) json["pairs"].push_back(toJson(row));
+  for (const auto& [kind, count] : countsOf(rows)) json["counts"][kind] = count;
   // Names come from files.
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -90,34 +121,35 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-void printCsv(const ContactReport& report, const Bodies& bodies) {
+void printCsv(const Rows& rows) {
   std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status\n";
-  for (const Contact& contact : report.contacts) {
-    std::cout << quoted(bodies[contact.a].id) << "," << quoted(bodies[contact.b].id) << "," << kindName(contact.kind)
-              << "," << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty)
-              << "," << toText(usualAllowance(contact)) << "," << statusOf(contact) << "\n";
+  for (const Row& row : rows) {
+    const Contact& contact = row.contact;
+    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(row.decision.kind) << ","
+              << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
+              << toText(allowanceOf(row)) << "," << statusOf(row) << "\n";
   }
 }
 
-void printTable(const ContactReport& report, const Bodies& bodies) {
+void printTable(const Rows& rows, std::size_t bodies) {
   std::size_t width = 1;
-  for (const Contact& contact : report.contacts) width = std::max(width, bodies[contact.a].id.size());
+  for (const Row& row : rows) width = std::max(width, row.a.size());
   std::cout << std::left << std::fixed << std::setprecision(3);
-  for (const Contact& contact : report.contacts) {
+  for (const Row& row : rows) {
+    const Contact& contact = row.contact;
     const bool overlaps = contact.overlap > 0.0;
-    std::cout << std::setw(12) << kindName(contact.kind) << (overlaps ? "overlap " : "gap     ") << std::right
+    std::cout << std::setw(12) << kindName(row.decision.kind) << (overlaps ? "overlap " : "gap     ") << std::right
               << std::setw(8) << 1e3 * (overlaps ? contact.overlap : contact.gap) << " mm";
     if (contact.uncertainty > 0.0) {
       std::cout << " +- " << 1e3 * contact.uncertainty;
     } else {
       std::cout << "         ";
     }
-    std::cout << "  " << std::left << std::setw(static_cast<int>(width)) << bodies[contact.a].id << "  "
-              << bodies[contact.b].id << "\n";
+    std::cout << "  " << std::left << std::setw(static_cast<int>(width)) << row.a << "  " << row.b << "\n";
   }
-  std::cout << report.contacts.size() << " pairs of " << bodies.size() << " bodies";
+  std::cout << rows.size() << " pairs of " << bodies << " bodies";
   const char* separator = ": ";
-  for (const auto& [kind, count] : countsOf(report)) {
+  for (const auto& [kind, count] : countsOf(rows)) {
     std::cout << separator << count << " " << kind;
     separator = ", ";
   }
@@ -139,19 +171,20 @@ int runFits(const FitsOptions& options) {
   if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
   const bool parts = isPartFile(usualPart(options.file).path);
-  const auto bodies =
-      parts ? bodiesOfParts(options.file, interrupt.token()) : bodiesOfScenario(options.file, interrupt.token());
-  if (!bodies) return reportError(bodies.error(), options.format);
-  const ContactReport report = findContacts(*bodies, options.limits, interrupt.token());
+  const auto product =
+      parts ? productOfParts(options.file, interrupt.token()) : productOfScenario(options.file, interrupt.token());
+  if (!product) return reportError(product.error(), options.format);
+  const ContactReport report = findContacts(product->bodies, options.limits, interrupt.token());
   if (interrupt.requested()) {
     return reportError({ErrorKind::Interrupted, options.file, "", "was interrupted", "Start again."}, options.format);
   }
+  const Rows rows = rowsOf(report, *product);
   if (options.format == Format::Json) {
-    printJson(report, *bodies);
+    printJson(rows);
   } else if (options.csv) {
-    printCsv(report, *bodies);
+    printCsv(rows);
   } else {
-    printTable(report, *bodies);
+    printTable(rows, product->bodies.size());
   }
   return 0;
 }

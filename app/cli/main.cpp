@@ -74,6 +74,22 @@ void addParameters(CLI::App& command, std::map<ParameterId, double>& values) {
   }
 }
 
+void addFitOptions(CLI::App& command, FitOptions& options, const std::string& usual) {
+  command
+      .add_option_function<std::string>(
+          "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
+          "Whether the object is taken thinner against what it fits where it is assembled: on or off (default: " +
+              usual + ")")
+      ->check(CLI::IsMember({"on", "off"}));
+  addLength(
+      command, "--accept-clashes",
+      [&options](double overlap) {
+        if (overlap < 0.0) throw CLI::ValidationError("--accept-clashes", "is below zero: give a length, as 1.5mm");
+        options.acceptedClash = overlap;
+      },
+      "Take clashes up to this overlap as fits, as 1.5mm");
+}
+
 CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   CLI::App* plan = app.add_subcommand("plan", "Plan a motion and deliver it with its certificate");
   plan->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
@@ -88,6 +104,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
         options.collision = backend->second;
       },
       "Who answers for collisions: kernel or fcl (default: kernel)");
+  addFitOptions(*plan, options.fits, "the scenario's");
   plan->add_option("--operator", options.operatorName,
                    "Who holds the device: none, novice, default, expert, simulated-haptic or replay:FILE");
   addParameters(*plan, options.parameters);
@@ -111,6 +128,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
       *check, std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
       "Clearance to prove [m] (default: the scenario's)");
+  addFitOptions(*check, options.fits, "the scenario's");
   check->add_flag("--edges", options.edges, "Report the certificate of every edge");
   addFormat(*check, options.format);
   return check;
@@ -193,6 +211,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       },
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
       "part's diagonal, from 0.01mm to 0.5mm)");
+  addFitOptions(*make, options.fits, "on");
   make->add_flag("--clear", options.clear, "Move the start clear of what it touches, and say how far");
   return make;
 }

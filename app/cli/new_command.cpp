@@ -30,7 +30,8 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 /// Millimetres that the start has gone.
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
-  const auto clear = freed(loaded.problem.world, start, loaded.parameters[ParameterId::RequiredClearance]);
+  const auto clear =
+      freed(loaded.problem.world->withVariants({}), start, loaded.parameters[ParameterId::RequiredClearance]);
   if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();
@@ -42,9 +43,11 @@ int runNew(const NewOptions& options) {
   GeometryCache read;
   auto scenario = scenarioOfParts(partsOf(options), &read);
   if (!scenario) return reportError(scenario.error(), options.format);
+  scenario->fits = withOptions(scenario->fits, options.fits);
   const auto loaded = realiseScenario(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
+  if (!options.clear) reportWarnings(loaded->fits.warnings);
   if (options.clear) {
     const auto gone = clearStart(*loaded, *scenario);
     if (!gone) return reportError(gone.error(), options.format);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
 #include "engine/scenario/part_files.h"
 
@@ -17,6 +18,7 @@ struct NewOptions {
   std::optional<double> unit;  ///< metres per unit of the files; none: as files of their kind usually are
   std::optional<UpAxis> up;
   double deflection = 0.0;  ///< of STEP files, metres; 0: by the size of each part
+  FitOptions fits;          ///< on unless they are turned off
   bool clear = false;       ///< move the start clear of what it touches
   Format format = Format::Text;
 };

@@ -48,7 +48,8 @@ int runPlan(const PlanOptions& options) {
   const Interrupt interrupt;
   auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
-  reportWarnings(loaded->warnings);
+  const Outcome fitted = applyOptions(options.fits, *loaded, interrupt.token());
+  if (!fitted) return reportError(fitted.error(), options.format);
   if (options.collision != loaded->problem.world->backend()) {
     loaded->problem.world = loaded->problem.world->withBackend(options.collision);
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
 
 namespace glissade::cli {
@@ -14,6 +15,7 @@ struct PlanOptions {
   CollisionBackend collision = CollisionBackend::Kernel;
   std::string operatorName = "none";         ///< none, novice, default, expert or replay:FILE
   std::map<ParameterId, double> parameters;  ///< what overrides the scenario's
+  FitOptions fits;
   std::optional<std::uint64_t> seed;
   std::string out;          ///< path file to write, format by its ending; empty: none
   std::string record;       ///< run record to write; empty: none

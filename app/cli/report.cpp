@@ -7,6 +7,7 @@
 
 #include "engine/base/printable_text.h"
 #include "engine/scenario/certificate_json.h"
+#include "engine/scenario/scenario_fits.h"
 
 namespace glissade::cli {
 using Json = nlohmann::ordered_json;
@@ -72,10 +73,12 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
 void addUncertainties(const LoadedScenario& scenario, Json& certificate) {
   certificate["surface_deviation_m"] = surfaceDeviation(scenario);
   certificate["coordinate_spacing_m"] = coordinateSpacing(scenario);
+  if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario);
 }
 
 std::string deviationInWords(const LoadedScenario& scenario) {
   std::ostringstream text;
+  for (const std::string& allowance : allowancesInWords(scenario)) text << "allowance: " << allowance << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
          << " mm nearer than they are\n";

@@ -10,7 +10,7 @@ Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, dou
     const AssemblyItem item{end, {}};
     const auto before = poseOf(scenario.scenario, item);
     if (!before) continue;
-    const auto clear = freed(scenario.problem.world, *before, required);
+    const auto clear = freed(scenario.problem.world->withVariants({}), *before, required);
     if (!clear) {
       Diagnostic why = clear.error();
       why.place = end == AssemblyItem::Kind::Start ? "start" : "goal";

@@ -66,8 +66,9 @@ std::optional<Diagnostic> FileController::take(Result<ScenarioFile> opened, cons
   const auto scenario = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
   bench_.document.open(scenario);
   if (memory_ != nullptr) memory_->noteFile(file);
-  if (!quiet && !scenario->warnings.empty()) {
-    bench_.messages.showError(tr("The scenario was opened, with a warning"), scenario->warnings.front());
+  const Warnings& warnings = scenario->warnings.empty() ? scenario->fits.warnings : scenario->warnings;
+  if (!quiet && !warnings.empty()) {
+    bench_.messages.showError(tr("The scenario was opened, with a warning"), warnings.front());
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -80,9 +81,15 @@ class CollisionQuery {
   virtual const QueryCounts& counts() const = 0;
 };
 
+/// What the object is taken to be against some of the obstacles: a mesh inside its own, in the same frame.
+struct ObjectVariant {
+  MeshPtr object;
+  std::vector<int> obstacles;  ///< indices; no obstacle is in two variants
+};
+
 /// The geometry that a planner plans in: obstacles in place and the object's mesh. Immutable, shared
 /// by all threads.
-class CollisionWorld {
+class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
  public:
   /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty.
   static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object,
@@ -102,8 +109,16 @@ class CollisionWorld {
   /// The same world, asked of another backend.
   std::shared_ptr<const CollisionWorld> withBackend(CollisionBackend backend) const;
 
-  /// Another object among the same obstacles, which are not prepared again.
+  /// Another object among the same obstacles, which are not prepared again. Precondition: there are no variants.
   std::shared_ptr<const CollisionWorld> withObject(MeshPtr object) const;
+  /// The object and each of its variants are replaced by what `change` makes of their meshes. The obstacles are not
+  /// prepared again.
+  std::shared_ptr<const CollisionWorld> withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const;
+
+  /// The same world where the object has variants. Each obstacle is prepared once, with the variant that is its own.
+  /// Those that there were are replaced; a world without variants answers as one that never had any.
+  std::shared_ptr<const CollisionWorld> withVariants(std::vector<ObjectVariant> variants) const;
+  const std::vector<ObjectVariant>& variants() const;
 
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;

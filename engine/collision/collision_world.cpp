@@ -4,6 +4,7 @@
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/fcl_query.h"
+#include "engine/collision/grouped_query.h"
 #include "engine/collision/kernel/kernel_query.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/solids.h"
@@ -20,6 +21,8 @@ struct CollisionWorld::Impl {
   std::shared_ptr<const Solids> solids;
   std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
   std::shared_ptr<const FclGeometry> fcl;        ///< of the backend
+  std::vector<ObjectVariant> variants;
+  std::vector<ObstacleGroup> groups;  ///< where there are variants: these answer, and not the three above
 };
 
 namespace {
@@ -123,8 +126,44 @@ CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
   return finished(std::move(impl), std::move(object));
 }
 
+CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const {
+  if (impl_->groups.empty()) return withObject(change(*impl_->object));
+  auto impl = std::make_unique<Impl>(*impl_);
+  for (ObjectVariant& variant : impl->variants) variant.object = change(*variant.object);
+  for (ObstacleGroup& group : impl->groups) group.world = group.world->withObjects(change);
+  return finished(std::move(impl), change(*impl_->object));
+}
+
+/// The obstacles that no variant is for keep the whole object.
+CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> variants) const {
+  if (variants.empty())
+    return impl_->groups.empty() ? shared_from_this() : build(obstacles(), impl_->object, backend());
+  auto impl = std::make_unique<Impl>();
+  impl->backend = impl_->backend;
+  impl->obstacles = impl_->obstacles;
+  impl->obstaclesBox = impl_->obstaclesBox;
+  std::vector<ObjectVariant> groups{{impl_->object, {}}};
+  std::vector<bool> own(impl->obstacles->size(), false);
+  for (ObjectVariant& variant : variants) {
+    std::sort(variant.obstacles.begin(), variant.obstacles.end());
+    for (const int body : variant.obstacles) own[static_cast<std::size_t>(body)] = true;
+    groups.push_back(variant);
+  }
+  for (std::size_t body = 0; body < own.size(); ++body) {
+    if (!own[body]) groups.front().obstacles.push_back(static_cast<int>(body));
+  }
+  for (const ObjectVariant& group : groups) {
+    std::vector<RigidBody> bodies;
+    for (const int body : group.obstacles) bodies.push_back((*impl->obstacles)[static_cast<std::size_t>(body)]);
+    if (!bodies.empty()) impl->groups.push_back({build(std::move(bodies), group.object, backend()), group.obstacles});
+  }
+  impl->variants = std::move(variants);
+  return finished(std::move(impl), impl_->object);
+}
+
 CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
-  return build(*impl_->obstacles, impl_->object, backend);
+  const CollisionWorldPtr whole = build(*impl_->obstacles, impl_->object, backend);
+  return impl_->variants.empty() ? whole : whole->withVariants(impl_->variants);
 }
 
 /// With what depends on the object alone.
@@ -140,8 +179,10 @@ const TriangleMesh& CollisionWorld::object() const { return *impl_->object; }
 double CollisionWorld::objectRadius() const { return impl_->objectRadius; }
 const Box3& CollisionWorld::obstaclesBox() const { return impl_->obstaclesBox; }
 CollisionBackend CollisionWorld::backend() const { return impl_->backend; }
+const std::vector<ObjectVariant>& CollisionWorld::variants() const { return impl_->variants; }
 
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
+  if (!impl_->groups.empty()) return std::make_unique<GroupedQuery>(impl_->groups, impl_->motionBound);
   std::unique_ptr<SurfaceQuery> surfaces;
   if (impl_->kernel) {
     surfaces = std::make_unique<KernelQuery>(impl_->kernel);

@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
 
 #include "engine/collision/fcl_scale.h"
+#include "engine/collision/judged_thinning.h"
 #include "engine/collision/ray_containment.h"
 
 namespace glissade {
@@ -83,11 +87,14 @@ class Course {
     return place;
   }
   /// No vertex moves faster, in metres per unit of t.
-  double speed(const TriangleMesh& object) const {
+  double speed(const TriangleMesh& object) const { return (way_.norm() + turn(object)) * (1.0 + kRelativeError); }
+  /// No vertex moves farther by the rotation, in metres.
+  double turn(const TriangleMesh& object) const {
     double arm = 0.0;
     for (const Vector3& vertex : object.vertices) arm = std::max(arm, (vertex - axis_ * axis_.dot(vertex)).norm());
-    return (way_.norm() + angle_ * arm) * (1.0 + kRelativeError);
+    return angle_ * arm;
   }
+  const Vector3& way() const { return way_; }
   bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
 
  private:
@@ -97,6 +104,39 @@ class Course {
   Vector3 axis_ = Vector3::UnitX();
 };
 
+/// What a mesh passes over on a straight way: the boundaries of the prisms that its triangles sweep.
+TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way) {
+  TriangleMesh swept = mesh;
+  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const Vector3& vertex : mesh.vertices) swept.vertices.emplace_back(vertex + way);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    swept.triangles.push_back({a + count, b + count, c + count});
+    edges.insert({std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
+  }
+  for (const auto& [a, b] : edges) {
+    swept.triangles.push_back({a, b, b + count});
+    swept.triangles.push_back({a, b + count, a + count});
+  }
+  return swept;
+}
+
+/// Whether a triangle on a straight way passes over the point.
+bool passesOver(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& way, const Vector3& point) {
+  Eigen::Matrix3d sides;
+  sides << b - a, c - a, way;
+  if (sides.determinant() == 0.0) return false;
+  const Vector3 shares = sides.inverse() * (point - a);
+  return shares.minCoeff() >= 0.0 && shares.x() + shares.y() <= 1.0 && shares.z() <= 1.0;
+}
+
+/// Thinned objects may have smaller triangles.
+double scaleFor(const std::vector<RigidBody>& obstacles, const std::map<double, TriangleMesh>& objects) {
+  double largest = 0.0;
+  for (const auto& [allowance, object] : objects) largest = std::max(largest, fclScale(obstacles, object));
+  return largest;
+}
+
 struct Span {
   double begin;
   double end;
@@ -105,23 +145,40 @@ struct Span {
 
 }  // namespace
 
-/// All lengths are multiplied by `scale`, those of the poses that are asked for too.
-struct IndependentCheck::Geometry {
-  double scale;
+/// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
+/// that are asked for too.
+struct IndependentCheck::Group {
   TriangleMesh object;
   RaySolid objectSolid;
   std::vector<RaySolid> obstacleSolids;
+  std::vector<int> numbers;  ///< of the obstacles
   Model objectSurface;
   Model obstacleSurface;
   std::vector<int> bodyOf;  ///< per triangle of the obstacles
 
   double coordinates;  ///< the largest of the obstacles and of the object in its own frame, together
 
-  Geometry(const TriangleMesh& mesh, double factor)
-      : scale(factor),
-        object(scaled(mesh, Vector3::Constant(factor))),
-        objectSolid(object),
-        coordinates(largestCoordinate(object)) {}
+  Group(const TriangleMesh& mesh, double scale)
+      : object(scaled(mesh, Vector3::Constant(scale))), objectSolid(object), coordinates(largestCoordinate(object)) {
+    objectSurface.beginModel();
+    addTriangles(objectSurface, object);
+    objectSurface.endModel();
+    obstacleSurface.beginModel();
+  }
+
+  void add(const RigidBody& obstacle, int number, double scale) {
+    TriangleMesh placed = inWorld(obstacle, scale);
+    farthest_ = std::max(farthest_, largestCoordinate(placed));
+    addTriangles(obstacleSurface, placed);
+    bodyOf.insert(bodyOf.end(), placed.triangles.size(), number);
+    numbers.push_back(number);
+    obstacleSolids.emplace_back(std::move(placed));
+  }
+
+  void finish() {
+    coordinates += farthest_;
+    if (!bodyOf.empty()) obstacleSurface.endModel();
+  }
 
   /// Of distances where the object is placed here.
   double errorAt(const Vector3& position) const {
@@ -150,37 +207,104 @@ struct IndependentCheck::Geometry {
     return found;
   }
 
+  /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
+  /// touches no prism's boundary is inside the prism, or nowhere.
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way) const {
+    if (bodyOf.empty()) return std::numeric_limits<double>::infinity();
+    TriangleMesh placed = object;
+    for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
+    Model swept;
+    swept.beginModel();
+    addTriangles(swept, sweptBy(placed, way));
+    swept.endModel();
+    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
+    fcl::CollisionResultd touch;
+    if (fcl::collide(&obstacleSurface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
+    for (const RaySolid& obstacle : obstacleSolids) {
+      for (const Vector3& point : obstacle.partPoints()) {
+        for (const auto& [a, b, c] : placed.triangles) {
+          if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
+        }
+      }
+    }
+    fcl::DistanceResultd gap;
+    fcl::distance(&obstacleSurface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
+    const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
+    return std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
+  }
+
   /// The body that the object is inside of, or around; -1 where there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
-    for (std::size_t body = 0; body < obstacleSolids.size(); ++body) {
+    for (std::size_t i = 0; i < obstacleSolids.size(); ++i) {
       for (const Vector3& p : objectSolid.partPoints()) {
-        if (obstacleSolids[body].contains(X_WB * p)) return static_cast<int>(body);
+        if (obstacleSolids[i].contains(X_WB * p)) return numbers[i];
       }
-      for (const Vector3& p : obstacleSolids[body].partPoints()) {
-        if (objectSolid.contains(X_BW * p)) return static_cast<int>(body);
+      for (const Vector3& p : obstacleSolids[i].partPoints()) {
+        if (objectSolid.contains(X_BW * p)) return numbers[i];
       }
+    }
+    return -1;
+  }
+
+ private:
+  double farthest_ = 0.0;
+};
+
+/// The groups, all in the same scale.
+struct IndependentCheck::Geometry {
+  double scale = 1.0;
+  TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
+  std::vector<std::unique_ptr<Group>> groups;
+
+  double errorAt(const Vector3& position) const {
+    double error = 0.0;
+    for (const auto& group : groups) error = std::max(error, group->errorAt(position));
+    return error;
+  }
+
+  NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
+    NearestObstacle nearest;
+    nearest.distance = std::numeric_limits<double>::infinity();
+    for (const auto& group : groups) {
+      const NearestObstacle found = group->nearest(X_WB);
+      if (found.distance < nearest.distance) nearest = found;
+    }
+    return nearest;
+  }
+
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& group : groups) least = std::min(least, group->sweptDistance(X_WB, way));
+    return least;
+  }
+
+  int container(const fcl::Transform3d& X_WB) const {
+    for (const auto& group : groups) {
+      if (const int body = group->container(X_WB); body >= 0) return body;
     }
     return -1;
   }
 };
 
-IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object) {
-  auto geometry = std::make_unique<Geometry>(object, fclScale(obstacles, object));
-  geometry->objectSurface.beginModel();
-  addTriangles(geometry->objectSurface, geometry->object);
-  geometry->objectSurface.endModel();
-  geometry->obstacleSurface.beginModel();
-  double farthest = 0.0;
-  for (std::size_t body = 0; body < obstacles.size(); ++body) {
-    TriangleMesh placed = inWorld(obstacles[body], geometry->scale);
-    farthest = std::max(farthest, largestCoordinate(placed));
-    addTriangles(geometry->obstacleSurface, placed);
-    geometry->bodyOf.insert(geometry->bodyOf.end(), placed.triangles.size(), static_cast<int>(body));
-    geometry->obstacleSolids.emplace_back(std::move(placed));
+IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
+                                   const std::vector<double>& allowances) {
+  std::map<double, TriangleMesh> objects{{0.0, object}};
+  for (const double allowance : allowances) {
+    if (objects.count(allowance) == 0) objects.emplace(allowance, thinnedForJudging(object, allowance));
   }
-  geometry->coordinates += farthest;
-  if (!geometry->bodyOf.empty()) geometry->obstacleSurface.endModel();
+  auto geometry = std::make_unique<Geometry>();
+  const double scale = geometry->scale = scaleFor(obstacles, objects);
+  geometry->object = scaled(object, Vector3::Constant(scale));
+  for (const auto& [allowance, mesh] : objects) {
+    auto group = std::make_unique<Group>(mesh, scale);
+    for (std::size_t body = 0; body < obstacles.size(); ++body) {
+      const double own = body < allowances.size() ? allowances[body] : 0.0;
+      if (own == allowance) group->add(obstacles[body], static_cast<int>(body), scale);
+    }
+    group->finish();
+    geometry->groups.push_back(std::move(group));
+  }
   geometry_ = std::move(geometry);
 }
 
@@ -201,7 +325,8 @@ MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const s
 }
 
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
-/// until its ends; what is not proved is halved, the earlier half first.
+/// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
+/// there a straight way is proved by what the object sweeps, too.
 MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, double required,
                                               const StopToken& stop) const {
   const Course course(from, to);
@@ -215,26 +340,41 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     result.nearest.body = body;
     return result;
   }
+  const double turn = course.turn(geometry_->object);
+  const bool sweeps = geometry_->groups.size() > 1 && turn <= kErrorShare * required;
   const double error = std::max(geometry_->errorAt(from.position), geometry_->errorAt(to.position));
   if (course.isHalfACircle() || !(error <= kErrorShare * required)) return result;
+  const auto meet = [&](double t) {
+    const NearestObstacle nearest = geometry_->nearest(course.at(t));
+    if (nearest.distance < result.minClearance) {
+      result.minClearance = nearest.distance;
+      result.at = t;
+      result.nearest = nearest;
+    }
+    if (nearest.distance < required) result.status = CertificateStatus::Violated;
+    return nearest.distance;
+  };
+  if (sweeps) {
+    meet(0.0);
+    meet(1.0);
+    if (result.status == CertificateStatus::Violated) return result;
+  }
   std::vector<Span> open{{0.0, 1.0, 0}};
   while (!open.empty()) {
     const Span span = open.back();
     open.pop_back();
     if (stop.stopRequested() || ++result.distanceQueries > kMostDistances) return result;
     const double middle = 0.5 * (span.begin + span.end);
-    const NearestObstacle nearest = geometry_->nearest(course.at(middle));
-    if (nearest.distance < result.minClearance) {
-      result.minClearance = nearest.distance;
-      result.at = middle;
-      result.nearest = nearest;
+    const double distance = meet(middle);
+    if (result.status == CertificateStatus::Violated) return result;
+    const double length = span.end - span.begin;
+    double proved = distance - 0.5 * speed * length;
+    bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
+    if (!closely && sweeps) {
+      proved = geometry_->sweptDistance(course.at(span.begin), length * course.way()) - turn;
+      closely = proved >= required;
     }
-    if (nearest.distance < required) {
-      result.status = CertificateStatus::Violated;
-      return result;
-    }
-    const double proved = nearest.distance - 0.5 * speed * (span.end - span.begin);
-    if (proved >= std::max(required, kCloseShare * result.minClearance)) {
+    if (closely) {
       result.provedClearance = std::min(result.provedClearance, proved);
       result.certified = span.end;
     } else if (span.halvings == kMostHalvings) {

@@ -14,8 +14,10 @@ namespace glissade {
 /// ray crosses). Slow and simple.
 class IndependentCheck {
  public:
-  /// The object's frame is that of the path's configurations.
-  IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
+  /// The object's frame is that of the path's configurations. `allowances`: by how much thinner the object is taken
+  /// against each obstacle, metres, 0 for as it is; empty: against none. The check thins the object by itself.
+  IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
+                   const std::vector<double>& allowances = {});
   ~IndependentCheck();
 
   /// Every edge against its demand, up to the first that does not keep it. Clearances are bounded
@@ -24,6 +26,7 @@ class IndependentCheck {
                           const StopToken& stop = {}) const;
 
  private:
+  struct Group;
   struct Geometry;
   MotionCertificate checkEdge(const Pose& from, const Pose& to, double required, const StopToken& stop) const;
 

@@ -79,12 +79,6 @@ ContactReport findContacts(const std::vector<ContactBody>& bodies, const Contact
   return report;
 }
 
-double usualAllowance(const Contact& contact) {
-  constexpr double kMargin = 1e-6;
-  if (contact.kind == ContactKind::Clearance || contact.kind == ContactKind::Clash) return 0.0;
-  return contact.overlap + contact.deviation + kMargin;
-}
-
 const char* kindName(ContactKind kind) {
   for (const auto& [each, name] : kKindNames) {
     if (each == kind) return name;

@@ -24,6 +24,7 @@ struct ContactAxis {
   Vector3 direction = Vector3::UnitZ();
   double radiusA = 0.0;
   double radiusB = 0.0;
+  bool shaftIsA = true;  ///< `a` is the shaft, `b` the hole
 };
 
 /// Two bodies that are near in the assembled configuration.
@@ -56,10 +57,6 @@ struct ContactLimits {
 /// Overlaps are found between closed meshes only. After a stop the report is incomplete.
 ContactReport findContacts(const std::vector<ContactBody>& bodies, const ContactLimits& limits = {},
                            const StopToken& stop = {});
-
-/// How much thinner one of the two has to be taken so that they come apart, metres: the overlap, what tessellation may
-/// add, and a micrometre. 0 for bodies that are apart, and for a clash, which needs a person's word.
-double usualAllowance(const Contact& contact);
 
 /// "planar", "thread", ...
 const char* kindName(ContactKind kind);

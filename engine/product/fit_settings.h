@@ -29,8 +29,9 @@ struct FitEdit {
 
 /// How a scenario treats bodies that touch or overlap in its assembled configuration.
 struct FitSettings {
+  bool on = false;             ///< false: clearance is required of every pair
   double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
-  std::vector<FitEdit> pairs;
+  std::vector<FitEdit> pairs;  ///< what a person says, before what is measured
 };
 
 }  // namespace glissade

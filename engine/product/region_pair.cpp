@@ -42,7 +42,7 @@ std::optional<RegionPair> compareCylinders(const CylinderRegion& a, const Cylind
     RegionPair pair{RegionPair::Kind::Coaxial, a.shaft ? b.radius - a.radius : a.radius - b.radius, {}};
     const double from = std::max(a.low, (middleOf(b) - a.point).dot(a.direction) - 0.5 * (b.high - b.low));
     const double to = std::min(a.high, (middleOf(b) - a.point).dot(a.direction) + 0.5 * (b.high - b.low));
-    pair.axis = {a.point + 0.5 * (from + to) * a.direction, a.direction, a.radius, b.radius};
+    pair.axis = {a.point + 0.5 * (from + to) * a.direction, a.direction, a.radius, b.radius, a.shaft};
     return pair;
   }
   if (a.shaft && b.shaft) return RegionPair{RegionPair::Kind::Tangent, apart - a.radius - b.radius, {}};

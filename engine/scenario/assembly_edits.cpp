@@ -87,6 +87,8 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
   const auto body = findBody(bodyId, scenario);
   if (body == scenario.bodies.end()) return noSuchBody(bodyId);
   scenario.bodies.erase(body);
+  std::erase_if(scenario.fits.pairs,
+                [&](const FitEdit& edit) { return bodyIdOf(edit.a) == bodyId || bodyIdOf(edit.b) == bodyId; });
   dropUnusedAssets(scenario);
   return Done{};
 }
@@ -130,6 +132,7 @@ void takeAssembly(const Scenario& from, Scenario& to) {
   to.workspace = from.workspace;
   to.wayPoints = from.wayPoints;
   to.rules = from.rules;
+  to.fits = from.fits;
   setSemanticEdits(semanticEditsOf(from), to);
 }
 

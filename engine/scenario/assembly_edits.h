@@ -25,7 +25,7 @@ std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item);
 /// Puts it there. Errors (here and below): Usage, there is no such body, or it cannot be.
 Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario);
 
-/// Takes a body out, with the assets that nothing else uses.
+/// Takes a body out, with the assets that nothing else uses and what was said about its fits.
 Outcome removeBody(const std::string& bodyId, Scenario& scenario);
 
 /// The object starts where its goal was, and the other way round. Not where the goal is "out".
@@ -38,7 +38,7 @@ Outcome markMoving(const std::string& bodyId, const LoadedScenario& loaded, Scen
 /// A workspace about all that there is, with room for the object to get clear of it on every side.
 Box3 fittingWorkspace(const LoadedScenario& loaded);
 
-/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own". The
+/// Takes over what is edited step by step: the assembly, semantic attributes, the rules of strategy "own", fits. The
 /// rest (planner, parameters, seed, environment) stays as it is.
 void takeAssembly(const Scenario& from, Scenario& to);
 

@@ -134,6 +134,7 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   scenario.workspace =
       roomAbout(bodies->merged(boxOf(**object)), radiusAboutOrigin(objectMesh(scenario.object, **object)));
   scenario.planner = "auto";
+  scenario.fits.on = true;
   return scenario;
 }
 

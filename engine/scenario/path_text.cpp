@@ -7,6 +7,7 @@
 #include "engine/scenario/certificate_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
+#include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
 namespace {
@@ -66,11 +67,13 @@ Result<std::string> pathAsJson(const Path& path, const LoadedScenario& scenario,
 }
 
 Json provenanceJson(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance) {
-  return {{"scenario", scenario.scenario.name},
-          {"planner", provenance.planner},
-          {"seed", provenance.seed},
-          {"program", std::string("Glissade ") + kVersion},
-          {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
+  Json json{{"scenario", scenario.scenario.name},
+            {"planner", provenance.planner},
+            {"seed", provenance.seed},
+            {"program", std::string("Glissade ") + kVersion},
+            {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
+  if (!scenario.fits.allowed.empty()) json["certificate"]["allowances"] = allowancesJson(scenario);
+  return json;
 }
 
 }  // namespace glissade

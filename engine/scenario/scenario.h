@@ -11,6 +11,7 @@
 #include "engine/base/parameters.h"
 #include "engine/environment/rigid_body.h"
 #include "engine/planning/problem.h"
+#include "engine/product/object_fits.h"
 
 namespace glissade {
 
@@ -95,6 +96,7 @@ struct Scenario {
   std::vector<PlaceEdit> places;
   std::vector<MilestoneEdit> milestones;
   std::optional<StrategyRules> rules;  ///< of strategy "own"
+  FitSettings fits;
   std::uint64_t seed = 1;
 };
 
@@ -132,7 +134,8 @@ struct LoadedScenario {
   std::map<std::string, double> deflections;
   /// Metres that vertices may be off because their file holds 32-bit numbers, by rigid body's id.
   std::map<std::string, double> coordinateSpacings;
-  Problem problem;
+  ObjectFits fits;  ///< empty where the scenario's fits are off
+  Problem problem;  ///< its world has the object thinned as the fits allow
   ParameterValues parameters{1.0};
   Warnings warnings;
 };

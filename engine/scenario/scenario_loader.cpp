@@ -12,6 +12,7 @@
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/geometry_loader.h"
 #include "engine/scenario/scenario_file.h"
+#include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
 namespace {
@@ -230,6 +231,9 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
   if (!parameters) return parameters.error();
   loaded.scenario = std::move(scenario);
+  if (loaded.scenario.fits.on) {
+    if (const Outcome fitted = applyFits(loaded, stop); !fitted) return fitted.error();
+  }
   return loaded;
 }
 

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "engine/base/limits.h"
+#include "engine/scenario/fits_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_file.h"
@@ -139,9 +140,9 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 }
 
 Scenario readScenario(const JsonCursor& root) {
-  root.allowOnly({"format", "version", "name", "description", "assets", "bodies", "object", "start", "goal",
-                  "workspace", "way_points", "planner", "parameters", "environment", "attributes", "places",
-                  "milestones", "rules", "seed"});
+  root.allowOnly({"format",     "version", "name",       "description", "assets",  "bodies",     "object",
+                  "start",      "goal",    "workspace",  "way_points",  "planner", "parameters", "environment",
+                  "attributes", "places",  "milestones", "rules",       "fits",    "seed"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -169,6 +170,7 @@ Scenario readScenario(const JsonCursor& root) {
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
   scenario.parameters = readParameters(root.find("parameters"));
   readSemantics(root, scenario);
+  if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   return scenario;
 }

@@ -1,3 +1,4 @@
+#include "engine/scenario/fits_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_file.h"
@@ -112,6 +113,7 @@ Json scenarioJson(const Scenario& scenario) {
   json["parameters"] = Json::object();
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   addSemantics(scenario, json);
+  addFits(scenario.fits, json);
   json["seed"] = scenario.seed;
   return json;
 }

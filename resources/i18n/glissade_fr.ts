@@ -2638,6 +2638,10 @@
         <source>of triangles; STEP surfaces may be %1 nearer</source>
         <translation>des triangles ; les surfaces STEP peuvent être %1 plus près</translation>
     </message>
+    <message>
+        <source>taken %1 thinner against %2</source>
+        <translation>aminci de %1 face à %2</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PlacementPanel</name>

@@ -448,7 +448,11 @@ TEST_F(Cli, MakesAScenarioOfPartsAndTakesOneOut) {
   const std::string block = product.writeBlock("resting.obj", {0.0, 0.0, -7.5});  // on the tray's floor
   const std::string parts = " --moves " + block + " --static " + product.tray;
   ASSERT_EQ(run("new " + made + parts).exitCode, 0);
-  EXPECT_EQ(run("plan " + made).exitCode, 4) << "they touch";
+  EXPECT_EQ(run("plan " + made).exitCode, 0) << "they touch, which is a fit";
+  EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4) << "they touch";
+  ASSERT_EQ(run("new " + made + parts + " --fits off").exitCode, 0);
+  EXPECT_EQ(run("plan " + made).exitCode, 4);
+  EXPECT_EQ(run("plan " + made + " --fits on").exitCode, 0);
   const Finished clear = run("new " + made + parts + " --clear");
   ASSERT_EQ(clear.exitCode, 0) << clear.err;
   EXPECT_NE(clear.out.find("start moved clear by"), std::string::npos) << clear.out;
@@ -480,6 +484,48 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   EXPECT_EQ(wrong.exitCode, 3);
   EXPECT_NE(wrong.err.find("plate, pin, pin#2"), std::string::npos) << wrong.err;
   EXPECT_EQ(run("new " + made + " --moves " + unit + " --deflection 0").exitCode, 2);
+}
+
+TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
+  const std::string made = (folder / "screw.json").string();
+  const std::string path = (folder / "screw-path.json").string();
+  const std::string product = glissade::test::stepFile("fits.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":screw --static " + product).exitCode, 0);
+  const Finished plan = run("plan " + made + " --strategy auto --out " + path + " --json");
+  ASSERT_EQ(plan.exitCode, 0) << plan.err;
+  const Json allowances = Json::parse(plan.out)["certificate"]["allowances"];
+  ASSERT_EQ(allowances.size(), 1U) << allowances;
+  EXPECT_EQ(allowances[0]["object"], "screw");
+  EXPECT_EQ(allowances[0]["kind"], "thread");
+  EXPECT_NEAR(allowances[0]["overlap_m"].get<double>(), 4e-4, 1e-6);
+  EXPECT_GT(allowances[0]["allowance_m"].get<double>(), 4e-4);
+  EXPECT_EQ(Json::parse(read(path))["certificate"]["allowances"], allowances);
+
+  const Finished check = run("check " + made + " " + path);
+  EXPECT_EQ(check.exitCode, 0) << check.out;
+  EXPECT_NE(check.out.find("screw taken 0.4"), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("mm thinner in the tapped hole of plate (thread)"), std::string::npos) << check.out;
+  EXPECT_EQ(run("check " + made + " " + path + " --fits off").exitCode, 1) << "the whole screw does not come out";
+  EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4);
+  EXPECT_EQ(run("plan " + made + " --fits auto").exitCode, 2);
+}
+
+TEST_F(Cli, AClashIsAcceptedByAPersonOnly) {
+  const std::string made = (folder / "block.json").string();
+  const std::string product = glissade::test::stepFile("fits.step");
+  const Finished fresh = run("new " + made + " --moves " + product + ":block --static " + product);
+  ASSERT_EQ(fresh.exitCode, 0);
+  EXPECT_NE(fresh.err.find("clash"), std::string::npos) << fresh.err;
+  const Finished refused = run("plan " + made + " --strategy auto");
+  EXPECT_EQ(refused.exitCode, 4);
+  EXPECT_NE(refused.err.find("--accept-clashes 3mm"), std::string::npos) << refused.err;
+  EXPECT_EQ(run("plan " + made + " --accept-clashes -1mm").exitCode, 2);
+  Json scenario = Json::parse(read(made));
+  scenario.erase("checksum");
+  scenario["fits"]["pairs"] = {{{"a", "block"}, {"b", "washer"}}};
+  const Finished unknown = run("plan " + write("unknown.json", scenario.dump()));
+  EXPECT_EQ(unknown.exitCode, 3);
+  EXPECT_NE(unknown.err.find("/fits/pairs/0"), std::string::npos) << unknown.err;
 }
 
 TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {

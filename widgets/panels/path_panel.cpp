@@ -37,6 +37,11 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
   }
   QString text =
       QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
+  for (const Fit& fit : scenario.fits.allowed) {
+    text +=
+        QStringLiteral("<br>") + PathPanel::tr("taken %1 thinner against %2")
+                                     .arg(lengthText(fit.allowance), nameOf(static_cast<int>(fit.obstacle), scenario));
+  }
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text += QStringLiteral("<br>") +
             PathPanel::tr("of triangles; STEP surfaces may be %1 nearer").arg(lengthText(deviation));

@@ -7,8 +7,10 @@ CollisionWorldPtr ErodedWorlds::at(double depth) {
   const std::lock_guard lock(mutex_);
   CollisionWorldPtr& world = built_[depth];
   if (!world) {
-    if (!object_) object_.emplace(world_->object());
-    world = world_->withObject(std::make_shared<const TriangleMesh>(object_->eroded(depth)));
+    world = world_->withObjects([&](const TriangleMesh& object) {
+      const auto known = objects_.try_emplace(&object, object).first;
+      return std::make_shared<const TriangleMesh>(known->second.eroded(depth));
+    });
   }
   return world;
 }

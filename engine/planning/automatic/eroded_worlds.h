@@ -2,14 +2,13 @@
 
 #include <map>
 #include <mutex>
-#include <optional>
 
 #include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {
 
-/// The world with the object eroded by this or that depth, each built once. Shared by threads: one
+/// The world with the object, and its variants, eroded by this or that depth, each built once. Shared by threads: one
 /// that wants a depth waits while another is built.
 class ErodedWorlds {
  public:
@@ -21,7 +20,7 @@ class ErodedWorlds {
  private:
   std::mutex mutex_;  ///< of what follows but the first
   CollisionWorldPtr world_;
-  std::optional<ErodibleMesh> object_;  ///< once it is needed
+  std::map<const TriangleMesh*, ErodibleMesh> objects_;  ///< the object and its variants, once they are needed
   std::map<double, CollisionWorldPtr> built_;
 };
 

@@ -1,35 +1,138 @@
 #include "engine/planning/automatic/freeing.h"
 
+#include <algorithm>
 #include <array>
+#include <sstream>
+#include <utility>
+#include <vector>
 
+#include "engine/planning/automatic/contact_faces.h"
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/retraction.h"
+#include "engine/product/contact_report.h"
 
 namespace glissade {
 namespace {
 
 /// Depths of erosion, as shares of the object's radius; 0: it is too near, and does not touch.
-constexpr std::array<double, 7> kDepths{0.0, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
+constexpr std::array<double, 9> kDepths{0.0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
 /// Edges of the eroded object have moved by less than its faces.
 constexpr std::array<double, 3> kDemands{1.05, 1.5, 2.0};
+/// The object slides by these shares of its radius, each so much longer than the one before.
+constexpr double kShortestSlide = 0.01;
+constexpr double kLongestSlide = 4.0;
+constexpr double kSlideFactor = 1.25;
+constexpr std::size_t kFaces = 6;
+
+class Freeing {
+ public:
+  Freeing(const CollisionWorldPtr& world, const Pose& q, double clearance)
+      : world_(world), q_(q), clearance_(clearance), query_(world->makeQuery()), eroded_(world) {}
+
+  bool isFree() { return query_->clearAbove(q_, clearance_); }
+
+  std::optional<Pose> retract() {
+    for (const double depth : kDepths) {
+      const double by = depth * world_->objectRadius();
+      const auto erodedQuery = eroded_.at(by)->makeQuery();
+      for (const double demand : kDemands) {
+        const auto found = retracted(*erodedQuery, q_, demand * (by + clearance_), world_->objectRadius());
+        if (found && query_->clearAbove(*found, clearance_)) return *found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The shortest slide that the least eroded object makes.
+  std::optional<Pose> slideOut() {
+    const std::vector<Pose> ends = slideEnds();
+    for (const double depth : kDepths) {
+      const double by = depth * world_->objectRadius();
+      const auto erodedQuery = eroded_.at(by)->makeQuery();
+      const double required = kErodedShare * (by + clearance_);
+      if (!erodedQuery->clearAbove(q_, required)) continue;
+      for (const Pose& end : ends) {
+        const MotionCheck check = erodedQuery->checkMotion(q_, end, required, SeekViolation::Any, {});
+        if (check.status == CertificateStatus::Certified) return end;
+      }
+    }
+    return std::nullopt;
+  }
+
+  Diagnostic failure() {
+    const auto colliding = query_->collidingBody(q_);
+    const auto body = static_cast<std::size_t>(colliding ? *colliding : query_->nearestObstacle(q_).body);
+    std::ostringstream reason;
+    reason << "the object " << (colliding ? overlapWith(body) : nearnessTo(body))
+           << ", and no clear position was found within " << 1e3 * kLongestSlide * world_->objectRadius() << " mm";
+    return {ErrorKind::InCollision, "", "", reason.str(),
+            "Switch fits on, put the object elsewhere, or check the parts and their unit."};
+  }
+
+ private:
+  /// Clearance of the eroded object on its slide, as a share of what erosion gives.
+  static constexpr double kErodedShare = 0.1;
+
+  std::vector<Vector3> directions() const {
+    std::vector<Vector3> directions;
+    for (int axis = 0; axis < 3; ++axis) directions.push_back(Vector3::Unit(axis));
+    for (const Vector3& normal_B : largestFaceNormals(world_->object(), kFaces)) {
+      directions.push_back(q_.orientation * normal_B);
+    }
+    const std::size_t count = directions.size();
+    for (std::size_t i = 0; i < count; ++i) directions.push_back(-directions[i]);
+    return directions;
+  }
+
+  /// In each direction the first place that is clear, the nearest first.
+  std::vector<Pose> slideEnds() {
+    std::vector<std::pair<double, Pose>> found;
+    for (const Vector3& direction : directions()) {
+      for (double way = kShortestSlide; way <= kLongestSlide; way *= kSlideFactor) {
+        Pose end = q_;
+        end.position += way * world_->objectRadius() * direction;
+        if (!query_->clearAbove(end, clearance_)) continue;
+        found.emplace_back(way, end);
+        break;
+      }
+    }
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Pose> ends;
+    for (const auto& [way, end] : found) ends.push_back(end);
+    return ends;
+  }
+
+  std::string nearnessTo(std::size_t body) const { return "is too near to '" + world_->obstacles()[body].name + "'"; }
+
+  std::string overlapWith(std::size_t body) const {
+    const RigidBody& obstacle = world_->obstacles()[body];
+    const auto object = std::make_shared<const TriangleMesh>(world_->object());
+    const ContactReport report =
+        findContacts({{obstacle.id, obstacle.mesh, obstacle.X_WB}, {"object", object, q_}}, {});
+    const std::string name = "'" + obstacle.name + "'";
+    if (report.contacts.empty()) return "penetrates " + name;
+    const double overlap = report.contacts.front().overlap;
+    if (overlap <= 0.0) return "touches " + name;
+    std::ostringstream text;
+    text << "overlaps " << name << " by " << 1e3 * overlap << " mm";
+    return text.str();
+  }
+
+  const CollisionWorldPtr& world_;
+  const Pose& q_;
+  double clearance_;
+  std::unique_ptr<CollisionQuery> query_;
+  ErodedWorlds eroded_;
+};
 
 }  // namespace
 
 Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required) {
-  const double clearance = 2.0 * required;
-  const auto query = world->makeQuery();
-  if (query->clearAbove(q, clearance)) return q;
-  ErodedWorlds eroded(world);
-  for (const double depth : kDepths) {
-    const double by = depth * world->objectRadius();
-    const auto erodedQuery = eroded.at(by)->makeQuery();
-    for (const double demand : kDemands) {
-      const auto found = retracted(*erodedQuery, q, demand * (by + clearance), world->objectRadius());
-      if (found && query->clearAbove(*found, clearance)) return *found;
-    }
-  }
-  return Diagnostic{ErrorKind::InCollision, "", "", "there is no free place near by: the parts overlap too far",
-                    "Put the object elsewhere, or check the parts and their unit."};
+  Freeing freeing(world, q, 2.0 * required);
+  if (freeing.isFree()) return q;
+  if (const auto near = freeing.retract()) return *near;
+  if (const auto out = freeing.slideOut()) return *out;
+  return freeing.failure();
 }
 
 }  // namespace glissade

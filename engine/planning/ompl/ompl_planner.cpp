@@ -85,7 +85,8 @@ void setUpAsItIs(ob::Planner& planner, const ParameterValues& parameters) {
 struct OmplPlanner::Engine {
   Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner)
       : world(problem, seed), asItIs(manner == OmplManner::AsItIs), twoTrees(growsTwoTrees(algorithm)) {
-    if (asItIs) world.surfaces.emplace(makeFclGeometry(problem.world->obstacles(), problem.world->object()));
+    const bool whole = problem.world->variants().empty();
+    if (asItIs && whole) world.surfaces.emplace(makeFclGeometry(problem.world->obstacles(), problem.world->object()));
     // PRM tries again by itself, and looks at its termination condition in between.
     constexpr unsigned kAttempts = 100;  // OMPL's default
     const std::lock_guard<std::recursive_mutex> lock(omplSeedMutex());

@@ -79,6 +79,23 @@ TEST_P(PlannerConformance, SolvesTheWindowWithACertifiedPathFromStartToGoal) {
   }
 }
 
+/// The start touches the wall beside the window. The object is thinner against that wall.
+TEST_P(PlannerConformance, StartsWhereTheObjectFitsABody) {
+  Problem problem = windowProblem();
+  problem.start = Pose::translation({-0.3, -0.9, 0.0});
+  const auto thinner = std::make_shared<const TriangleMesh>(makeBox({0.38, 0.38, 0.38}));
+  problem.world = problem.world->withVariants({{thinner, {0}}});
+  TestHost host = hostFor(problem);
+  ASSERT_TRUE(host.values.set(ParameterId::StepSamples, 2000));
+  const auto planner = make(problem);
+  const bool solved = planner->solve(host);
+  if (!complete() && !solved) return;
+  ASSERT_TRUE(solved);
+  const auto query = problem.world->makeQuery();
+  EXPECT_EQ(certifyPath(*query, planner->path()->configurations(), host.values[ParameterId::RequiredClearance]).status,
+            CertificateStatus::Certified);
+}
+
 TEST_P(PlannerConformance, CountsAreThoseOfTheRoadmap) {
   const Problem problem = windowProblem();
   TestHost host = hostFor(problem);

@@ -100,6 +100,8 @@ inline Scenario fullScenario() {
                                  {{"place.cluttered", true, "rrt"}, {"1", false, "linear"}},
                                  true,
                                  true};
+  scenario.fits = {
+      true, 0.0015, {{"object", "wall", ContactKind::Thread, 1.0 / 3e4, true}, {"product/pin", "wall", {}, {}, false}}};
   scenario.seed = 9223372036854775807U;
   return scenario;
 }

@@ -4,6 +4,7 @@
 #include "engine/planning/automatic/erodible_mesh.h"
 #include "engine/planning/automatic/freeing.h"
 #include "engine/planning/automatic/retraction.h"
+#include "tests/engine/product/ring.h"
 #include "tests/engine/support/test_worlds.h"
 
 namespace glissade {
@@ -84,10 +85,28 @@ TEST(Freeing, PartsThatTouchOrOverlapALittleComeClearByAboutThat) {
   }
 }
 
-TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUp) {
+TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUpWithItsDepth) {
   const Problem problem = windowProblem();
   EXPECT_EQ(*freed(problem.world, problem.start, 1e-6), problem.start);
-  EXPECT_FALSE(freed(problem.world, onTheFloor(0.2), 1e-6));
+  const auto deep = freed(problem.world, onTheFloor(0.1), 1e-6);
+  ASSERT_FALSE(deep);
+  const std::string& reason = deep.error().reason;
+  const std::string before = "overlaps 'below' by ";
+  ASSERT_NE(reason.find(before), std::string::npos) << reason;
+  EXPECT_NEAR(std::stod(reason.substr(reason.find(before) + before.size())), 95.0, 5.1) << reason;  // mm
+}
+
+/// A shaft that is thicker than its hole by little has nowhere to go but out.
+TEST(Freeing, AShaftSlidesOutOfItsHole) {
+  RigidBody ring = boxBody("ring", {1.0, 1.0, 1.0}, Pose::identity());
+  ring.mesh = std::make_shared<const TriangleMesh>(test::makeRing(0.1, 0.3, 0.2, 40));
+  const auto shaft = std::make_shared<const TriangleMesh>(test::makeRing(0.0, 0.100001, 0.4, 40));
+  const auto world = CollisionWorld::build({ring}, shaft);
+  const auto out = freed(world, Pose::identity(), 1e-6);
+  ASSERT_TRUE(out) << out.error().reason;
+  EXPECT_TRUE(world->makeQuery()->clearAbove(*out, 2e-6));
+  EXPECT_GE(std::abs(out->position.z()), 0.3);
+  EXPECT_LT(out->position.norm(), 0.4);
 }
 
 }  // namespace

@@ -1,0 +1,206 @@
+#include "engine/geometry/thinned_mesh.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "engine/geometry/ray_tree.h"
+#include "engine/geometry/solid_interior.h"
+#include "engine/geometry/triangle_tree.h"
+
+namespace glissade {
+namespace {
+
+/// In radii: nearer hits of a ray inwards are of the face that it begins at.
+constexpr double kSameSurface = 1e-9;
+/// Share of the weights that is added to the least squares' matrix: directions that no face asks for stay still.
+constexpr double kStill = 1e-6;
+/// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
+constexpr double kLowest = 2e-6;
+/// Corners of moved triangles that meet the true surface go half as far, this often.
+constexpr int kMostHalvings = 8;
+
+/// Every edge has as many triangles on its one side as on its other.
+bool isClosed(const TriangleMesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i];
+      const std::uint32_t to = triangle[(i + 1) % 3];
+      edges[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return !mesh.triangles.empty() &&
+         std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+Triangle cornersOf(const TriangleMesh& mesh, const TriangleIndices& triangle) {
+  return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
+}
+
+/// Outwards or inwards, unit; zero where the triangle is lower than `lowest`.
+Vector3 normalOf(const Triangle& triangle, double lowest) {
+  const Vector3 across = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (triangle[(i + 1) % 3] - triangle[i]).norm());
+  return across.norm() > lowest * longest ? across.stableNormalized() : Vector3(Vector3::Zero());
+}
+
+double volumeOf(const TriangleMesh& mesh) {
+  double volume = 0.0;
+  const Vector3 middle = boundingBox(mesh).center();
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const auto [a, b, c] = cornersOf(mesh, triangle);
+    volume += (a - middle).dot((b - middle).cross(c - middle));
+  }
+  return volume;
+}
+
+/// The least thickness found below the middle of a triangle and below three points towards its corners.
+double thicknessBelow(const RayTree& surface, const Triangle& triangle, const Vector3& normal, double beyond) {
+  const Vector3 sum = triangle[0] + triangle[1] + triangle[2];
+  double least = surface.firstHit(sum / 3.0, -normal, beyond);
+  for (const Vector3& corner : triangle) {
+    least = std::min(least, surface.firstHit((sum + 3.0 * corner) / 6.0, -normal, beyond));
+  }
+  return least;
+}
+
+/// Numbers of the surfaces that hang together by shared vertices.
+std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t vertex) {
+    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
+  };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    parent[root(b)] = root(a);
+    parent[root(c)] = root(a);
+  }
+  std::vector<std::uint32_t> shells;
+  for (const auto& [a, b, c] : mesh.triangles) shells.push_back(root(a));
+  return shells;
+}
+
+}  // namespace
+
+std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
+  TriangleMesh joined = welded(mesh);
+  if (!isClosed(joined)) return std::nullopt;
+  const double volume = volumeOf(joined);
+  if (!(std::abs(volume) > 0.0)) return std::nullopt;
+  return ThinnableMesh(std::move(joined), volume < 0.0 ? -1.0 : 1.0);
+}
+
+ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
+    : mesh_(std::move(mesh)), corners_(mesh_.vertices.size()), shells_(shellsOf(mesh_)) {
+  std::vector<Triangle> triangles;
+  for (const TriangleIndices& triangle : mesh_.triangles) triangles.push_back(cornersOf(mesh_, triangle));
+  const RayTree surface(triangles);
+  const double diagonal = boundingBox(mesh_).diagonal().norm();
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    const Triangle& triangle = triangles[f];
+    const Vector3 normal = sense * normalOf(triangle, kLowest * diagonal);
+    const bool flat = normal.isZero(0.0);
+    const double thickness = flat ? 0.0 : thicknessBelow(surface, triangle, normal, kSameSurface * diagonal);
+    thickness_ = std::max(thickness_, std::isfinite(thickness) ? thickness : 0.0);
+    faces_.push_back({normal, kMostThinning * thickness});
+    for (std::size_t i = 0; i < 3 && !flat; ++i) {
+      const Vector3 one = (triangle[(i + 1) % 3] - triangle[i]).stableNormalized();
+      const Vector3 other = (triangle[(i + 2) % 3] - triangle[i]).stableNormalized();
+      const double angle = std::atan2(one.cross(other).norm(), one.dot(other));
+      corners_[mesh_.triangles[f][i]].push_back({f, angle});
+    }
+  }
+}
+
+Vector3 ThinnableMesh::moveOf(std::size_t vertex, double allowance) const {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Vector3 moments = Vector3::Zero();
+  Vector3 mean = Vector3::Zero();
+  double weights = 0.0;
+  for (const auto& [f, angle] : corners_[vertex]) {
+    const Face& face = faces_[f];
+    mean += angle * face.normal;
+    matrix += angle * face.normal * face.normal.transpose();
+    moments -= angle * std::min(allowance, face.room) * face.normal;
+    weights += angle;
+  }
+  if (!(weights > 0.0)) return Vector3::Zero();
+  matrix.diagonal().array() += kStill * weights;
+  const Vector3 least = matrix.ldlt().solve(moments);
+  if (const auto move = shortened(least, vertex, allowance)) return *move;
+  return shortened(-allowance * mean.stableNormalized(), vertex, allowance).value_or(Vector3::Zero());
+}
+
+/// As far as the faces at the vertex have room; nothing where one of them would move outwards.
+std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex, double allowance) const {
+  const double length = move.norm();
+  double share = length > kLongestThinning * allowance ? kLongestThinning * allowance / length : 1.0;
+  for (const auto& [f, angle] : corners_[vertex]) {
+    const double inwards = -faces_[f].normal.dot(move);
+    if (inwards < 0.0) return std::nullopt;
+    const double room = std::min(allowance, faces_[f].room);
+    if (share * inwards > room) share = room / inwards;
+  }
+  return Vector3(share * move);
+}
+
+/// Of thinned triangles that meet the true surface. Around a vertex that has not moved they may.
+std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& thinned) const {
+  const TriangleTree before(mesh_);
+  const TriangleTree after(thinned);
+  std::vector<bool> outside(mesh_.vertices.size(), false);
+  const auto shareStillVertex = [&](const TriangleIndices& one, const TriangleIndices& other) {
+    return std::any_of(one.begin(), one.end(), [&](std::uint32_t vertex) {
+      return thinned.vertices[vertex] == mesh_.vertices[vertex] &&
+             std::find(other.begin(), other.end(), vertex) != other.end();
+    });
+  };
+  after.visitPairs(before, 0.0, [&](std::uint32_t i, std::uint32_t k) {
+    const TriangleIndices& moved = thinned.triangles[i];
+    if (shells_[i] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return true;
+    if (std::all_of(moved.begin(), moved.end(), [&](std::uint32_t vertex) { return outside[vertex]; })) return true;
+    if (!trianglesMeet(after.triangles()[i], before.triangles()[k])) return true;
+    for (const std::uint32_t vertex : moved) outside[vertex] = true;
+    return true;
+  });
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t vertex = 0; vertex < outside.size(); ++vertex) {
+    if (outside[vertex]) vertices.push_back(vertex);
+  }
+  return vertices;
+}
+
+/// Of surfaces that do not meet: one point decides for each connected surface.
+bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
+  const SolidInterior interior(mesh_, true);
+  std::map<std::uint32_t, bool> inside;
+  for (std::size_t f = 0; f < thinned.triangles.size(); ++f) {
+    for (const std::uint32_t vertex : thinned.triangles[f]) {
+      if (thinned.vertices[vertex] == mesh_.vertices[vertex] || inside.count(shells_[f]) > 0) continue;
+      inside[shells_[f]] = interior.contains(thinned.vertices[vertex]);
+    }
+  }
+  return std::all_of(inside.begin(), inside.end(), [](const auto& shell) { return shell.second; });
+}
+
+std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
+  std::vector<Vector3> moves;
+  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowance));
+  for (int round = 0; round <= kMostHalvings; ++round) {
+    TriangleMesh thinned = mesh_;
+    for (std::size_t vertex = 0; vertex < moves.size(); ++vertex) thinned.vertices[vertex] += moves[vertex];
+    const std::vector<std::uint32_t> outside = verticesOutside(thinned);
+    if (outside.empty()) return isInside(thinned) ? std::optional(std::move(thinned)) : std::nullopt;
+    for (const std::uint32_t vertex : outside) moves[vertex] *= 0.5;
+  }
+  return std::nullopt;
+}
+
+}  // namespace glissade

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// From either side a thinned body loses at most this share of its local thickness.
+inline constexpr double kMostThinning = 0.2;
+/// A corner moves by at most this many allowances.
+inline constexpr double kLongestThinning = 2.0;
+
+/// A closed body that can be taken thinner.
+///
+/// Definition. A face may move inwards by its room: the allowance, or a fifth of the thickness below the face where
+/// that is less. A vertex moves to where the planes of its faces, each moved by its room, meet: the least squares'
+/// solution with the faces' angles as weights; where that moves a face outwards, by an allowance against the mean of
+/// the normals, with the same weights. The move is shortened so that no face moves farther than its room, and the
+/// vertex by no more than two allowances; where a face moves outwards still, the vertex stays. So the thinned body is
+/// inside the true one, and holds every point of it that is deeper than two allowances.
+///
+/// Immutable, shared by threads.
+class ThinnableMesh {
+ public:
+  /// Nothing where the mesh is not closed, or its triangles do not agree on an outside.
+  static std::optional<ThinnableMesh> of(const TriangleMesh& mesh);
+
+  /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet the true surface, its corners
+  /// move less. Nothing where that does not help: the body has no place for it.
+  std::optional<TriangleMesh> thinned(double allowance) const;
+
+  /// The largest thickness below a face, metres: an allowance above a fifth of it is nowhere taken in full.
+  double thickness() const { return thickness_; }
+
+ private:
+  struct Face {
+    Vector3 normal;  ///< outwards; zero where the face has next to no area
+    double room;     ///< metres that it may move inwards
+  };
+  struct Corner {
+    std::uint32_t face;
+    double angle;
+  };
+
+  /// `sense`: 1 where triangles run counter-clockwise seen from outside, else -1.
+  ThinnableMesh(TriangleMesh mesh, double sense);
+  Vector3 moveOf(std::size_t vertex, double allowance) const;
+  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, double allowance) const;
+  std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned) const;
+  bool isInside(const TriangleMesh& thinned) const;
+
+  TriangleMesh mesh_;
+  std::vector<Face> faces_;
+  std::vector<std::vector<Corner>> corners_;  ///< at each vertex
+  std::vector<std::uint32_t> shells_;         ///< number of the connected surface, of each triangle
+  double thickness_ = 0.0;
+};
+
+}  // namespace glissade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "engine/product/contact_report.h"
+
+namespace glissade {
+
+/// What a person says about a pair, in either order; null where nothing.
+const FitEdit* editOf(const FitSettings& settings, const std::string& a, const std::string& b);
+
+/// What becomes of a contact.
+struct FitDecision {
+  ContactKind kind = ContactKind::Contact;
+  double allowance = 0.0;  ///< metres; of a refused clash, what it would take
+  bool refused = false;    ///< a clash that nobody accepted
+  bool given = false;      ///< a person gave the allowance
+};
+
+/// A person's kind and allowance go before what was measured. The usual allowance is the overlap, what tessellation may
+/// add, and `gap` (metres); pairs that are apart have none.
+FitDecision decideFit(const Contact& contact, const FitEdit* edit, const FitSettings& settings, double gap);
+
+}  // namespace glissade

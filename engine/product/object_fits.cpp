@@ -1,0 +1,247 @@
+#include "engine/product/object_fits.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include "engine/base/tolerances.h"
+#include "engine/geometry/thinned_mesh.h"
+#include "engine/product/fit_rules.h"
+
+namespace glissade {
+namespace {
+
+/// Tries of an allowance: factors of what was measured, and what is added, metres. Fitted surfaces that are within 3
+/// micrometres touch, and deflections are estimates.
+struct Raise {
+  double factor;
+  double addition;
+};
+constexpr std::array<Raise, 4> kRaises{{{1.0, 0.0}, {1.0, 3e-6}, {1.5, 6e-6}, {2.0, 6e-6}}};
+
+std::string millimetres(double metres) {
+  std::ostringstream text;
+  text.precision(3);
+  text << metres * 1e3 << " mm";
+  return text.str();
+}
+
+/// A contact of the object with an obstacle, and at which of the ends.
+struct FoundContact {
+  Contact contact;
+  std::vector<Pose> at;
+};
+
+double measured(const Contact& contact) { return contact.overlap + contact.deviation; }
+
+/// The object's place in the coaxial pair; it is `b`, as the last of all bodies.
+Fit::Role roleOf(const Contact& contact) {
+  if (!contact.axis) return Fit::Role::Other;
+  return contact.axis->shaftIsA ? Fit::Role::Hole : Fit::Role::Shaft;
+}
+
+class FitFinder {
+ public:
+  FitFinder(const FitQuestion& question, const StopToken& stop)
+      : question_(question), stop_(stop), gap_(assembledGap(radiusAboutOrigin(*question.object.mesh))) {}
+
+  Result<ObjectFits> find() {
+    if (const Outcome known = checkBodies(); !known) return known.error();
+    findContactsAtEnds();
+    if (const Outcome sound = checkAllowances(); !sound) return sound.error();
+    for (const auto& [obstacle, found] : contacts_) {
+      if (stop_.stopRequested()) break;
+      decide(obstacle, found);
+    }
+    return std::move(fits_);
+  }
+
+ private:
+  const std::vector<FitEdit>& edits() const { return question_.settings.pairs; }
+
+  static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
+    return {ErrorKind::MalformedInput, "", "/fits/pairs/" + std::to_string(edit), reason, advice};
+  }
+
+  Outcome checkBodies() const {
+    for (std::size_t i = 0; i < edits().size(); ++i) {
+      for (const std::string& id : {edits()[i].a, edits()[i].b}) {
+        const bool known =
+            id == question_.object.id || std::any_of(question_.obstacles.begin(), question_.obstacles.end(),
+                                                     [&](const RigidBody& body) { return body.id == id; });
+        if (!known) {
+          return refused(i, "names the body '" + id + "', which is not there",
+                         "See 'glissade-cli fits' for the names.");
+        }
+      }
+    }
+    return Done{};
+  }
+
+  void findContactsAtEnds() {
+    std::vector<ContactBody> bodies;
+    for (std::size_t i = 0; i < question_.obstacles.size(); ++i) {
+      const RigidBody& body = question_.obstacles[i];
+      bodies.push_back({body.id, body.mesh, body.X_WB, question_.deflections[i]});
+    }
+    bodies.push_back({question_.object.id, question_.object.mesh, {}, question_.deflections.back()});
+    ContactLimits limits;
+    limits.only = bodies.size() - 1;
+    for (const Pose& end : question_.ends) {
+      bodies.back().X_WB = end;
+      for (const Contact& contact : findContacts(bodies, limits, stop_).contacts) {
+        FoundContact& found = contacts_.try_emplace(contact.a, FoundContact{contact, {}}).first->second;
+        if (measured(contact) > measured(found.contact)) found.contact = contact;
+        found.at.push_back(end);
+      }
+    }
+  }
+
+  Outcome checkAllowances() {
+    for (std::size_t i = 0; i < edits().size(); ++i) {
+      const FitEdit& edit = edits()[i];
+      if (!edit.allowance || *edit.allowance == 0.0) continue;
+      if (edit.a != question_.object.id && edit.b != question_.object.id) continue;
+      const std::string& other = edit.a == question_.object.id ? edit.b : edit.a;
+      const bool touches = std::any_of(contacts_.begin(), contacts_.end(),
+                                       [&](const auto& entry) { return question_.obstacles[entry.first].id == other; });
+      if (!touches) {
+        return refused(i,
+                       "allows for '" + edit.a + "' and '" + edit.b + "', which do not touch where they are assembled",
+                       "Remove the allowance.");
+      }
+      const double most = thinnable() ? kMostThinning * thinnable()->thickness() : 0.0;
+      if (*edit.allowance > most) {
+        return refused(i,
+                       "allows " + millimetres(*edit.allowance) + ", more than the thickness of '" +
+                           question_.object.id + "' gives",
+                       "Give at most " + millimetres(most) + ".");
+      }
+    }
+    return Done{};
+  }
+
+  const ThinnableMesh* thinnable() {
+    if (!measuredObject_) {
+      measuredObject_ = true;
+      thinnable_ = ThinnableMesh::of(*question_.object.mesh);
+    }
+    return thinnable_ ? &*thinnable_ : nullptr;
+  }
+
+  void decide(std::size_t obstacle, const FoundContact& found) {
+    const FitEdit* edit = editOf(question_.settings, question_.object.id, question_.obstacles[obstacle].id);
+    const FitDecision decision = decideFit(found.contact, edit, question_.settings, gap_);
+    const Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
+    if (decision.refused) {
+      refuse(fit, "overlap by " + millimetres(fit.overlap) + ", which is a clash",
+             "Accept it (--accept-clashes " + millimetresUp(fit.overlap) + "), or mend the parts.");
+    } else if (!decision.given) {
+      raiseUntilFree(fit, found.at);
+    } else if (fit.allowance > 0.0) {
+      fits_.allowed.push_back(fit);
+    }
+  }
+
+  /// An option's value that is not below it.
+  static std::string millimetresUp(double metres) {
+    std::ostringstream text;
+    text << std::ceil(metres * 1e5) / 1e2 << "mm";
+    return text.str();
+  }
+
+  void refuse(const Fit& fit, const std::string& reason, const std::string& advice) {
+    fits_.clashes.push_back(fit);
+    fits_.warnings.push_back({ErrorKind::InCollision, "",
+                              "'" + question_.object.name + "' and '" + question_.obstacles[fit.obstacle].name + "'",
+                              reason, advice});
+  }
+
+  void raiseUntilFree(Fit fit, const std::vector<Pose>& ends) {
+    if (thinnable() == nullptr) {
+      refuse(fit, "touch, and the object cannot be taken thinner because its surface is not closed",
+             "Close the object's surface.");
+      return;
+    }
+    const double usual = fit.allowance;
+    for (const Raise& raise : kRaises) {
+      fit.allowance = raise.factor * usual + raise.addition;
+      const auto query = queryOf(fit);
+      const bool free = query && std::all_of(ends.begin(), ends.end(),
+                                             [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
+      if (!free) continue;
+      fits_.allowed.push_back(fit);
+      return;
+    }
+    refuse(fit,
+           "fit so that the object would have to be taken " + millimetres(fit.allowance) +
+               " thinner, which its local thickness or its shape does not give: it counts as a clash",
+           "Mend the parts.");
+  }
+
+  /// Of the thinned object against its obstacle alone; null where the object cannot be thinned so.
+  std::unique_ptr<CollisionQuery> queryOf(const Fit& fit) {
+    MeshPtr& thinned = thinned_[fit.allowance];
+    if (!thinned) {
+      auto mesh = thinnable()->thinned(fit.allowance);
+      if (!mesh) return nullptr;
+      thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
+    }
+    return CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned)->makeQuery();
+  }
+
+  const FitQuestion& question_;
+  const StopToken& stop_;
+  double gap_;
+  std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
+  bool measuredObject_ = false;
+  std::optional<ThinnableMesh> thinnable_;
+  std::map<double, MeshPtr> thinned_;  ///< by allowance
+  ObjectFits fits_;
+};
+
+}  // namespace
+
+Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop) {
+  return FitFinder(question, stop).find();
+}
+
+CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits) {
+  std::map<double, std::vector<int>> obstacles;
+  for (const Fit& fit : fits) obstacles[fit.allowance].push_back(static_cast<int>(fit.obstacle));
+  if (obstacles.empty()) return world->withVariants({});
+  const auto object = ThinnableMesh::of(world->object());
+  std::vector<ObjectVariant> variants;
+  for (const auto& [allowance, own] : obstacles) {
+    auto thinned = object ? object->thinned(allowance) : std::nullopt;
+    if (thinned) variants.push_back({std::make_shared<const TriangleMesh>(std::move(*thinned)), own});
+  }
+  return world->withVariants(std::move(variants));
+}
+
+std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count) {
+  std::vector<double> allowances(fits.empty() ? 0 : count, 0.0);
+  for (const Fit& fit : fits) allowances[fit.obstacle] = fit.allowance;
+  return allowances;
+}
+
+double assembledGap(double objectRadius) {
+  constexpr double kLeast = 1e-6;
+  constexpr double kClearances = 4.0;
+  return std::max(kLeast, kClearances * tolerance::kRequiredClearance * objectRadius);
+}
+
+std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
+  std::string where = " against " + obstacle;
+  if (fit.role == Fit::Role::Shaft) {
+    where = (fit.kind == ContactKind::Thread ? " in the tapped hole of " : " in the hole of ") + obstacle;
+  } else if (fit.role == Fit::Role::Hole) {
+    where = (fit.kind == ContactKind::Thread ? " on the thread of " : " on the shaft of ") + obstacle;
+  }
+  return object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
+}
+
+}  // namespace glissade

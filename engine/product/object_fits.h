@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/base/stop_token.h"
+#include "engine/collision/collision_query.h"
+#include "engine/product/contact_report.h"
+
+namespace glissade {
+
+/// How the object is taken against one obstacle that it fits.
+struct Fit {
+  enum class Role { Other, Shaft, Hole };  ///< the object's, where the two are coaxial
+
+  std::size_t obstacle = 0;  ///< index
+  ContactKind kind = ContactKind::Contact;
+  Role role = Role::Other;
+  double overlap = 0.0;    ///< as measured, metres
+  double allowance = 0.0;  ///< metres by which the object is taken thinner; of a refused clash, what it would take
+};
+
+struct ObjectFits {
+  std::vector<Fit> allowed;  ///< by obstacle
+  std::vector<Fit> clashes;  ///< that nobody accepted, by obstacle: the whole object counts against these
+  Warnings warnings;         ///< one for each clash, and where the object cannot be thinned
+};
+
+/// What a scenario asks about the fits of its object.
+struct FitQuestion {
+  const std::vector<RigidBody>& obstacles;
+  const RigidBody& object;
+  std::vector<Pose> ends;           ///< configurations in which the product may be assembled: start and goal
+  std::vector<double> deflections;  ///< as of ContactBody, of each obstacle, and of the object last
+  const FitSettings& settings;
+};
+
+/// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. What
+/// touches is allowed the deviation of both surfaces and assembledGap(); what overlaps as designed, the overlap and
+/// the same; where that leaves no gap (rounding of the file, tessellation), up to twice as much. A clash is allowed
+/// where it is accepted. Where the thinned object would need more than kMostThinning of its local thickness from
+/// either side, the pair is a clash.
+///
+/// Errors: MalformedInput with "/fits/pairs/<index>" as place: a body that is not there, an allowance above what the
+/// object's thickness can give, an allowance for a pair that does not touch. After a stop the fits are incomplete.
+Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop = {});
+
+/// The world where the object is thinned by each allowance against its own obstacle.
+CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits);
+
+/// Allowance against each obstacle of `count`, 0 where there is none: as IndependentCheck takes it.
+std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count);
+
+/// What an allowance leaves between two bodies that touch, metres: a micrometre, or four of the clearances that a path
+/// has to keep for an object of this radius, if that is more.
+double assembledGap(double objectRadius);
+
+/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)".
+std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
+
+}  // namespace glissade

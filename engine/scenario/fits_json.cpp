@@ -1,0 +1,78 @@
+#include "engine/scenario/fits_json.h"
+
+#include "engine/base/limits.h"
+#include "engine/product/contact_report.h"
+
+namespace glissade {
+namespace {
+
+using Json = JsonCursor::Json;
+
+double readAllowance(const JsonCursor& at) {
+  const double value = at.coordinate();
+  if (value < 0.0) at.fail("is below zero", "Give metres, 0 or more.");
+  return value;
+}
+
+ContactKind readKind(const JsonCursor& at) {
+  const auto kind = kindByName(at.text());
+  if (!kind || *kind == ContactKind::Clearance) {
+    at.fail("is no kind of fit", "Give planar, cylindrical, thread, press, overlap, contact or clash.");
+  }
+  return *kind;
+}
+
+FitEdit readPair(const JsonCursor& at) {
+  at.allowOnly({"a", "b", "kind", "allowance", "accepted"});
+  FitEdit edit;
+  edit.a = at.at("a").nonEmptyText();
+  edit.b = at.at("b").nonEmptyText();
+  if (edit.a == edit.b) at.at("b").fail("is the same body as 'a'");
+  if (const auto kind = at.find("kind")) edit.kind = readKind(*kind);
+  if (const auto allowance = at.find("allowance")) edit.allowance = readAllowance(*allowance);
+  if (const auto accepted = at.find("accepted")) edit.accepted = accepted->boolean();
+  return edit;
+}
+
+bool isSamePair(const FitEdit& one, const FitEdit& other) {
+  return (one.a == other.a && one.b == other.b) || (one.a == other.b && one.b == other.a);
+}
+
+Json toJson(const FitEdit& edit) {
+  Json json{{"a", edit.a}, {"b", edit.b}};
+  if (edit.kind) json["kind"] = kindName(*edit.kind);
+  if (edit.allowance) json["allowance"] = *edit.allowance;
+  if (edit.accepted) json["accepted"] = true;
+  return json;
+}
+
+}  // namespace
+
+FitSettings readFits(const JsonCursor& at) {
+  at.allowOnly({"mode", "accept_clashes", "pairs"});
+  FitSettings fits;
+  const std::string mode = at.at("mode").text();
+  if (mode != "on" && mode != "off") at.at("mode").fail("is neither \"on\" nor \"off\"");
+  fits.on = mode == "on";
+  if (const auto clash = at.find("accept_clashes")) fits.acceptedClash = readAllowance(*clash);
+  const auto pairs = at.find("pairs");
+  for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
+    const FitEdit edit = readPair(pairs->element(i));
+    for (const FitEdit& earlier : fits.pairs) {
+      if (isSamePair(earlier, edit)) pairs->element(i).fail("is about a pair that was there before", "Remove one.");
+    }
+    fits.pairs.push_back(edit);
+  }
+  return fits;
+}
+
+void addFits(const FitSettings& fits, Json& json) {
+  if (!fits.on && fits.acceptedClash == 0.0 && fits.pairs.empty()) return;
+  Json section{{"mode", fits.on ? "on" : "off"}};
+  if (fits.acceptedClash > 0.0) section["accept_clashes"] = fits.acceptedClash;
+  if (!fits.pairs.empty()) section["pairs"] = Json::array();
+  for (const FitEdit& edit : fits.pairs) section["pairs"].push_back(toJson(edit));
+  json["fits"] = std::move(section);
+}
+
+}  // namespace glissade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/scenario/scenario.h"
+
+namespace glissade {
+
+/// Finds the fits of the object as `scenario.scenario.fits` asks, and thins the object in the problem's world by what
+/// they allow; fits that there were are replaced. The product is taken as assembled in the start and, where it is a
+/// configuration, in the goal. Called by realiseScenario(); again where the settings were changed since.
+/// Errors: as of findObjectFits(), with the scenario's file.
+Outcome applyFits(LoadedScenario& scenario, const StopToken& stop = {});
+
+/// What a certificate of this scenario's object is about, for each fit in words: "nut taken 0.021 mm thinner on the
+/// shaft of bolt (cylindrical)". Empty where the whole object is meant.
+std::vector<std::string> allowancesInWords(const LoadedScenario& scenario);
+
+/// The same for files and reports: an array with an object a fit, lengths in metres.
+nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario);
+
+}  // namespace glissade

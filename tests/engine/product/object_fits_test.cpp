@@ -1,0 +1,166 @@
+#include "engine/product/object_fits.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/geometry/primitives.h"
+#include "engine/geometry/thinned_mesh.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/support/random_pose.h"
+
+namespace glissade {
+namespace {
+
+RigidBody placed(const std::string& id, const TriangleMesh& mesh, const Pose& X_WB) {
+  RigidBody body;
+  body.id = body.name = id;
+  body.mesh = std::make_shared<const TriangleMesh>(mesh);
+  body.X_WB = X_WB;
+  return body;
+}
+
+/// A screw in a plate's tapped hole, its head on the plate, and a block far away, all turned and placed at random.
+struct Screwed {
+  explicit Screwed(double shaft, RandomStream& random) {
+    const Pose place = randomPose(random, 0.3);
+    obstacles = {placed("plate", test::makeRing(0.0021, 0.02, 0.01, 40), place),
+                 placed("block", makeBox({0.01, 0.01, 0.01}), place * Pose::translation({0.1, 0.0, 0.0}))};
+    object = placed("screw", test::makeRing(0.0, shaft, 0.03, 37), place);
+  }
+
+  Result<ObjectFits> find(const FitSettings& settings) const {
+    return findObjectFits({obstacles, object, {object.X_WB}, {0.0, 0.0, 0.0}, settings});
+  }
+
+  std::vector<RigidBody> obstacles;
+  RigidBody object;
+};
+
+FitSettings switchedOn() {
+  FitSettings settings;
+  settings.on = true;
+  return settings;
+}
+
+TEST(ObjectFits, AllowsAThreadWhatItOverlapsByAndLeavesAGap) {
+  RandomStream random(1, "thread");
+  for (int round = 0; round < 5; ++round) {
+    const Screwed screwed(0.0024, random);
+    const auto fits = screwed.find(switchedOn());
+    ASSERT_TRUE(fits);
+    ASSERT_EQ(fits->allowed.size(), 1U);
+    const Fit& fit = fits->allowed.front();
+    EXPECT_EQ(fit.obstacle, 0U);
+    EXPECT_EQ(fit.kind, ContactKind::Thread);
+    EXPECT_EQ(fit.role, Fit::Role::Shaft);
+    EXPECT_NEAR(fit.overlap, 0.0003, 1e-7);
+    EXPECT_GT(fit.allowance, 0.0003);
+    EXPECT_LT(fit.allowance, 0.00034);
+    EXPECT_TRUE(fits->clashes.empty());
+    const auto world = CollisionWorld::build(screwed.obstacles, screwed.object.mesh);
+    EXPECT_TRUE(world->makeQuery()->collides(screwed.object.X_WB));
+    const auto thinned = withFits(world, fits->allowed);
+    EXPECT_TRUE(thinned->makeQuery()->clearAbove(screwed.object.X_WB, 0.5 * assembledGap(0.015)));
+  }
+}
+
+TEST(ObjectFits, SaysItInWords) {
+  const Fit screw{0, ContactKind::Thread, Fit::Role::Shaft, 0.0004, 0.00041};
+  EXPECT_EQ(inWords(screw, "screw", "plate"), "screw taken 0.41 mm thinner in the tapped hole of plate (thread)");
+  const Fit nut{0, ContactKind::Cylindrical, Fit::Role::Hole, 0.0, 0.0000213};
+  EXPECT_EQ(inWords(nut, "nut", "bolt"), "nut taken 0.0213 mm thinner on the shaft of bolt (cylindrical)");
+  const Fit block{0, ContactKind::Planar, Fit::Role::Other, 0.0, 0.000001};
+  EXPECT_EQ(inWords(block, "block", "plate"), "block taken 0.001 mm thinner against plate (planar)");
+}
+
+TEST(ObjectFits, AllowsNothingToBodiesThatStandApart) {
+  RandomStream random(2, "apart");
+  const Screwed screwed(0.002, random);
+  const auto fits = screwed.find(switchedOn());
+  ASSERT_TRUE(fits);
+  EXPECT_TRUE(fits->allowed.empty());
+  EXPECT_TRUE(allowancesOf(fits->allowed, 2).empty());
+  const auto world = CollisionWorld::build(screwed.obstacles, screwed.object.mesh);
+  EXPECT_EQ(withFits(world, fits->allowed), world);
+}
+
+TEST(ObjectFits, AClashNeedsAPersonsWord) {
+  RandomStream random(3, "clash");
+  const Screwed screwed(0.0033, random);
+  const auto refused = screwed.find(switchedOn());
+  ASSERT_TRUE(refused);
+  EXPECT_TRUE(refused->allowed.empty());
+  ASSERT_EQ(refused->clashes.size(), 1U);
+  ASSERT_EQ(refused->warnings.size(), 1U);
+  EXPECT_NE(refused->warnings.front().reason.find("1.2 mm"), std::string::npos) << refused->warnings.front().reason;
+
+  FitSettings upTo = switchedOn();
+  upTo.acceptedClash = 0.0011;
+  EXPECT_TRUE(screwed.find(upTo)->allowed.empty());
+  upTo.acceptedClash = 0.00121;
+  ASSERT_EQ(screwed.find(upTo)->allowed.size(), 1U);
+  EXPECT_EQ(screwed.find(upTo)->allowed.front().kind, ContactKind::Clash);
+  FitSettings one = switchedOn();
+  one.pairs = {{"screw", "plate", {}, {}, true}};
+  EXPECT_EQ(screwed.find(one)->allowed.size(), 1U);
+}
+
+TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsIsAClash) {
+  const auto plate = placed("plate", test::makeRing(0.0021, 0.02, 0.01, 40), Pose::identity());
+  const auto tube = placed("tube", test::makeRing(0.0019, 0.0024, 0.03, 40), Pose::identity());
+  const std::vector<RigidBody> obstacles{plate};
+  const FitSettings settings = switchedOn();
+  const auto fits = findObjectFits({obstacles, tube, {tube.X_WB}, {0.0, 0.0}, settings});
+  ASSERT_TRUE(fits);
+  EXPECT_TRUE(fits->allowed.empty());
+  EXPECT_EQ(fits->clashes.size(), 1U);
+  EXPECT_EQ(fits->warnings.size(), 1U);
+}
+
+TEST(ObjectFits, WhatAPersonSaysGoesBeforeWhatWasMeasured) {
+  RandomStream random(4, "edits");
+  const Screwed screwed(0.0024, random);
+  FitSettings settings = switchedOn();
+  settings.pairs = {{"plate", "screw", ContactKind::Press, 0.00037, false}};
+  const auto fits = screwed.find(settings);
+  ASSERT_TRUE(fits);
+  ASSERT_EQ(fits->allowed.size(), 1U);
+  EXPECT_EQ(fits->allowed.front().kind, ContactKind::Press);
+  EXPECT_EQ(fits->allowed.front().allowance, 0.00037);
+  EXPECT_EQ(allowancesOf(fits->allowed, 2), (std::vector<double>{0.00037, 0.0}));
+  settings.pairs.front().allowance = 0.0;
+  EXPECT_TRUE(screwed.find(settings)->allowed.empty());
+}
+
+TEST(ObjectFits, BadSettingsGetOneClearMessage) {
+  RandomStream random(5, "bad");
+  const Screwed screwed(0.0024, random);
+  const auto reasonOf = [&](const FitEdit& edit) {
+    FitSettings settings = switchedOn();
+    settings.pairs = {{"plate", "block", ContactKind::Contact, {}, false}, edit};
+    const auto fits = screwed.find(settings);
+    if (fits) return std::string("no error");
+    EXPECT_EQ(fits.error().kind, ErrorKind::MalformedInput);
+    EXPECT_EQ(fits.error().place, "/fits/pairs/1");
+    EXPECT_FALSE(fits.error().advice.empty());
+    return fits.error().reason;
+  };
+  EXPECT_NE(reasonOf({"screw", "washer", {}, 0.0001, false}).find("'washer', which is not there"), std::string::npos);
+  EXPECT_NE(reasonOf({"screw", "plate", {}, 0.02, false}).find("thickness"), std::string::npos);
+  EXPECT_NE(reasonOf({"screw", "block", {}, 0.0001, false}).find("do not touch"), std::string::npos);
+}
+
+TEST(ObjectFits, AnOpenSurfaceCannotBeThinnedAndThatIsSaid) {
+  RandomStream random(6, "open");
+  Screwed screwed(0.0021, random);
+  TriangleMesh open = *screwed.object.mesh;
+  open.triangles.pop_back();
+  screwed.object.mesh = std::make_shared<const TriangleMesh>(open);
+  const auto fits = screwed.find(switchedOn());
+  ASSERT_TRUE(fits);
+  EXPECT_TRUE(fits->allowed.empty());
+  ASSERT_EQ(fits->warnings.size(), 1U);
+  EXPECT_NE(fits->warnings.front().reason.find("not closed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glissade
