@@ -20,6 +20,7 @@
 
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/step_losses.h"
 
 namespace glissade {
 namespace {
@@ -194,7 +195,7 @@ class AssemblyWalk {
 
 }  // namespace
 
-std::vector<StepSolid> readStepAssembly(std::istream& content) {
+StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -204,7 +205,7 @@ std::vector<StepSolid> readStepAssembly(std::istream& content) {
   reader.SetMatMode(false);
   reader.SetViewMode(false);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", solidNames ? 1 : 0);
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
@@ -216,7 +217,7 @@ std::vector<StepSolid> readStepAssembly(std::istream& content) {
       AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()))
           .walk();
   if (solids.empty()) throw std::runtime_error("it holds neither a solid nor a face");
-  return solids;
+  return {std::move(solids), lossesOf(reader)};
 }
 
 }  // namespace glissade

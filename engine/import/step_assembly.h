@@ -19,8 +19,14 @@ struct StepSolid {
   std::optional<std::array<double, 3>> colour;  ///< sRGB
 };
 
-/// Reads a STEP file. Throws std::runtime_error with the reason where there is nothing to be had, and
-/// OpenCASCADE's Standard_Failure. Runs in the importing process only.
-std::vector<StepSolid> readStepAssembly(std::istream& content);
+struct StepAssembly {
+  std::vector<StepSolid> solids;
+  std::vector<std::string> losses;  ///< as step_losses.h has them
+};
+
+/// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws
+/// std::runtime_error with the reason where there is nothing to be had, and OpenCASCADE's Standard_Failure. Runs in
+/// the importing process only.
+StepAssembly readStepAssembly(std::istream& content, bool solidNames);
 
 }  // namespace glissade

@@ -23,14 +23,20 @@ struct StepPart {
   std::size_t facesWithoutMesh = 0;             ///< that could not be tessellated: they are missing
 };
 
+/// The content of a STEP file.
+struct StepProduct {
+  std::vector<StepPart> parts;  ///< at least one
+  Warnings warnings;            ///< what the file says and OpenCASCADE has not made, with the entity
+};
+
 /// Imports a STEP file (AP203, AP214, AP242) with OpenCASCADE, in a process of its own that can open no
 /// file and has limited memory and time. The file's unit is honoured. `deflection`: metres that the
 /// triangles may be off curved surfaces; 0: usualDeflection() of each part.
 ///
 /// Takes its time: seconds for thousands of faces. Errors are MalformedInput with the file's name, or
 /// Interrupted where it was stopped.
-Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
-Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop = {});
+Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
+Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop = {});
 
 /// Whether the ending is one of STEP files.
 bool isStepFile(const std::string& file);
