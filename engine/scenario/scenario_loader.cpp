@@ -179,8 +179,6 @@ Result<ReadScenario> readScenario(const std::string& file) {
   return ReadScenario{std::move(*scenario), sha256(*text), std::move(warnings)};
 }
 
-SaveResult notSaved(const Diagnostic& why) { return {SaveStatus::Failed, why, {}, {}}; }
-
 }  // namespace
 
 Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop) {
