@@ -36,7 +36,7 @@ class Message {
   }
 
   void add(const StepSolid& solid) {
-    if (!indexOf_.IsBound(solid.shape)) addShape(solid.shape);
+    if (!indexOf_.IsBound(solid.shape)) addShape(solid);
     protocol::Part part;
     part.shape = static_cast<std::uint32_t>(indexOf_.Find(solid.shape));
     const gp_XYZ position = solid.placement.TranslationPart();
@@ -72,9 +72,10 @@ class Message {
   }
 
  private:
-  void addShape(const TopoDS_Shape& shape) {
-    indexOf_.Bind(shape, static_cast<int>(shapes_.size()));
-    shapes_.push_back(tessellate(shape, deflection_));
+  void addShape(const StepSolid& solid) {
+    indexOf_.Bind(solid.shape, static_cast<int>(shapes_.size()));
+    shapes_.push_back(tessellate(solid.shape, deflection_));
+    shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.kind = protocol::kAssembly;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;

@@ -15,6 +15,7 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -193,6 +194,32 @@ class AssemblyWalk {
   std::size_t occurrences_ = 0;
 };
 
+/// Counts each loss with the parts that have its face, instances of one solid too.
+void assign(const std::vector<StepLoss>& losses, std::vector<StepSolid>& solids) {
+  std::map<const TopoDS_TShape*, std::vector<StepSolid*>> solidsOfFace;
+  for (StepSolid& solid : solids) {
+    for (TopExp_Explorer face(solid.shape, TopAbs_FACE); face.More(); face.Next()) {
+      solidsOfFace[face.Current().TShape().get()].push_back(&solid);
+    }
+  }
+  for (const StepLoss& loss : losses) {
+    const auto found = loss.face.IsNull() ? solidsOfFace.end() : solidsOfFace.find(loss.face.TShape().get());
+    if (found == solidsOfFace.end()) throw std::runtime_error(loss.entity + ": " + loss.what);
+    for (StepSolid* solid : found->second) ++solid->losses;
+  }
+}
+
+/// More than a few lines are one line that counts them.
+std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
+  constexpr std::size_t kMost = 20;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
+    lines.push_back(losses[i].entity + "\t" + losses[i].what);
+  }
+  if (losses.size() > kMost) lines.push_back("\t" + std::to_string(losses.size() - kMost) + " more could not be made");
+  return lines;
+}
+
 }  // namespace
 
 StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
@@ -217,7 +244,9 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
       AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()))
           .walk();
   if (solids.empty()) throw std::runtime_error("it holds neither a solid nor a face");
-  return {std::move(solids), lossesOf(reader)};
+  const std::vector<StepLoss> losses = lossesOf(reader);
+  if (!losses.empty()) assign(losses, solids);
+  return {std::move(solids), inLines(losses)};
 }
 
 }  // namespace glissade

@@ -20,7 +20,7 @@ struct StepPart {
   Pose X_FP;                                    ///< in the file's frame F, metres and z up
   std::optional<std::array<double, 3>> colour;  ///< sRGB
   double deflection = 0.0;                      ///< metres that the mesh may be off the surface, about
-  std::size_t facesWithoutMesh = 0;             ///< that could not be tessellated: they are missing
+  std::size_t facesWithoutMesh = 0;             ///< faces and boundaries that could not be made: they are missing
 };
 
 /// The content of a STEP file.

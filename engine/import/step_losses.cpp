@@ -11,22 +11,21 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <stdexcept>
 
 namespace glissade {
 namespace {
 
-/// More lines than that are one line that counts them.
-constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kMostLosses = 1'000;
 
 class LossSearch {
  public:
   explicit LossSearch(const STEPCAFControl_Reader& reader)
       : model_(reader.Reader().WS()->Model()), process_(reader.Reader().WS()->TransferReader()->TransientProcess()) {}
 
-  std::vector<std::string> run() {
+  std::vector<StepLoss> run() {
     for (int i = 1; i <= model_->NbEntities(); ++i) look(model_->Value(i));
-    if (lost_ > kMostLines) lines_.push_back("\tand " + std::to_string(lost_ - kMostLines) + " more");
-    return std::move(lines_);
+    return std::move(losses_);
   }
 
  private:
@@ -37,7 +36,7 @@ class LossSearch {
       lookAtFace(face);
     } else if (const auto solid = Handle(StepShape_ManifoldSolidBrep)::DownCast(entity);
                !solid.IsNull() && !isMade(solid)) {
-      note(solid, "the solid could not be made");
+      note(solid, "the solid could not be made", {});
     }
   }
 
@@ -45,9 +44,9 @@ class LossSearch {
     for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
       const Handle(StepShape_Face) face = shell->CfsFacesValue(i);
       if (face.IsNull()) {
-        note(shell, "number " + std::to_string(i) + " of its faces is no face");
+        note(shell, "number " + std::to_string(i) + " of its faces is no face", faceOf(shell));
       } else if (!isMade(face)) {
-        note(shell, "its face " + nameOf(face) + " could not be made");
+        note(shell, "its face " + nameOf(face) + " could not be made", faceOf(shell));
       }
     }
   }
@@ -57,8 +56,18 @@ class LossSearch {
       const Handle(StepShape_FaceBound) bound = face->BoundsValue(i);
       const Handle(StepShape_Loop) loop = bound.IsNull() ? nullptr : bound->Bound();
       if (!loop.IsNull() && (loop->IsKind(STANDARD_TYPE(StepShape_VertexLoop)) || isMade(loop))) continue;
-      note(face, "number " + std::to_string(i) + " of its boundaries could not be made");
+      note(face, "number " + std::to_string(i) + " of its boundaries could not be made",
+           TransferBRep::ShapeResult(process_, face));
     }
+  }
+
+  /// The first that was made.
+  TopoDS_Shape faceOf(const Handle(StepShape_ConnectedFaceSet) & shell) const {
+    for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
+      const Handle(StepShape_Face) face = shell->CfsFacesValue(i);
+      if (!face.IsNull() && isMade(face)) return TransferBRep::ShapeResult(process_, face);
+    }
+    return {};
   }
 
   bool isMade(const Handle(Standard_Transient) & entity) const {
@@ -70,18 +79,20 @@ class LossSearch {
     return model_->StringLabel(entity)->ToCString();
   }
 
-  void note(const Handle(Standard_Transient) & entity, const std::string& what) {
-    if (++lost_ <= kMostLines) lines_.push_back(nameOf(entity) + "\t" + what);
+  void note(const Handle(Standard_Transient) & entity, const std::string& what, const TopoDS_Shape& face) {
+    if (losses_.size() == kMostLosses) {
+      throw std::runtime_error("more than " + std::to_string(kMostLosses) + " of its faces could not be made");
+    }
+    losses_.push_back({nameOf(entity), what, face});
   }
 
   Handle(Interface_InterfaceModel) model_;
   Handle(Transfer_TransientProcess) process_;
-  std::vector<std::string> lines_;
-  std::size_t lost_ = 0;
+  std::vector<StepLoss> losses_;
 };
 
 }  // namespace
 
-std::vector<std::string> lossesOf(const STEPCAFControl_Reader& reader) { return LossSearch(reader).run(); }
+std::vector<StepLoss> lossesOf(const STEPCAFControl_Reader& reader) { return LossSearch(reader).run(); }
 
 }  // namespace glissade

@@ -45,12 +45,11 @@ void warnIfIncomplete(const LoadedGeometry& geometry, const std::string& id, con
                       Warnings& warnings) {
   for (const GeometryPart& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
-    warnings.push_back(
-        {ErrorKind::MalformedInput, file, "body '" + idOf(id, part) + "'",
-         "misses " + std::to_string(part.facesWithoutMesh) +
-             " faces that could not be tessellated: it is not closed there, and they are free space to every "
-             "proof",
-         "Do not trust paths near it; export it again, or as a mesh."});
+    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + idOf(id, part) + "'",
+                        "misses " + std::to_string(part.facesWithoutMesh) +
+                            " faces or boundaries that could not be made: it is not closed there, and what is missing "
+                            "is free space to every proof",
+                        "Do not trust paths near it; export it again, or as a mesh."});
   }
 }
 
