@@ -2,25 +2,30 @@
 # Runs libFuzzer over the readers of all formats, one after another, and prints one row for each:
 #   name | tried | clean | defects | seconds | peak MB | seed
 # New inputs go to build/fuzz-corpus and are used again by the next run; inputs that are defects go to build/fuzz-defects.
-# usage: packaging/fuzz.sh [--seconds N] [--seed N] [TARGET...]     (--seconds: of each target; default 600)
+# usage: packaging/fuzz.sh [--seconds N] [--seed N] [--no-build] [TARGET...]     (--seconds: of each target; 600)
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
 
 seconds=600
 seed=1
+build=yes
 targets=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --seconds) seconds=$2; shift 2 ;;
     --seed) seed=$2; shift 2 ;;
+    --no-build) build=''; shift ;;
     -*) sed -n '/^# usage/s/^# //p' "$0" >&2; exit 2 ;;
     *) targets+=("$1"); shift ;;
   esac
 done
 [ "${#targets[@]}" -gt 0 ] || mapfile -t targets < <(ls tests/fuzz/corpus)
 
-packaging/setup.sh build fuzz || exit 1
-packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_TESTS=ON -DGLISSADE_PRECOMPILE=OFF || exit 1
+if [ -n "$build" ]; then
+  packaging/setup.sh build fuzz || exit 1
+  packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_TESTS=ON -DGLISSADE_PRECOMPILE=OFF || exit 1
+fi
+[ -x build/fuzz/bin/fuzz_readers ] || { echo "build/fuzz/bin/fuzz_readers is missing" >&2; exit 1; }
 
 defective=0
 for target in "${targets[@]}"; do

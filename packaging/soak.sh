@@ -3,8 +3,8 @@
 # usage: packaging/soak.sh [--minutes N] [--seed S]      (default: 20 minutes, seed 1)
 # Two soaks run at the same time: the window offscreen by a script (open, plan, stop, edit, undo, plan again, replay,
 # export, save, open the copy), and sessions with their threads. Each writes a line a cycle: seconds, resident
-# megabytes, resident megabytes after free memory was given back to the system. The slope is a least-squares line
-# through the last column over the second half. Prints a row of packaging/RELIABILITY.md for each soak:
+# megabytes, resident megabytes after free memory was given back to the system, megabytes that are allocated. Slopes
+# are least-squares lines through the last two columns over the second half (means of cycles that come again). Prints a row of packaging/RELIABILITY.md for each soak:
 #   name | tried (cycles) | clean | defects | seconds | peak MB | seed
 # Fails above 1 MB/h, or where a soak ends with an error.
 set -uo pipefail
@@ -58,10 +58,11 @@ memory $folder/window.txt
 END
 }
 
-# Enough cycles for any number of minutes: the program is ended when time is over.
+# A cycle takes more than a second, and the program is ended when time is over. A script may have 1 MiB.
 write_script() {
-  local cycle
-  for cycle in $(seq 1 $((minutes * 120))); do
+  local cycle cycles=$((minutes * 60))
+  [ "$cycles" -le 1800 ] || cycles=1800
+  for cycle in $(seq 1 "$cycles"); do
     case $((cycle % 3)) in
       0) write_cycle environment-1 auto environment ;;
       1) write_cycle sliding-plane auto wall ;;
@@ -81,32 +82,46 @@ wait "$window"
 window_status=$?
 [ "$window_status" -ne 137 ] || window_status=0  # ended because time was over
 
-# report NAME FILE STATUS: prints the row and the slope; fails where the soak has not kept what it must.
+# report NAME FILE STATUS PERIOD: prints the row and the slopes; fails where the soak has not kept what it must.
+# Cycles differ from each other and come again after PERIOD cycles: slopes are those of the means of whole periods.
 report() {
-  awk -v name="$1" -v status="$3" -v seed="$seed" '
-    { t[NR] = $1; resident[NR] = $2; trimmed[NR] = $3; if ($2 > peak) peak = $2 }
+  awk -v name="$1" -v status="$3" -v period="$4" -v seed="$seed" '
+    {
+      if ($2 > peak) peak = $2
+      end = $1
+      g = int((NR - 1) / period)
+      t[g] += $1 / period; trimmed[g] += $3 / period; allocated[g] += $4 / period
+    }
     END {
-      for (i = int(NR / 2) + 1; i <= NR; i++) { n++; st += t[i]; sy += trimmed[i] }
-      if (n > 1) {
-        mt = st / n; my = sy / n
-        for (i = int(NR / 2) + 1; i <= NR; i++) { a += (t[i] - mt) * (trimmed[i] - my); b += (t[i] - mt) ^ 2 }
+      groups = int(NR / period)
+      first = int(groups / 2)
+      for (g = first; g < groups; g++) { n++; st += t[g]; sy += trimmed[g]; sz += allocated[g] }
+      for (g = first; g < groups; g++) {
+        a += (t[g] - st / n) * (trimmed[g] - sy / n)
+        c += (t[g] - st / n) * (allocated[g] - sz / n)
+        b += (t[g] - st / n) ^ 2
       }
       enough = n > 4 && b > 0
       slope = enough ? 3600 * a / b : 0
       defects = (status != 0 || !enough || slope > 1) ? 1 : 0
-      printf "%s | %d | %d | %d | %.0f | %.0f | %s\n", name, NR, NR - (status != 0), defects, t[NR], peak, seed
-      printf "%s: slope %.2f MB/h, resident %.1f to %.1f MB, after trimming %.1f to %.1f MB\n", name, slope,
-        resident[int(NR / 2) + 1], resident[NR], trimmed[int(NR / 2) + 1], trimmed[NR]
+      printf "%s, slope %.2f MB/h | %d | %d | %d | %.0f | %.0f | %s\n", name, slope, NR, NR - (status != 0), defects, end,
+        peak, seed
+      printf "%s: slope %.2f MB/h (allocated: %.2f MB/h); means of %d cycles in the second half: after trimming %.2f to " \
+        "%.2f MB, allocated %.2f to %.2f MB\n", name, slope, enough ? 3600 * c / b : 0, period, trimmed[first],
+        trimmed[groups - 1], allocated[first], allocated[groups - 1]
       if (!enough) printf "%s: too few cycles for a slope\n", name
       exit defects
     }' "$2"
 }
 
 failed=0
-for soak in window session; do
-  status=${soak}_status
+# The period is the number of scenarios that a soak takes turns with.
+while read -r soak status period; do
   touch "$folder/$soak.txt"
-  report "soak-$soak" "$folder/$soak.txt" "${!status}" || { failed=1; tail -n 3 "$folder/$soak.err"; }
+  report "soak-$soak" "$folder/$soak.txt" "$status" "$period" || { failed=1; tail -n 3 "$folder/$soak.err"; }
   [ -z "${SOAK_KEEP:-}" ] || cp "$folder/$soak.txt" "$SOAK_KEEP"
-done
+done <<END
+window $window_status 3
+session $session_status 4
+END
 exit "$failed"

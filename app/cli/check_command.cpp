@@ -1,5 +1,6 @@
 #include "app/cli/check_command.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -14,18 +15,36 @@
 namespace glissade::cli {
 namespace {
 
-MotionCertificate judge(const std::vector<PathPoint>& points, const LoadedScenario& loaded, const StopToken& stop) {
+struct Judgement {
+  MotionCertificate certificate;
+  std::string whyUndecided;  ///< empty where the certificate is a verdict
+};
+
+Judgement judge(const std::vector<PathPoint>& points, const LoadedScenario& loaded, const StopToken& stop) {
   const CollisionWorld& world = *loaded.problem.world;
   const std::vector<double> allowances = allowancesOf(loaded.fits.allowed, world.obstacles().size());
   const IndependentCheck check(world.obstacles(), world.object(), allowances);
-  return check.check(configurationsOf(points), demandsOf(points, loaded.parameters), stop);
+  const std::vector<Pose> path = configurationsOf(points);
+  const std::vector<EdgeDemand> demands = demandsOf(points, loaded.parameters);
+  Judgement judgement{check.check(path, demands, stop), ""};
+  if (judgement.certificate.status != CertificateStatus::Undecided) return judgement;
+  if (stop.stopRequested()) {
+    judgement.whyUndecided = "the check was stopped";
+  } else {
+    const std::size_t edge = judgement.certificate.edge;
+    judgement.whyUndecided =
+        check.whyUndecided(path[edge], path[std::min(edge + 1, path.size() - 1)], demands[edge].clearance);
+  }
+  return judgement;
 }
 
 /// Of a path that is refused on the edge to its first configuration outside.
-MotionCertificate outsideWorkspace(std::size_t configuration) {
-  MotionCertificate certificate;
-  certificate.edge = configuration == 0 ? 0 : configuration - 1;
-  return certificate;
+Judgement outsideWorkspace(std::size_t configuration) {
+  Judgement judgement;
+  judgement.certificate.edge = configuration == 0 ? 0 : configuration - 1;
+  judgement.whyUndecided = "configuration " + std::to_string(configuration) +
+                           " is outside the scenario's workspace; the path was not examined further";
+  return judgement;
 }
 
 }  // namespace
@@ -46,7 +65,7 @@ int runCheck(const CheckOptions& options) {
     if (!set) return reportError(set.error(), options.format);
   }
   const std::optional<std::size_t> outside = firstOutside(points, problem);
-  const MotionCertificate certificate =
+  const auto [certificate, whyUndecided] =
       outside ? outsideWorkspace(*outside) : judge(points, *loaded, interrupt.token());
   const PathEnds ends = endsOf(points, problem);
   const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal && !outside;
@@ -59,17 +78,14 @@ int runCheck(const CheckOptions& options) {
     report["ends_at_goal"] = ends.goal;
     report["outside_workspace"] = outside ? nlohmann::ordered_json(*outside) : nlohmann::ordered_json(nullptr);
     report["certificate"] = toJson(certificate, *problem.world, options.edges);
+    if (!whyUndecided.empty()) report["certificate"]["why_undecided"] = whyUndecided;
     addUncertainties(*loaded, report["certificate"]);
     printJson(report);
   } else {
     std::cout << (valid ? "valid" : "invalid") << ": " << points.size() << " configurations, "
-              << inWords(certificate, *problem.world) << "\n";
+              << inWords(certificate, *problem.world) << (whyUndecided.empty() ? "" : ": ") << whyUndecided << "\n";
     std::cout << deviationInWords(*loaded);
     if (options.edges) printEdges(certificate, *problem.world);
-    if (outside) {
-      std::cout << "the path leaves the scenario's workspace on edge " << certificate.edge << ": configuration "
-                << *outside << " is outside; it was not examined further\n";
-    }
     if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";
     if (!ends.goal) std::cout << "the path does not end at the scenario's goal\n";
   }

@@ -20,8 +20,9 @@ bool saysScenario(const std::string& file) {
   return text && text->find("\"glissade-scenario\"") != std::string::npos;
 }
 
-int finish(const Outcome& outcome, const ConvertOptions& options) {
-  if (!outcome) return reportError(outcome.error(), options.format);
+int finish(const SaveResult& saved, const ConvertOptions& options) {
+  if (!saved) return reportError(saved.why, options.format);
+  reportWarnings(saved.warnings);
   std::cout << "wrote " << options.output << "\n";
   return 0;
 }
@@ -58,8 +59,7 @@ int convertScenario(const ConvertOptions& options) {
   const bool inPlace = std::filesystem::equivalent(options.input, options.output, notThere);
   const SaveResult saved = saveScenarioFile(movedTo(options.output, loaded.scenario, options.input), options.output,
                                             inPlace ? std::optional(opened->sha256) : std::nullopt);
-  reportWarnings(saved.warnings);
-  return finish(saved ? Outcome(Done{}) : Outcome(saved.why), options);
+  return finish(saved, options);
 }
 
 }  // namespace

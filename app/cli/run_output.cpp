@@ -174,20 +174,33 @@ bool foundNone(const SessionSnapshot& end) {
   return end.problem && (end.problem->kind == ErrorKind::NoPath || end.problem->kind == ErrorKind::LimitReached);
 }
 
-Outcome writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
+SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
   const auto record = makeRunRecord(scenario, joined(end.log));
-  if (!record) return record.error();
+  if (!record) return notSaved(record.error());
   return writeRunRecord(*record, options.record);
+}
+
+/// Writes the files that were asked for, up to the first that cannot be written.
+std::optional<Diagnostic> writeFiles(const PlanOptions& options, const LoadedScenario& scenario,
+                                     const SessionSnapshot& end) {
+  if (end.path && !options.out.empty()) {
+    const SaveResult saved = writePath(*end.path, scenario, {end.plannerId, end.seed}, options.out);
+    reportWarnings(saved.warnings);
+    if (!saved) return saved.why;
+  }
+  if (!options.record.empty()) {
+    const SaveResult saved = writeRecord(options, scenario, end);
+    reportWarnings(saved.warnings);
+    if (!saved) return saved.why;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
 int deliver(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end,
             const StopToken& stop) {
-  Outcome written = Done{};
-  if (end.path && !options.out.empty())
-    written = writePath(*end.path, scenario, {end.plannerId, end.seed}, options.out);
-  if (written && !options.record.empty()) written = writeRecord(options, scenario, end);
+  const std::optional<Diagnostic> notWritten = writeFiles(options, scenario, end);
 
   const CollisionWorld& world = *scenario.problem.world;
   std::optional<Difficulty> difficulty;
@@ -204,9 +217,9 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
     if (difficulty) printDifficulty(*difficulty, world);
   }
   if (end.problem) std::cerr << "glissade-cli: " << toString(*end.problem) << "\n";
-  if (!written) {
-    std::cerr << "glissade-cli: " << toString(written.error()) << "\n";
-    return exitCode(written.error().kind);
+  if (notWritten) {
+    std::cerr << "glissade-cli: " << toString(*notWritten) << "\n";
+    return exitCode(notWritten->kind);
   }
   return exitCodeOf(end);
 }

@@ -42,8 +42,9 @@ int runSmooth(const SmoothOptions& options) {
   }
   const Path shorter =
       withShortcuts(path, problem, loaded->parameters, options.seed, options.attempts, interrupt.token());
-  const Outcome written = exporter->write(shorter, *loaded, {"smooth", options.seed}, options.output);
-  if (!written) return reportError(written.error(), options.format);
+  const SaveResult saved = exporter->write(shorter, *loaded, {"smooth", options.seed}, options.output);
+  if (!saved) return reportError(saved.why, options.format);
+  reportWarnings(saved.warnings);
 
   const double before = metricLength(path, problem);
   const double after = metricLength(shorter, problem);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/file_save.h"
 #include "engine/base/result.h"
 
 namespace glissade {
@@ -43,5 +44,6 @@ inline Diagnostic wrongCommand(const std::string& reason, const std::string& adv
 inline Diagnostic unmetExpectation(const std::string& reason) { return {ErrorKind::NoPath, "", "", reason, ""}; }
 
 inline Outcome outcomeOf(const std::optional<Diagnostic>& why) { return why ? Outcome(*why) : Outcome(Done{}); }
+inline Outcome outcomeOf(const SaveResult& saved) { return saved ? Outcome(Done{}) : Outcome(saved.why); }
 
 }  // namespace glissade

@@ -3,9 +3,9 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QUrl>
 
+#include "app/window/plain_message_box.h"
 #include "app/window/save_conflict.h"
 #include "engine/scenario/path_reader.h"
 
@@ -149,9 +149,11 @@ void FileController::trySave(const QString& file) {
 
 bool FileController::mayDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
-  const auto answer =
-      QMessageBox::question(&bench_.window, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
-                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  PlainMessageBox box(QMessageBox::Question, tr("Unsaved edits"), tr("The scenario has edits that are not saved."), {},
+                      &bench_.window);
+  box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
   if (answer == QMessageBox::Save) save();
   return answer == QMessageBox::Discard || !bench_.document.isModified();
 }

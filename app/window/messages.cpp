@@ -1,7 +1,8 @@
 #include "app/window/messages.h"
 
-#include <QMessageBox>
 #include <QStatusBar>
+
+#include "app/window/plain_message_box.h"
 
 namespace glissade {
 namespace {
@@ -12,11 +13,13 @@ constexpr int kStatusMilliseconds = 10000;
 
 void Messages::showError(const QString& title, const Diagnostic& why) {
   if (quiet_) return;
-  QMessageBox box(QMessageBox::Warning, title, title, QMessageBox::Ok, &window_);
-  QString text = QString::fromStdString(why.reason);
-  if (!why.advice.empty()) text += QStringLiteral("\n\n") + QString::fromStdString(why.advice);
-  box.setInformativeText(QString::fromStdString(why.file + (why.place.empty() ? "" : "\n" + why.place)) +
-                         QStringLiteral("\n") + text);
+  QString details;
+  for (const std::string& part : {why.file, why.place, why.reason}) {
+    if (!part.empty()) details += (details.isEmpty() ? "" : "\n") + QString::fromStdString(part);
+  }
+  if (!why.advice.empty()) details += QStringLiteral("\n\n") + QString::fromStdString(why.advice);
+  PlainMessageBox box(QMessageBox::Warning, title, title, details, &window_);
+  box.setStandardButtons(QMessageBox::Ok);
   box.exec();
 }
 

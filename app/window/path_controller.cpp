@@ -134,20 +134,21 @@ void PathController::chooseExport() {
   ExportDialog dialog(makePathExporterRegistry(), &bench_.window);
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = dialog.selectedFiles().front();
-  if (const auto why = exportTo(file)) {
-    showError(*why);
+  const SaveResult saved = exportTo(file);
+  if (!saved) {
+    showError(saved.why);
+  } else if (!saved.warnings.empty()) {
+    bench_.messages.showError(tr("The path was saved, with a warning"), saved.warnings.front());
   } else {
     bench_.messages.showStatus(tr("The path was saved as %1").arg(file));
   }
 }
 
-std::optional<Diagnostic> PathController::exportTo(const QString& file) {
+SaveResult PathController::exportTo(const QString& file) {
   if (!results_.path) {
-    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."};
+    return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."});
   }
-  const Outcome written =
-      writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
-  return written ? std::nullopt : std::make_optional(written.error());
+  return writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
 }
 
 std::string PathController::verdict() const {

@@ -21,7 +21,7 @@ class PathController final : public QObject {
   /// The same; an error is shown in a dialog.
   void openOrShowError(const QString& file);
   /// Saves the path in the format of the file's ending; nothing on success.
-  std::optional<Diagnostic> exportTo(const QString& file);
+  SaveResult exportTo(const QString& file);
   /// "none", "certified", or the id of the body that blocks it first ("-": its ends do not fit, or none is near).
   std::string verdict() const;
 

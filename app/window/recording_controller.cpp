@@ -51,13 +51,20 @@ void RecordingController::chooseSaveFile() {
   const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the recording"),
                                                     QStringLiteral("run.json"), tr("Recordings (*.json)"));
   if (file.isEmpty()) return;
-  if (const auto why = replay_.save(file)) {
-    bench_.messages.showError(tr("The recording cannot be saved"), *why);
-  } else if (!bench_.document.isProblemSaved()) {
+  const SaveResult saved = replay_.save(file);
+  showOutcome(saved);
+  if (saved && !bench_.document.isProblemSaved()) {
     QMessageBox::information(&bench_.window, tr("The recording was saved"),
                              tr("It names the scenario's file, which does not have the bodies as they are here. Save "
                                 "the scenario, too: only then can the recording be replayed."));
   }
+}
+
+/// Errors and warnings.
+void RecordingController::showOutcome(const SaveResult& saved) {
+  if (!saved) bench_.messages.showError(tr("The recording cannot be saved"), saved.why);
+  if (saved.warnings.empty()) return;
+  bench_.messages.showError(tr("The recording was saved, with a warning"), saved.warnings.front());
 }
 
 void RecordingController::keepJournals(const QString& folder) {
@@ -88,13 +95,12 @@ QString RecordingController::offerJournal(const QString& file) {
 /// A journal whose saving is cancelled stays, and is offered again at the next start.
 void RecordingController::saveJournals(const std::vector<JournalSave>& saves) {
   bench_.work.runToEnd(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    std::vector<Diagnostic> failures;
+    std::vector<SaveResult> results;
     for (const auto& [journal, target] : saves) {
-      const Outcome saved = saveJournal(journal.toStdString(), target.toStdString(), watch);
-      if (!saved) failures.push_back(saved.error());
+      results.push_back(saveJournal(journal.toStdString(), target.toStdString(), watch));
     }
-    return [this, failures] {
-      for (const Diagnostic& why : failures) bench_.messages.showError(tr("The recording cannot be saved"), why);
+    return [this, results] {
+      for (const SaveResult& saved : results) showOutcome(saved);
     };
   });
 }

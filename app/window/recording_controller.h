@@ -26,6 +26,7 @@ class RecordingController final : public QObject {
   /// A journal, and the recording that it is to become.
   using JournalSave = std::pair<QString, QString>;
   void saveJournals(const std::vector<JournalSave>& saves);
+  void showOutcome(const SaveResult& saved);
 
   const Workbench& bench_;
   ReplayController& replay_;

@@ -117,15 +117,12 @@ std::optional<Diagnostic> ReplayController::open(
   return std::nullopt;
 }
 
-std::optional<Diagnostic> ReplayController::save(const QString& file) {
+SaveResult ReplayController::save(const QString& file) {
   if (!recorder_.hasRecording()) {
-    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "there is no run to save", "Start one first."};
+    return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no run to save", "Start one first."});
   }
   const auto record = recorder_.record();
-  if (!record) return record.error();
-  const Outcome written = writeRunRecord(*record, file.toStdString());
-  if (!written) return written.error();
-  return std::nullopt;
+  return record ? writeRunRecord(*record, file.toStdString()) : notSaved(record.error());
 }
 
 Result<RunLog> ReplayController::lastLog() {

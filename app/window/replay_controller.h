@@ -29,7 +29,7 @@ class ReplayController final : public QObject {
   /// Opens a recording that was read from a file; `openOther` opens its scenario where another is open.
   std::optional<Diagnostic> open(const RunRecord& record, const QString& file,
                                  const std::function<std::optional<Diagnostic>(const QString&)>& openOther);
-  std::optional<Diagnostic> save(const QString& file);
+  SaveResult save(const QString& file);
   void close();
 
   /// Shows another step, as far as it is replayed.

@@ -17,6 +17,7 @@ RunController::RunController(const Workbench& bench)
       status_(new QLabel(&bench.window)),
       elapsed_(new QLabel(&bench.window)) {
   status_->setObjectName(QStringLiteral("status"));
+  status_->setTextFormat(Qt::PlainText);
   status_->setText(tr("No scenario is open."));
   bench.window.statusBar()->addWidget(status_, 1);
   bench.window.statusBar()->addPermanentWidget(elapsed_);

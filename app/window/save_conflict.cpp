@@ -2,8 +2,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QMessageBox>
 #include <QPushButton>
+
+#include "app/window/plain_message_box.h"
 
 namespace glissade {
 namespace {
@@ -18,18 +19,16 @@ struct SaveConflict {
 ConflictAnswer askAboutConflict(const SaveResult& refused, QWidget* parent) {
   const bool removed = refused.status == SaveStatus::RemovedByOthers;
   const QString file = QDir::toNativeSeparators(QString::fromStdString(refused.why.file));
-  QMessageBox box(QMessageBox::Warning,
-                  removed ? SaveConflict::tr("The file is gone") : SaveConflict::tr("The file was changed"),
-                  removed ? SaveConflict::tr("Another program has removed or renamed the file since it was opened:")
-                          : SaveConflict::tr("Another program has changed the file since it was opened:"),
-                  QMessageBox::NoButton, parent);
-  box.setInformativeText(
-      file + QStringLiteral("\n\n") +
-      (removed
-           ? SaveConflict::tr("Save it there again, or under another name.")
-           : SaveConflict::tr(
-                 "Overwrite it with your version: the other version stays under File > Earlier versions. Or open the "
-                 "other version: your edits are lost. Or save your version under another name.")));
+  const QString choice =
+      removed ? SaveConflict::tr("Save it there again, or under another name.")
+              : SaveConflict::tr(
+                    "Overwrite it with your version: the other version stays under File > Earlier versions. Or open "
+                    "the other version: your edits are lost. Or save your version under another name.");
+  PlainMessageBox box(QMessageBox::Warning,
+                      removed ? SaveConflict::tr("The file is gone") : SaveConflict::tr("The file was changed"),
+                      removed ? SaveConflict::tr("Another program has removed or renamed the file since it was opened:")
+                              : SaveConflict::tr("Another program has changed the file since it was opened:"),
+                      file + QStringLiteral("\n\n") + choice, parent);
   const auto* mine = box.addButton(removed ? SaveConflict::tr("Save &again") : SaveConflict::tr("&Overwrite"),
                                    QMessageBox::DestructiveRole);
   const QPushButton* theirs =

@@ -4,9 +4,9 @@
 #include <QDateTime>
 #include <QDir>
 #include <QLocale>
-#include <QMessageBox>
 #include <QPushButton>
 
+#include "app/window/plain_message_box.h"
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_file.h"
 
@@ -51,9 +51,8 @@ QString stateOfFile(const UnsavedEdits& edits) {
 }
 
 Answer ask(const QString& text, const QString& details, bool readable, QWidget* parent) {
-  QMessageBox box(readable ? QMessageBox::Question : QMessageBox::Warning,
-                  UnsavedEditsDialog::tr("Unsaved edits were left"), text, QMessageBox::NoButton, parent);
-  box.setInformativeText(details);
+  PlainMessageBox box(readable ? QMessageBox::Question : QMessageBox::Warning,
+                      UnsavedEditsDialog::tr("Unsaved edits were left"), text, details, parent);
   QPushButton* opened =
       readable ? box.addButton(UnsavedEditsDialog::tr("&Open them"), QMessageBox::AcceptRole) : nullptr;
   const QPushButton* discarded = box.addButton(UnsavedEditsDialog::tr("&Discard them"), QMessageBox::DestructiveRole);

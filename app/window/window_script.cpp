@@ -66,7 +66,7 @@ Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
   const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
   const double resident = residentMegabytes();
   std::ofstream file(name, std::ios::app);
-  file << seconds << " " << resident << " " << residentMegabytesAfterTrim() << "\n";
+  file << seconds << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes() << "\n";
   file.close();
   return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
 }

@@ -18,24 +18,24 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-SaveResult notSaved(SaveStatus status, Diagnostic why) { return {status, std::move(why), {}, {}}; }
-
-SaveResult failed(Diagnostic why) { return notSaved(SaveStatus::Failed, std::move(why)); }
-
 Diagnostic warning(const SaveTarget& target, const std::string& reason, const std::string& advice) {
   return {ErrorKind::Internal, target.file, "", "was saved, but " + reason, advice};
 }
 
 SaveResult changed(const SaveTarget& target) {
-  return notSaved(SaveStatus::ChangedByOthers, {ErrorKind::Usage, target.file, "",
-                                                "was not saved: another program has changed the file since it was read",
-                                                "Save under another name, or open the file again."});
+  return {SaveStatus::ChangedByOthers,
+          {ErrorKind::Usage, target.file, "", "was not saved: another program has changed the file since it was read",
+           "Save under another name, or open the file again."},
+          {},
+          {}};
 }
 
 SaveResult removed(const SaveTarget& target) {
-  return notSaved(SaveStatus::RemovedByOthers, {ErrorKind::Usage, target.file, "",
-                                                "was not saved: the file has been removed or renamed since it was read",
-                                                "Save under another name."});
+  return {SaveStatus::RemovedByOthers,
+          {ErrorKind::Usage, target.file, "", "was not saved: the file has been removed or renamed since it was read",
+           "Save under another name."},
+          {},
+          {}};
 }
 
 /// The access list is worth a warning where there is one; most files have none.
@@ -101,16 +101,16 @@ SaveResult replace(const SaveTarget& target, const std::string& content, const S
   constexpr mode_t kNewFile = 0666;
   auto pending =
       PendingFile::create(folderOf(target.path), target.file, target.exists ? kUntilItsOwnersAreKnown : kNewFile);
-  if (!pending) return failed(pending.error());
+  if (!pending) return notSaved(pending.error());
   if (target.exists) {
     const Outcome rights = copyRights(target, pending->descriptor(), warnings);
-    if (!rights) return failed(rights.error());
+    if (!rights) return notSaved(rights.error());
   }
   const Outcome written = pending->write(content);
-  if (!written) return failed(written.error());
+  if (!written) return notSaved(written.error());
   if (options.replaces && !isUntouched(target)) return changed(target);
   const auto durable = pending->moveTo(target.path);
-  if (!durable) return failed(durable.error());
+  if (!durable) return notSaved(durable.error());
   if (!*durable) {
     warnings.push_back(warning(target, "its folder could not be flushed to the disk",
                                "After a power cut now the old content may be there. Save again."));
@@ -122,24 +122,31 @@ SaveResult replace(const SaveTarget& target, const std::string& content, const S
 
 SaveResult saveFile(const std::string& file, const std::string& content, const SaveOptions& options) {
   const auto target = findSaveTarget(file);
-  if (!target) return failed(target.error());
+  if (!target) return notSaved(target.error());
   if (!target->exists && options.replaces) return removed(*target);
   Warnings warnings;
   const auto present = presentContent(*target, options);
-  if (!present && (options.replaces || options.versionRequired)) return failed(present.error());
+  if (!present && (options.replaces || options.versionRequired)) return notSaved(present.error());
   if (!present) warnings.push_back(warning(*target, "no earlier version was kept", "It could not be read."));
   const bool known = present && present->has_value();
   if (known && options.replaces && sha256(**present) != *options.replaces) return changed(*target);
   removeStrayFiles(folderOf(target->path), target->path);
   if (known && options.versions > 0 && **present != content) {
     const Outcome kept = keepVersion(target->path, **present, target->status);
-    if (!kept && options.versionRequired) return failed(kept.error());
+    if (!kept && options.versionRequired) return notSaved(kept.error());
     if (!kept) warnings.push_back(warning(*target, "no earlier version was kept: " + kept.error().reason, ""));
   }
   warnOfHardLinks(*target, warnings);
   SaveResult result = replace(*target, content, options, std::move(warnings));
   if (result && options.versions > 0) removeOldVersions(target->path, options.versions);
   return result;
+}
+
+Outcome saveFile(const std::string& file, const std::string& content, Warnings& warnings) {
+  const SaveResult result = saveFile(file, content);
+  if (!result) return result.why;
+  warnings.insert(warnings.end(), result.warnings.begin(), result.warnings.end());
+  return Done{};
 }
 
 Outcome writeFileAtomically(const std::string& file, const std::string& content) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/base/result.h"
 
@@ -34,11 +35,17 @@ struct SaveResult {
   explicit operator bool() const { return ok(); }
 };
 
+/// Nothing was saved: what was to be written could not be made.
+inline SaveResult notSaved(Diagnostic why) { return {SaveStatus::Failed, std::move(why), {}, {}}; }
+
 /// Replaces the content of a file. After any failure, kill or power cut either the old or the new content is
 /// there as a whole: a new file is written beside it, flushed, read back and compared, and renamed; then the
 /// folder is flushed. Symbolic links stay and lead to the new content. Permissions, owner and access list are
 /// kept; what cannot be kept is a warning. Refused: folders, pipes, devices and read-only files.
 /// Of any thread.
 SaveResult saveFile(const std::string& file, const std::string& content, const SaveOptions& options = {});
+/// The same, whatever the file holds. The warnings are added to `warnings`. writeFileAtomically() drops them: it is
+/// for files that only this program writes.
+Outcome saveFile(const std::string& file, const std::string& content, Warnings& warnings);
 
 }  // namespace glissade

@@ -20,4 +20,9 @@ double residentMegabytesAfterTrim() {
   return residentMegabytes();
 }
 
+double allocatedMegabytes() {
+  const struct mallinfo2 used = mallinfo2();
+  return static_cast<double>(used.uordblks + used.hblkhd) / (1024.0 * 1024.0);
+}
+
 }  // namespace glissade

@@ -8,4 +8,8 @@ double residentMegabytes();
 /// The same after free memory was given back to the system. The difference is not in use, and no leak.
 double residentMegabytesAfterTrim();
 
+/// What the program has allocated and not freed, of all threads. What grows here is a leak or a growing value; what
+/// grows in main memory only is the allocator's.
+double allocatedMegabytes();
+
 }  // namespace glissade

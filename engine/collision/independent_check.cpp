@@ -262,6 +262,10 @@ struct IndependentCheck::Geometry {
     for (const auto& group : groups) error = std::max(error, group->errorAt(position));
     return error;
   }
+  /// Whether distances along the straight motion are exact enough to be compared with this clearance.
+  bool resolves(const Pose& from, const Pose& to, double clearance) const {
+    return std::max(errorAt(from.position), errorAt(to.position)) <= kErrorShare * clearance;
+  }
 
   NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
     NearestObstacle nearest;
@@ -324,6 +328,21 @@ MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const s
   return result;
 }
 
+std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
+  const double scale = geometry_->scale;
+  const Pose begin = scaledPose(from, scale);
+  const Pose end = scaledPose(to, scale);
+  if (Course(begin, end).isHalfACircle()) {
+    return "the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends";
+  }
+  if (!geometry_->resolves(begin, end, scale * requiredClearance)) {
+    return "the rounding of coordinates of this size is not small against the required clearance; move the scene to "
+           "the origin, or require more clearance";
+  }
+  return "the clearance is so close to the required one that " + std::to_string(kMostDistances) +
+         " distances do not prove it; require less clearance, or divide the edge";
+}
+
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
 /// there a straight way is proved by what the object sweeps, too.
@@ -342,8 +361,7 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
   }
   const double turn = course.turn(geometry_->object);
   const bool sweeps = geometry_->groups.size() > 1 && turn <= kErrorShare * required;
-  const double error = std::max(geometry_->errorAt(from.position), geometry_->errorAt(to.position));
-  if (course.isHalfACircle() || !(error <= kErrorShare * required)) return result;
+  if (course.isHalfACircle() || !geometry_->resolves(from, to, required)) return result;
   const auto meet = [&](double t) {
     const NearestObstacle nearest = geometry_->nearest(course.at(t));
     if (nearest.distance < result.minClearance) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/collision/motion_certificate.h"
@@ -24,6 +25,9 @@ class IndependentCheck {
   /// closely. An edge that turns by half a circle is undecided: its sense is a matter of rounding.
   MotionCertificate check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                           const StopToken& stop = {}) const;
+
+  /// Why check() leaves this motion undecided where nobody has stopped it, as "the edge turns by half a circle".
+  std::string whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const;
 
  private:
   struct Group;

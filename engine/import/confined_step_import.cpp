@@ -31,10 +31,12 @@ class MemoryBuffer final : public std::streambuf {
 /// The triangles of each shape once, however many parts have it.
 class Message {
  public:
-  explicit Message(double deflection) : deflection_(deflection) {}
+  Message(double deflection, const std::vector<std::string>& losses) : deflection_(deflection) {
+    for (const std::string& loss : losses) losses_ += loss + "\n";
+  }
 
   void add(const StepSolid& solid) {
-    if (!indexOf_.IsBound(solid.shape)) addShape(solid.shape);
+    if (!indexOf_.IsBound(solid.shape)) addShape(solid);
     protocol::Part part;
     part.shape = static_cast<std::uint32_t>(indexOf_.Find(solid.shape));
     const gp_XYZ position = solid.placement.TranslationPart();
@@ -54,7 +56,8 @@ class Message {
   void write(const ImportOutput& output) const {
     output.write(&total_, sizeof total_);
     const protocol::AssemblyCounts counts{static_cast<std::uint32_t>(shapes_.size()),
-                                          static_cast<std::uint32_t>(parts_.size())};
+                                          static_cast<std::uint32_t>(parts_.size()),
+                                          static_cast<std::uint32_t>(losses_.size()), 0};
     output.write(&counts, sizeof counts);
     for (const StepTriangles& shape : shapes_) {
       output.write(&shape.record, sizeof shape.record);
@@ -65,12 +68,14 @@ class Message {
       output.write(&parts_[i], sizeof parts_[i]);
       output.write(paths_[i].data(), paths_[i].size());
     }
+    output.write(losses_.data(), losses_.size());
   }
 
  private:
-  void addShape(const TopoDS_Shape& shape) {
-    indexOf_.Bind(shape, static_cast<int>(shapes_.size()));
-    shapes_.push_back(tessellate(shape, deflection_));
+  void addShape(const StepSolid& solid) {
+    indexOf_.Bind(solid.shape, static_cast<int>(shapes_.size()));
+    shapes_.push_back(tessellate(solid.shape, deflection_));
+    shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.kind = protocol::kAssembly;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
@@ -85,32 +90,34 @@ class Message {
   TopTools_DataMapOfShapeInteger indexOf_;
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
+  std::string losses_;
 };
 
 int failToRead(const ImportOutput& output, const std::string& reason) {
   return output.fail("cannot be read: " + reason);
 }
 
-int import(double deflection, const ImportOutput& output) {
+int import(double deflection, bool solidNames, const ImportOutput& output) {
   std::vector<char> content = readStandardInput(protocol::kStepLimits.bytes);
   if (content.empty()) return failToRead(output, "it is empty or too large");
   if (const auto fault = faultOfStepText({content.data(), content.size()})) return failToRead(output, *fault);
   MemoryBuffer buffer(content);
   std::istream stream(&buffer);
-  Message message(deflection);
-  for (const StepSolid& solid : readStepAssembly(stream)) message.add(solid);
+  const StepAssembly assembly = readStepAssembly(stream, solidNames);
+  Message message(deflection, assembly.losses);
+  for (const StepSolid& solid : assembly.solids) message.add(solid);
   message.write(output);
   return 0;
 }
 
 }  // namespace
 
-int confinedStepImport(double deflection) {
+int confinedStepImport(double deflection, bool solidNames) {
   const ImportOutput output;
   if (const Outcome confined = confine(protocol::kStepLimits); !confined) return output.refuse(confined.error());
   ::Message::DefaultMessenger()->ChangePrinters().Clear();
   try {
-    return import(deflection, output);
+    return import(deflection, solidNames, output);
   } catch (const Standard_Failure& failure) {
     return failToRead(output, std::string("its shapes cannot be computed (") + failure.DynamicType()->Name() + ")");
   } catch (const std::bad_alloc&) {

@@ -4,7 +4,7 @@ namespace glissade {
 
 /// The whole work of the process that reads STEP: gives up its rights, reads standard input, lets
 /// OpenCASCADE read and tessellate it, writes the protocol's message. `deflection` in millimetres, 0: by
-/// the size of each part. Returns the process's exit code.
-int confinedStepImport(double deflection);
+/// the size of each part. `solidNames`: as in step_assembly.h. Returns the process's exit code.
+int confinedStepImport(double deflection, bool solidNames);
 
 }  // namespace glissade

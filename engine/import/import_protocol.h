@@ -9,7 +9,8 @@ namespace glissade::import_protocol {
 // What an importing process writes to its standard output: one header, then
 // for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each);
 // for kAssembly an AssemblyCounts; every shape as a Shape, its vertices x 3 doubles (millimetres), its
-// triangles x 3 indices; every part as a Part, the bytes of its path (UTF-8);
+// triangles x 3 indices; every part as a Part, the bytes of its path (UTF-8); the bytes of its losses (a line each,
+// "entity in the file, tab, what is missing");
 // for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and
 // has read nothing) `vertices` bytes of text: the place in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
@@ -35,6 +36,8 @@ struct MeshFacts {
 struct AssemblyCounts {
   std::uint32_t shapes = 0;
   std::uint32_t parts = 0;
+  std::uint32_t lossBytes = 0;
+  std::uint32_t unused = 0;
 };
 
 struct Shape {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 
 #include "engine/base/child_process.h"
@@ -32,6 +33,12 @@ Refusal refusalIn(const std::string& text) {
   return {text.substr(0, end), text.substr(std::min(end + 1, text.size()))};
 }
 
+/// Whether the program ended without a word: libraries crash on some files.
+bool hasCrashed(const ChildEnd& end) {
+  if (end.ending == ChildEnding::Signalled) return end.signal != SIGXCPU;
+  return end.ending == ChildEnding::Exited && end.output.size() < sizeof(protocol::Header);
+}
+
 }  // namespace
 
 Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& place) {
@@ -41,7 +48,7 @@ Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const 
 Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop) {
   ChildCommand command;
   command.program = besideThisProgram(call.program);
-  command.arguments = {call.argument};
+  command.arguments = call.arguments;
   command.input = content;
   command.environment = requiredEnvironment();
   command.limits.seconds = std::chrono::duration<double>(call.limits.patience).count();
@@ -49,6 +56,10 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   command.limits.cpuSeconds = call.limits.seconds;
   command.limits.outputBytes = std::min<std::uint64_t>(kMostOutput, call.limits.memory);
   auto child = runChild(command, stop);
+  if (child && hasCrashed(*child) && !call.argumentsAfterCrash.empty()) {
+    command.arguments = call.argumentsAfterCrash;
+    child = runChild(command, stop);
+  }
   if (!child) return child.error();
   if (child->ending == ChildEnding::Stopped) {
     return Diagnostic{ErrorKind::Interrupted, call.file, "", "was not read to its end", "Read it again."};
@@ -57,7 +68,11 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   if (child->ending == ChildEnding::TimeOver || child->signal == SIGXCPU) {
     return refusalOf(call, "takes too long to read: it is too complex or malformed");
   }
-  if (child->signal != 0) return refusalOf(call, "is malformed (the importer stopped on it)");
+  if (hasCrashed(*child)) {
+    const char* signal = child->signal == 0 ? nullptr : ::strsignal(child->signal);
+    return refusalOf(call, "was not read: the library that reads this format crashed on it" +
+                               (signal == nullptr ? std::string() : std::string(" (") + signal + ")"));
+  }
   ImporterAnswer answer{{}, ImportMessage(std::move(child->output))};
   const protocol::Header& header = answer.header;
   if (!answer.message.take(&answer.header, 1) || header.magic != protocol::kMagic) {

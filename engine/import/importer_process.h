@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
@@ -14,11 +15,13 @@ namespace glissade {
 
 /// A file for one of the importing programs.
 struct ImporterCall {
-  std::string program;   ///< beside this one
-  std::string argument;  ///< its only one
-  std::string file;      ///< for messages
+  std::string program;                 ///< beside this one
+  std::vector<std::string> arguments;  ///< its own
+  std::string file;                    ///< for messages
   import_protocol::Limits limits;
   std::string advice;  ///< of errors
+  /// Where the program crashes it is started once more with these; none: that is an error.
+  std::vector<std::string> argumentsAfterCrash = {};
 };
 
 /// Takes plain values out of what an importing program wrote, without trusting any of it.

@@ -74,7 +74,10 @@ bool isMeshFile(const std::string& file) {
 Result<ImportedMesh> importMesh(const FileContent& content, const StopToken& stop) {
   const std::string ending = endingOf(content.file);
   if (!isMeshFile(content.file)) return unknownKind(content.file);
-  const ImporterCall call{"glissade-import", ending, content.file, meshLimits(content.bytes.size()),
+  const ImporterCall call{"glissade-import",
+                          {ending},
+                          content.file,
+                          meshLimits(content.bytes.size()),
                           "Export the part again, for example as binary STL or GLB."};
   if (content.bytes.empty()) return refusalOf(call, "is empty");
   auto answer = callImporter(call, content.bytes, stop);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "engine/base/printable_text.h"
 
@@ -24,7 +25,7 @@ class StepDecoder {
  public:
   StepDecoder(const ImporterCall& call, ImporterAnswer& answer) : call_(call), answer_(answer) {}
 
-  Result<std::vector<StepPart>> decode() {
+  Result<StepProduct> decode() {
     protocol::AssemblyCounts counts;
     if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts) {
       return broken();
@@ -32,18 +33,35 @@ class StepDecoder {
     for (std::uint32_t i = 0; i < counts.shapes; ++i) {
       if (const Outcome taken = takeShape(); !taken) return taken.error();
     }
-    std::vector<StepPart> parts;
+    StepProduct product;
     for (std::uint32_t i = 0; i < counts.parts; ++i) {
       auto part = takePart();
       if (!part) return part.error();
-      if (!part->mesh->empty()) parts.push_back(std::move(*part));
+      if (!part->mesh->empty()) product.parts.push_back(std::move(*part));
     }
-    if (parts.empty()) return refusalOf(call_, "has no face that could be tessellated");
-    return parts;
+    if (product.parts.empty()) return refusalOf(call_, "has no face that could be tessellated");
+    const std::string losses = answer_.message.rest();
+    if (losses.size() != counts.lossBytes) return broken();
+    product.warnings = warningsOf(losses);
+    return product;
   }
 
  private:
   Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
+
+  /// A line each: the entity, a tab, what is missing.
+  Warnings warningsOf(const std::string& losses) const {
+    Warnings warnings;
+    std::istringstream lines(losses);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t tab = std::min(line.find('\t'), line.size());
+      warnings.push_back({ErrorKind::MalformedInput, call_.file, line.substr(0, tab),
+                          line.substr(std::min(tab + 1, line.size())) +
+                              ": the part is not closed there, and what is missing is free space to every proof",
+                          "Do not trust paths near it; export it again, or as a mesh."});
+    }
+    return warnings;
+  }
 
   Outcome takeShape() {
     protocol::Shape record;
@@ -103,7 +121,7 @@ class StepDecoder {
 
 }  // namespace
 
-Result<std::vector<StepPart>> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer) {
+Result<StepProduct> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer) {
   return StepDecoder(call, answer).decode();
 }
 

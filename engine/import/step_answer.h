@@ -7,8 +7,8 @@
 
 namespace glissade {
 
-/// The parts in what glissade-import-step wrote. Every count, number, index and name is checked: the program may have
+/// The product in what glissade-import-step wrote. Every count, number, index and name is checked: the program may have
 /// been captured by its file. Errors are MalformedInput with the file's name.
-Result<std::vector<StepPart>> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer);
+Result<StepProduct> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer);
 
 }  // namespace glissade

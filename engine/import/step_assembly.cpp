@@ -15,11 +15,13 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/step_losses.h"
 
 namespace glissade {
 namespace {
@@ -192,9 +194,35 @@ class AssemblyWalk {
   std::size_t occurrences_ = 0;
 };
 
+/// Counts each loss with the parts that have its face, instances of one solid too.
+void assign(const std::vector<StepLoss>& losses, std::vector<StepSolid>& solids) {
+  std::map<const TopoDS_TShape*, std::vector<StepSolid*>> solidsOfFace;
+  for (StepSolid& solid : solids) {
+    for (TopExp_Explorer face(solid.shape, TopAbs_FACE); face.More(); face.Next()) {
+      solidsOfFace[face.Current().TShape().get()].push_back(&solid);
+    }
+  }
+  for (const StepLoss& loss : losses) {
+    const auto found = loss.face.IsNull() ? solidsOfFace.end() : solidsOfFace.find(loss.face.TShape().get());
+    if (found == solidsOfFace.end()) throw std::runtime_error(loss.entity + ": " + loss.what);
+    for (StepSolid* solid : found->second) ++solid->losses;
+  }
+}
+
+/// More than a few lines are one line that counts them.
+std::vector<std::string> inLines(const std::vector<StepLoss>& losses) {
+  constexpr std::size_t kMost = 20;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(kMost, losses.size()); ++i) {
+    lines.push_back(losses[i].entity + "\t" + losses[i].what);
+  }
+  if (losses.size() > kMost) lines.push_back("\t" + std::to_string(losses.size() - kMost) + " more could not be made");
+  return lines;
+}
+
 }  // namespace
 
-std::vector<StepSolid> readStepAssembly(std::istream& content) {
+StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   STEPCAFControl_Reader reader;
   reader.SetNameMode(true);
   reader.SetColorMode(true);
@@ -204,7 +232,7 @@ std::vector<StepSolid> readStepAssembly(std::istream& content) {
   reader.SetMatMode(false);
   reader.SetViewMode(false);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1);
+  Interface_Static::SetIVal("read.stepcaf.subshapes.name", solidNames ? 1 : 0);
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
@@ -216,7 +244,9 @@ std::vector<StepSolid> readStepAssembly(std::istream& content) {
       AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()))
           .walk();
   if (solids.empty()) throw std::runtime_error("it holds neither a solid nor a face");
-  return solids;
+  const std::vector<StepLoss> losses = lossesOf(reader);
+  if (!losses.empty()) assign(losses, solids);
+  return {std::move(solids), inLines(losses)};
 }
 
 }  // namespace glissade

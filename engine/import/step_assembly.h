@@ -2,6 +2,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <array>
+#include <cstdint>
 #include <gp_Trsf.hxx>
 #include <istream>
 #include <optional>
@@ -17,10 +18,18 @@ struct StepSolid {
   TopoDS_Shape shape;                           ///< at its own origin; instances of one solid share it
   gp_Trsf placement;                            ///< millimetres
   std::optional<std::array<double, 3>> colour;  ///< sRGB
+  std::uint32_t losses = 0;                     ///< faces and boundaries that the file has and `shape` has not
 };
 
-/// Reads a STEP file. Throws std::runtime_error with the reason where there is nothing to be had, and
-/// OpenCASCADE's Standard_Failure. Runs in the importing process only.
-std::vector<StepSolid> readStepAssembly(std::istream& content);
+struct StepAssembly {
+  std::vector<StepSolid> solids;
+  std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
+};
+
+/// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws
+/// std::runtime_error with the reason where there is nothing to be had, or where something is lost and nobody knows of
+/// which part, and OpenCASCADE's Standard_Failure. Runs in
+/// the importing process only.
+StepAssembly readStepAssembly(std::istream& content, bool solidNames);
 
 }  // namespace glissade

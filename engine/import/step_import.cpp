@@ -41,17 +41,21 @@ bool isStepFile(const std::string& file) {
   return ending == "step" || ending == "stp";
 }
 
-Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop) {
-  const ImporterCall call{"glissade-import-step", toText(deflection / kMillimetre), content.file,
+Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
+  const std::string millimetres = toText(deflection / kMillimetre);
+  const ImporterCall call{"glissade-import-step",
+                          {millimetres},
+                          content.file,
                           protocol::stepLimitsFor(content.bytes.size()),
-                          "Export it again as STEP AP214 or AP242, or its parts as meshes."};
+                          "Export it again as STEP AP214 or AP242, or its parts as meshes.",
+                          {millimetres, "unnamed"}};
   if (const auto refused = precheck(call, content.bytes)) return *refused;
   auto answer = callImporter(call, content.bytes, stop);
   if (!answer) return answer.error();
   return decodeStepAnswer(call, *answer);
 }
 
-Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop) {
+Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop) {
   const auto content = readContent(file, protocol::kStepLimits.bytes);
   if (!content) return content.error();
   return importStep(*content, deflection, stop);

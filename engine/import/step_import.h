@@ -20,7 +20,13 @@ struct StepPart {
   Pose X_FP;                                    ///< in the file's frame F, metres and z up
   std::optional<std::array<double, 3>> colour;  ///< sRGB
   double deflection = 0.0;                      ///< metres that the mesh may be off the surface, about
-  std::size_t facesWithoutMesh = 0;             ///< that could not be tessellated: they are missing
+  std::size_t facesWithoutMesh = 0;             ///< faces and boundaries that could not be made: they are missing
+};
+
+/// The content of a STEP file.
+struct StepProduct {
+  std::vector<StepPart> parts;  ///< at least one
+  Warnings warnings;            ///< what the file says and OpenCASCADE has not made, with the entity
 };
 
 /// Imports a STEP file (AP203, AP214, AP242) with OpenCASCADE, in a process of its own that can open no
@@ -29,8 +35,8 @@ struct StepPart {
 ///
 /// Takes its time: seconds for thousands of faces. Errors are MalformedInput with the file's name, or
 /// Interrupted where it was stopped.
-Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
-Result<std::vector<StepPart>> importStep(const std::string& file, double deflection, const StopToken& stop = {});
+Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop = {});
+Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop = {});
 
 /// Whether the ending is one of STEP files.
 bool isStepFile(const std::string& file);

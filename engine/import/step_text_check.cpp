@@ -4,7 +4,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <system_error>
 #include <vector>
+
+#include "engine/import/step_references.h"
 
 namespace glissade {
 namespace {
@@ -20,6 +23,8 @@ bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') 
 bool beginsNumber(char c) { return isDigit(c) || c == '+' || c == '-'; }
 
 bool isOfNumber(char c) { return beginsNumber(c) || c == '.' || c == 'E' || c == 'e'; }
+
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
 bool isOfWord(char c) { return isLetter(c) || isDigit(c) || c == '-'; }
 
@@ -42,6 +47,9 @@ class StepTextCheck {
 
   std::optional<std::string> fault() {
     while (at_ < text_.size() && !fault_) checkToken();
+    if (fault_) return fault_;
+    const auto reference = references_.fault();
+    if (reference) failAt(reference->at, reference->reason);
     return fault_;
   }
 
@@ -52,8 +60,10 @@ class StepTextCheck {
       skipTo(text_.find(c, at_ + 1), 1);
     } else if (text_.compare(at_, 2, "/*") == 0) {
       skipTo(text_.find("*/", at_ + 2), 2);
-    } else if (c == '#' || (c == '.' && !isDigitAt(at_ + 1))) {
-      at_ = endOf(isOfWord, at_ + 1);  // a reference, or an enumeration
+    } else if (c == '#') {
+      takeReference();
+    } else if (c == '.' && !isDigitAt(at_ + 1)) {
+      at_ = endOf(isOfWord, at_ + 1);  // an enumeration
     } else if (isLetter(c)) {
       checkWord();
     } else if (beginsNumber(c) || c == '.') {
@@ -62,6 +72,23 @@ class StepTextCheck {
       checkDelimiter(c);
       ++at_;
     }
+  }
+
+  /// `#12=TYPE` begins an entity, every other `#12` refers to one.
+  void takeReference() {
+    const std::size_t begin = at_;
+    at_ = endOf(isOfWord, at_ + 1);
+    std::uint64_t id = 0;
+    const auto [end, error] = std::from_chars(text_.data() + begin + 1, text_.data() + at_, id);
+    if (error != std::errc() || end != text_.data() + at_) return;
+    const std::size_t next = endOf(isSpace, at_);
+    if (!valuesOfList_.empty() || next == text_.size() || text_[next] != '=') {
+      references_.refer(id);
+      return;
+    }
+    const std::size_t type = endOf(isSpace, next + 1);
+    references_.beginEntity(id, begin, text_.substr(type, endOf(isOfWord, type) - type));
+    at_ = next;
   }
 
   void checkDelimiter(char c) {
@@ -78,7 +105,7 @@ class StepTextCheck {
   /// A word among values is a typed value, which has parentheses.
   void checkWord() {
     const std::size_t end = endOf(isOfWord, at_);
-    const std::size_t next = endOf([](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }, end);
+    const std::size_t next = endOf(isSpace, end);
     const bool alone = next < text_.size() && (text_[next] == ',' || text_[next] == ')');
     if (alone && !valuesOfList_.empty()) fail("'" + shown(end) + "' is not a value");
     at_ = end;
@@ -119,14 +146,16 @@ class StepTextCheck {
     return token;
   }
 
-  void fail(const std::string& reason) {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+  void fail(const std::string& reason) { failAt(at_, reason); }
+  void failAt(std::size_t at, const std::string& reason) {
+    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
     fault_ = "line " + std::to_string(line) + ": " + reason;
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
   std::vector<std::size_t> valuesOfList_;  ///< of each list that is open
+  StepReferences references_;
   std::optional<std::string> fault_;
 };
 

@@ -10,8 +10,10 @@ namespace glissade {
 /// is what makes it compute without end or overflow its stack:
 /// - a number that is longer than 350 characters or not finite, and words such as nan in place of one;
 /// - parentheses nested more than 100 deep;
-/// - a list of more than 100,000 values: OpenCASCADE's time grows with the square of their number.
-/// Takes time in proportion to the text's length. Other mistakes of syntax are not looked for.
+/// - a list of more than 100,000 values: OpenCASCADE's time grows with the square of their number;
+/// - entities that are there twice, that refer to one that is not there, or to each other in a circle
+///   (step_references.h): OpenCASCADE leaves out what should have been there.
+/// Takes n log n of time. Other mistakes of syntax are not looked for.
 std::optional<std::string> faultOfStepText(std::string_view text);
 
 }  // namespace glissade

@@ -168,12 +168,14 @@ Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
   const auto content = readAsset(asset);
   if (!content) return content.error();
-  const auto parts = importStep(*content, asset.deflection, stop_);
-  if (!parts) return parts.error();
+  const auto product = importStep(*content, asset.deflection, stop_);
+  if (!product) return product.error();
+  const std::vector<StepPart>& parts = product->parts;
+  warnings_.insert(warnings_.end(), product->warnings.begin(), product->warnings.end());
   LoadedGeometry geometry;
   geometry.sha256 = hashes_[asset.id];
-  for (const StepPart& part : *parts) {
-    const std::string name = parts->size() == 1 ? "" : part.path;
+  for (const StepPart& part : parts) {
+    const std::string name = parts.size() == 1 ? "" : part.path;
     geometry.parts.push_back({name, part.mesh, part.X_FP, part.colour, part.deflection, part.facesWithoutMesh});
   }
   return geometry;

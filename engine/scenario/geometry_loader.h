@@ -28,7 +28,7 @@ class GeometryLoader {
 
   /// What was asked for.
   GeometryCache& loaded() { return loaded_; }
-  /// Files that have changed since the scenario was saved.
+  /// Files that have changed since the scenario was saved, and what was lost in reading one.
   Warnings& warnings() { return warnings_; }
 
  private:

@@ -26,18 +26,18 @@ std::string inWords(const Choose& choose) {
 
 }  // namespace
 
-Outcome PathExporter::write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
-                            const std::string& file) const {
+SaveResult PathExporter::write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                               const std::string& file) const {
   if (path.points.empty()) {
-    return Diagnostic{ErrorKind::Usage, file, "", "the path holds no configuration", "Give a path."};
+    return notSaved({ErrorKind::Usage, file, "", "the path holds no configuration", "Give a path."});
   }
   const auto text = content(path, scenario, provenance);
   if (!text) {
     Diagnostic why = text.error();
     why.file = file;
-    return why;
+    return notSaved(why);
   }
-  return writeFileAtomically(file, *text);
+  return saveFile(file, *text);
 }
 
 const PathExporter* PathExporterRegistry::find(std::string_view id) const {
@@ -67,10 +67,10 @@ Result<PathExporter> pathExporterFor(const std::string& file) {
                     "Choose one of: " + writablePathFormats() + "."};
 }
 
-Outcome writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
-                  const std::string& file) {
+SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                     const std::string& file) {
   const auto exporter = pathExporterFor(file);
-  if (!exporter) return exporter.error();
+  if (!exporter) return notSaved(exporter.error());
   return exporter->write(path, scenario, provenance, file);
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/base/result.h"
+#include "engine/base/file_save.h"
 #include "engine/planning/path.h"
 #include "engine/scenario/scenario.h"
 
@@ -26,8 +26,8 @@ struct PathExporter {
 
   /// Saves a path atomically. Errors name the file: a path without any configuration, one that the
   /// format cannot hold, or a file that cannot be written; what was in the file then stays there.
-  Outcome write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
-                const std::string& file) const;
+  SaveResult write(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                   const std::string& file) const;
 };
 
 class PathExporterRegistry {
@@ -49,8 +49,8 @@ PathExporterRegistry makePathExporterRegistry();
 Result<PathExporter> pathExporterFor(const std::string& file);
 
 /// Saves a path in the format of the file's ending.
-Outcome writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
-                  const std::string& file);
+SaveResult writePath(const Path& path, const LoadedScenario& scenario, const PathProvenance& provenance,
+                     const std::string& file);
 
 /// For help and errors, as "Table (.csv), OMPL columns (.path)".
 std::string writablePathFormats();

@@ -169,12 +169,12 @@ std::vector<std::string> abandonedJournals(const std::string& folder) {
   return files;
 }
 
-Outcome saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch) {
+SaveResult saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch) {
   const auto record = readRunRecord(journal, watch);
-  if (!record) return record.error();
-  const Outcome written = writeRunRecord(*record, target);
-  if (written) ::unlink(journal.c_str());
-  return written;
+  if (!record) return notSaved(record.error());
+  SaveResult saved = writeRunRecord(*record, target);
+  if (saved) ::unlink(journal.c_str());
+  return saved;
 }
 
 bool isJournal(const std::string& text) { return text.rfind(kFirst, 0) == 0; }

@@ -38,6 +38,6 @@ class RunJournal {
 /// Journals whose writers are gone, the oldest first.
 std::vector<std::string> abandonedJournals(const std::string& folder);
 /// Makes the recording `target` of an abandoned journal, which goes only once that is written.
-Outcome saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch = {});
+SaveResult saveJournal(const std::string& journal, const std::string& target, const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -92,13 +92,13 @@ void setLog(RunLog log, RunRecord& record) {
   record.log = std::move(log);
 }
 
-Outcome writeRunRecord(const RunRecord& record, const std::string& file) {
+SaveResult writeRunRecord(const RunRecord& record, const std::string& file) {
   Json json = headToJson(record);
   json["scenario"] = relativeTo(folderOf(file), record.scenario);
   addEvents(record.log, json);
   addLoss(record.loss, json);
   addChecksum(json);
-  return writeFileAtomically(file, text(json));
+  return saveFile(file, text(json));
 }
 
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/file_save.h"
 #include "engine/base/work_watch.h"
 #include "engine/operator/run_log.h"
 #include "engine/scenario/scenario.h"
@@ -46,7 +47,7 @@ void setLog(RunLog log, RunRecord& record);
 std::string problemSha256(const Scenario& scenario);
 
 /// Version 2 with a checksum, saved atomically.
-Outcome writeRunRecord(const RunRecord& record, const std::string& file);
+SaveResult writeRunRecord(const RunRecord& record, const std::string& file);
 /// Version 1 or 2, or a journal (run_journal.h). Strict; at most 256 MiB, which take seconds. A checksum that
 /// does not fit is an error; a record without one is read as it is. Of a journal only the damaged lines are lost.
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch = {});

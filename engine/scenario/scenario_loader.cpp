@@ -47,7 +47,9 @@ void warnIfIncomplete(const LoadedGeometry& geometry, const std::string& id, con
   for (const GeometryPart& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
     warnings.push_back({ErrorKind::MalformedInput, file, "body '" + idOf(id, part) + "'",
-                        "misses " + std::to_string(part.facesWithoutMesh) + " faces that could not be tessellated",
+                        "misses " + std::to_string(part.facesWithoutMesh) +
+                            " faces or boundaries that could not be made: it is not closed there, and what is missing "
+                            "is free space to every proof",
                         "Do not trust paths near it; export it again, or as a mesh."});
   }
 }
@@ -176,8 +178,6 @@ Result<ReadScenario> readScenario(const std::string& file) {
   if (!scenario) return scenario.error();
   return ReadScenario{std::move(*scenario), sha256(*text), std::move(warnings)};
 }
-
-SaveResult notSaved(const Diagnostic& why) { return {SaveStatus::Failed, why, {}, {}}; }
 
 }  // namespace
 

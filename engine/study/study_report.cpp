@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/base/file.h"
+#include "engine/base/file_save.h"
 #include "engine/study/machine.h"
 #include "engine/study/repeat_command.h"
 #include "engine/study/report_html.h"
@@ -136,7 +137,7 @@ Outcome writeReport(const StudyFolder& folder, const std::string& out, Warnings&
   }
   const auto page = reportHtml(reportOf(folder, warnings, language));
   if (!page) return page.error();
-  return writeFileAtomically(out + "/report.html", *page);
+  return saveFile(out + "/report.html", *page, warnings);
 }
 
 }  // namespace glissade

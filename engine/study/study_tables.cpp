@@ -1,6 +1,6 @@
 #include "engine/study/study_tables.h"
 
-#include "engine/base/file.h"
+#include "engine/base/file_save.h"
 #include "engine/study/csv_table.h"
 #include "engine/study/summary_json.h"
 
@@ -152,7 +152,7 @@ Outcome writeTables(const StudyFolder& folder, Warnings& warnings) {
       {"summary.json", summaryJson(folder, summaries)},
   };
   for (const auto& [name, content] : files) {
-    const Outcome written = writeFileAtomically(folder.file(name), content);
+    const Outcome written = saveFile(folder.file(name), content, warnings);
     if (!written) return written;
   }
   return Done{};

@@ -2552,6 +2552,10 @@
         <translation>Chemins (%1);;Tous les fichiers (*)</translation>
     </message>
     <message>
+        <source>The path was saved, with a warning</source>
+        <translation>Le chemin a été enregistré, avec un avertissement</translation>
+    </message>
+    <message>
         <source>The path was saved as %1</source>
         <translation>Le chemin a été enregistré sous %1</translation>
     </message>
@@ -2774,6 +2778,10 @@
     <message>
         <source>Recordings (*.json)</source>
         <translation>Enregistrements (*.json)</translation>
+    </message>
+    <message>
+        <source>The recording was saved, with a warning</source>
+        <translation>L&apos;enregistrement a été sauvegardé, avec un avertissement</translation>
     </message>
     <message>
         <source>The recording cannot be saved</source>
@@ -3440,6 +3448,33 @@
     <message>
         <source>Show the other side of the section across %1</source>
         <translation>Montrer l&apos;autre côté de la coupe à travers %1</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
     </message>
 </context>
 </TS>

@@ -167,6 +167,23 @@ TEST_F(Cli, APathThatLeavesTheWorkspaceIsInvalidAndTheEdgeIsNamed) {
   }
 }
 
+/// It said "undecided" only.
+TEST_F(Cli, APathThatCannotBeDecidedHasAReason) {
+  const std::string file = scenario([](Json& json) { json["goal"]["orientation"] = {0, 0, 1, 0}; });
+  const std::string turn = write("turn.path", "-1 0 0 0 0 0 1\n-1 1.5 0 0 0 1 0\n1 1.5 0 0 0 1 0\n1 0 0 0 0 1 0\n");
+  const Finished check = run("check " + file + " " + turn);
+  EXPECT_EQ(check.exitCode, 1);
+  EXPECT_NE(check.out.find("undecided on edge 0: the edge turns by half a circle"), std::string::npos) << check.out;
+  const Json json = Json::parse(run("check " + file + " " + turn + " --json").out);
+  EXPECT_EQ(json["certificate"]["why_undecided"].get<std::string>().find("the edge turns"), 0U);
+  const std::string straight = write("a.path", "-1 0 0 0 0 0 1\n-1 1.5 0 0 0 0 1\n");
+  EXPECT_FALSE(
+      Json::parse(run("check " + file + " " + straight + " --json").out)["certificate"].contains("why_undecided"));
+  const Json far =
+      Json::parse(run("check " + file + " " + write("far.path", "-1 0 0 0 0 0 1\n-1 2.1 0 0 0 0 1\n") + " --json").out);
+  EXPECT_NE(far["certificate"]["why_undecided"].get<std::string>().find("workspace"), std::string::npos);
+}
+
 /// These ended with exit 70.
 TEST_F(Cli, BytesThatAreNoUtf8AndControlCharactersDoNoHarm) {
   const std::string sound = scenario([](Json& json) { json["name"] = "red\x1b[31m"; });

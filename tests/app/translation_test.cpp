@@ -7,6 +7,7 @@
 #include "engine/scenario/path_exporter.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/panels/engine_texts.h"
+#include "widgets/panels/qt_texts.h"
 
 namespace glissade {
 namespace {
@@ -18,6 +19,18 @@ TEST(Translation, NothingIsLeftUntranslated) {
   EXPECT_FALSE(text.contains(QStringLiteral("type=\"unfinished\"")));
   EXPECT_FALSE(text.contains(QStringLiteral("<translation></translation>")));
   EXPECT_GT(text.count(QStringLiteral("<message>")), 150);
+}
+
+/// "Cancel" stood in French dialogs.
+TEST(Translation, QtsOwnButtonsAreInFrench) {
+  QFile file(QString::fromStdString(test::sourceDirectory() + "/resources/i18n/glissade_fr.ts"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(file.readAll());
+  const QString context = text.mid(text.indexOf(QStringLiteral("<name>QPlatformTheme</name>")));
+  for (const char* entry : kQtTexts) {
+    EXPECT_TRUE(context.contains(QStringLiteral("<source>%1</source>").arg(QLatin1String(entry)))) << entry;
+  }
+  EXPECT_TRUE(context.contains(QStringLiteral("<translation>Annuler</translation>")));
 }
 
 TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) {

@@ -1,20 +1,20 @@
 // Exceptions of background work and of event handlers become diagnostics in the window.
 #include <gtest/gtest.h>
-#include <ompl/util/Exception.h>
 
 #include <QTimer>
 #include <QtTest>
 #include <atomic>
-#include <new>
-#include <stdexcept>
+#include <functional>
 
 #include "app/window/guarded_application.h"
 #include "app/window/work_controller.h"
+#include "engine/base/guarded.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/session/run_comparison.h"
 #include "tests/engine/support/directories.h"
 #include "tests/engine/support/failing_allocation.h"
 #include "tests/engine/support/session_support.h"
+#include "tests/engine/support/thrown_exceptions.h"
 #include "widgets/bridge/knowledge_builder.h"
 #include "widgets/bridge/replay_runner.h"
 
@@ -22,19 +22,9 @@ namespace glissade {
 namespace {
 
 using test::FailingAllocation;
+using test::kThrown;
+using test::Thrown;
 using Where = FailingAllocation::Where;
-
-struct Thrown {
-  const char* name;
-  void (*raise)();
-  ErrorKind kind;
-};
-
-const Thrown kThrown[] = {
-    {"BadAlloc", [] { throw std::bad_alloc(); }, ErrorKind::LimitReached},
-    {"Ompl", [] { throw ompl::Exception("no space information"); }, ErrorKind::Internal},
-    {"Integer", [] { throw 7; }, ErrorKind::Internal},
-};
 
 /// What a sender of failed() has said.
 template <class Sender>
@@ -188,6 +178,58 @@ TEST(ReplayExceptions, AreToldOrEndTheReplay) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return last.ended; }));
   EXPECT_FALSE(firstDifference(*log, joined(last.latest->log)));
 }
+
+class SessionExceptions : public testing::TestWithParam<SessionClock> {};
+
+/// Whatever fails while a session is made, there is a snapshot that says so, and the next call makes the session.
+TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
+  const auto scenario = std::make_shared<const LoadedScenario>(environment2());
+  const command::ExaminePath path{{{scenario->problem.start, Author::Computer}}, {}};
+  const std::pair<const char*, std::function<void(SessionBridge&)>> calls[] = {
+      {"open", [&](SessionBridge& bridge) { bridge.open(scenario); }},
+      {"rearrange", [&](SessionBridge& bridge) { bridge.rearrange(scenario); }},
+      {"givePath", [&](SessionBridge& bridge) { bridge.givePath(path); }},
+      {"setDevice", [&](SessionBridge& bridge) { bridge.setDevice(bridge.deviceId() == "hand" ? "expert" : "hand"); }},
+      {"startFixed",
+       [&](SessionBridge& bridge) {
+         bridge.startFixed({scenario->parameters, "birrt", 1, "none"});
+       }},
+      {"post", [&](SessionBridge& bridge) { bridge.post(command::SetSeed{7}); }},
+  };
+  std::size_t failed = 0;
+  for (const auto& [name, call] : calls) {
+    SessionBridge bridge(GetParam());
+    bridge.open(scenario);
+    bridge.post(command::SetParameter{ParameterId::Alpha, 0.625});
+    for (std::uint64_t first = 1; first < 2000; first += 1 + first / 4) {
+      SCOPED_TRACE(std::string(name) + ", allocation " + std::to_string(first));
+      {
+        const FailingAllocation failing(Where::ThisThread, first);
+        (void)guarded("making a session", [&] { call(bridge); });
+      }
+      ASSERT_NE(bridge.snapshot(), nullptr);
+      if (const auto why = bridge.snapshot()->problem) {
+        EXPECT_EQ(why->kind, ErrorKind::LimitReached);
+        if (why->reason.find("while preparing the planner") == std::string::npos) continue;  // the session's own
+        ++failed;
+        EXPECT_EQ(bridge.snapshot()->state, SessionState::Failed);
+      }
+      const auto& [otherName, other] = calls[first % std::size(calls)];
+      SCOPED_TRACE(otherName);
+      other(bridge);
+      bridge.setDevice("novice");
+      ASSERT_NE(bridge.snapshot(), nullptr);
+      EXPECT_FALSE(bridge.snapshot()->problem);
+    }
+    EXPECT_EQ(bridge.snapshot()->parameters.objectRadius(), scenario->parameters.objectRadius());
+  }
+  EXPECT_GT(failed, 20U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, SessionExceptions, testing::Values(SessionClock::Lockstep, SessionClock::RealTime),
+                         [](const testing::TestParamInfo<SessionClock>& parameter) {
+                           return parameter.param == SessionClock::Lockstep ? "lockstep" : "realtime";
+                         });
 
 GuardedApplication& application() { return *static_cast<GuardedApplication*>(QCoreApplication::instance()); }
 

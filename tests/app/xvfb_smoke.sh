@@ -5,25 +5,8 @@
 set -u
 glissade=$1
 source_dir=$2
-for tool in Xvfb xdotool xwd; do
-  command -v "$tool" >/dev/null || { echo "skipped: $tool is not installed"; exit 77; }
-done
-work=$(mktemp -d)
-display=:$((90 + RANDOM % 900))
-# Without -noreset it starts anew when a client was the last to leave, and refuses others for that moment.
-Xvfb "$display" -screen 0 1280x800x24 -nolisten tcp -noreset >"$work/xvfb.log" 2>&1 &
-server=$!
-trap 'kill $window $server 2>/dev/null; rm -rf "$work"' EXIT
-window=
-# What the user has left, as a recording to be saved, stays out of it.
-export XDG_CONFIG_HOME=$work XDG_DATA_HOME=$work XDG_RUNTIME_DIR=$work
-export DISPLAY=$display QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1
-
-fail() {
-  echo "failed: $1"
-  cat "$work/glissade.log"
-  exit 1
-}
+TOOLS=xwd
+. "${BASH_SOURCE%/*}/xvfb_display.sh"
 picture() { xwd -root -silent -display "$display" >"$work/$1" || fail "no picture can be taken"; }
 
 # expect_change BEFORE AFTER WHAT: takes pictures until one differs from BEFORE; fails with WHAT.

@@ -1,6 +1,9 @@
 // Gives mutated inputs to the readers of all formats and counts those that a reader does not survive.
-// usage: mutate_readers CORPUS [--target NAME] [--mutations N] [--seconds S] [--seed S] [--keep FOLDER]
-// CORPUS has a folder of sound files for each target. Prints one row for each target:
+// usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] [--seconds S] [--seed
+// S]
+//                       [--keep FOLDER]
+// CORPUS has a folder of sound files for each target. truncations: every beginning of every file instead of
+// mutations. Prints one row for each target:
 //   name | tried | clean | defects | seconds | peak MB | seed
 // A defect is an input on which the reader crashes, breaks a promise (targets.h), takes more than 10 s or more than 2
 // GB.
@@ -17,7 +20,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -43,6 +48,7 @@ constexpr unsigned kPatienceSeconds = 10;
 struct Options {
   std::string corpus;
   std::string target;  ///< empty: all
+  bool truncations = false;
   std::uint64_t mutations = 10'000;
   double seconds = 1e9;
   std::uint64_t seed = 1;
@@ -61,6 +67,27 @@ struct Shared {
   std::uint64_t next = 0;  ///< the input that is tried, or the first not tried
 };
 
+/// What is given to a reader, by number.
+struct Inputs {
+  std::uint64_t count;
+  std::function<std::string(std::uint64_t)> at;
+};
+
+Inputs mutationsOf(const Target& target, const std::vector<std::string>& corpus, const Options& options) {
+  const auto mutator = std::make_shared<const Mutator>(options.seed, corpus, target.words);
+  return {options.mutations, [mutator](std::uint64_t number) { return mutator->input(number); }};
+}
+
+Inputs truncationsOf(const std::vector<std::string>& corpus) {
+  std::uint64_t count = 0;
+  for (const std::string& file : corpus) count += file.size();
+  return {count, [corpus](std::uint64_t number) {
+            auto file = corpus.begin();
+            for (; number >= file->size(); ++file) number -= file->size();
+            return file->substr(0, number);
+          }};
+}
+
 std::string contentOf(const fs::path& file) {
   std::ostringstream content;
   content << std::ifstream(file, std::ios::binary).rdbuf();
@@ -77,11 +104,10 @@ std::vector<std::string> corpusOf(const fs::path& folder) {
   return corpus;
 }
 
-[[noreturn]] void tryInputs(const Target& target, const Mutator& mutator, std::uint64_t end, Clock::time_point deadline,
-                            Shared& shared) {
-  while (shared.next < end && Clock::now() < deadline) {
+[[noreturn]] void tryInputs(const Target& target, const Inputs& inputs, Clock::time_point deadline, Shared& shared) {
+  while (shared.next < inputs.count && Clock::now() < deadline) {
     ::alarm(kPatienceSeconds);
-    target.run(mutator.input(shared.next));
+    target.run(inputs.at(shared.next));
     ++shared.next;
   }
   ::_exit(0);
@@ -94,15 +120,15 @@ void keepInput(const std::string& folder, const std::string& name, std::uint64_t
 }
 
 /// Each defect ends a child; the next one goes on behind it.
-Count run(const Target& target, const Mutator& mutator, const Options& options, Shared& shared) {
+Count run(const Target& target, const Inputs& inputs, const Options& options, Shared& shared) {
   const auto begin = Clock::now();
   const auto deadline =
       begin + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.seconds));
   Count count;
   shared.next = 0;
-  while (shared.next < options.mutations && Clock::now() < deadline) {
+  while (shared.next < inputs.count && Clock::now() < deadline) {
     const pid_t child = ::fork();
-    if (child == 0) tryInputs(target, mutator, options.mutations, deadline, shared);
+    if (child == 0) tryInputs(target, inputs, deadline, shared);
     if (child < 0) break;
     int status = 0;
     rusage usage{};
@@ -111,7 +137,7 @@ Count run(const Target& target, const Mutator& mutator, const Options& options, 
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
     std::cerr << target.name << ": input " << shared.next << " of seed " << options.seed << " is a defect ("
               << (WIFSIGNALED(status) ? ::strsignal(WTERMSIG(status)) : "the reader ended the process") << ")\n";
-    keepInput(options.keep, target.name, shared.next, mutator.input(shared.next));
+    keepInput(options.keep, target.name, shared.next, inputs.at(shared.next));
     ++count.defects;
     ++shared.next;
   }
@@ -128,6 +154,7 @@ std::optional<Options> optionsOf(int argc, char** argv) {
     const std::string name = argv[i];
     const std::string value = argv[i + 1];
     if (name == "--target") options.target = value;
+    if (name == "--inputs") options.truncations = value == "truncations";
     if (name == "--mutations") options.mutations = std::stoull(value);
     if (name == "--seconds") options.seconds = std::stod(value);
     if (name == "--seed") options.seed = std::stoull(value);
@@ -141,8 +168,9 @@ std::optional<Options> optionsOf(int argc, char** argv) {
 int main(int argc, char** argv) {
   const auto options = optionsOf(argc, argv);
   if (!options) {
-    std::cerr
-        << "usage: mutate_readers CORPUS [--target NAME] [--mutations N] [--seconds S] [--seed S] [--keep FOLDER]\n";
+    std::cerr << "usage: mutate_readers CORPUS [--target NAME] [--inputs mutations|truncations] [--mutations N] "
+                 "[--seconds S] "
+                 "[--seed S] [--keep FOLDER]\n";
     return 2;
   }
   void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -162,8 +190,10 @@ int main(int argc, char** argv) {
       std::cerr << "an input of the corpus of " << target.name << " is refused: " << refused << "\n";
       return 2;
     }
-    const Count count = run(target, Mutator(options->seed, corpus, target.words), *options, *shared);
-    std::printf("mutations of %s | %llu | %llu | %llu | %.1f | %ld | %llu\n", target.name.c_str(),
+    const Inputs inputs = options->truncations ? truncationsOf(corpus) : mutationsOf(target, corpus, *options);
+    const Count count = run(target, inputs, *options, *shared);
+    std::printf("%s of %s | %llu | %llu | %llu | %.1f | %ld | %llu\n",
+                options->truncations ? "every truncation in memory" : "mutations in memory", target.name.c_str(),
                 static_cast<unsigned long long>(count.tried),
                 static_cast<unsigned long long>(count.tried - count.defects),
                 static_cast<unsigned long long>(count.defects), count.seconds, count.peakKilobytes / 1024,

@@ -133,14 +133,14 @@ std::string cfg(const std::string& bytes) {
 
 /// What a captured importer could send.
 std::string stepProtocol(const std::string& bytes) {
-  const ImporterCall call{"glissade-import-step", "0", "part.step", import_protocol::kStepLimits, "Export it again."};
+  const ImporterCall call{"glissade-import-step", {"0"}, "part.step", import_protocol::kStepLimits, "Export it again."};
   ImporterAnswer answer{{}, ImportMessage(bytes)};
   constexpr std::uint32_t kFew = 100'000;  // larger counts take time and are refused for want of bytes
   if (!answer.message.take(&answer.header, 1) || answer.header.vertices > kFew || answer.header.triangles > kFew)
     return "is no message";
-  const auto parts = decodeStepAnswer(call, answer);
-  if (!parts) return requireError(parts.error());
-  for (const StepPart& part : *parts) {
+  const auto product = decodeStepAnswer(call, answer);
+  if (!product) return requireError(product.error());
+  for (const StepPart& part : product->parts) {
     require(isUtf8(part.path) && isValid(part.X_FP), "a part has a name and a place");
     for (const TriangleIndices& triangle : part.mesh->triangles) {
       for (const std::uint32_t corner : triangle) require(corner < part.mesh->vertices.size(), "corners exist");

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/engine/support/sample_cfg.h"
 #include "tests/oracle/child_run.h"
 #include "tests/oracle/mesh_writer.h"
 #include "tests/oracle/shapes.h"
@@ -60,6 +62,21 @@ const char* const kDae = R"(<?xml version="1.0" encoding="utf-8"?>
 </COLLADA>
 )";
 
+/// The same tetrahedron in little-endian floats.
+std::string binaryPly() {
+  std::string file =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  const auto add = [&](const auto& value) { file.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const float coordinate : {0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F}) add(coordinate);
+  const std::int32_t faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  for (const auto& corners : faces) {
+    file += '\x03';
+    for (const std::int32_t corner : corners) add(corner);
+  }
+  return file;
+}
+
 /// A tetrahedron; the buffer is in the file.
 const char* const kGltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
 "nodes": [{"mesh": 0, "translation": [0, 0, 1]}],
@@ -76,31 +93,31 @@ const char* const kUrdf = R"(<?xml version="1.0"?>
 <joint name="j" type="fixed"><parent link="root"/><child link="arm"/><origin xyz="0 0 0.1" rpy="0 0 0"/></joint></robot>
 )";
 
-const char* const kCfg = R"([problem]
-name = Malformed
-robot = robot.stl
-world = world.stl
-start.x = -3
-start.y = 0
-start.z = 0
-start.theta = 0
-start.axis.x = 0
-start.axis.y = 0
-start.axis.z = 0
-goal.x = 3
-goal.y = 0
-goal.z = 0
-goal.theta = 1.5
-goal.axis.x = 0
-goal.axis.y = 0
-goal.axis.z = 2
-volume.min.x = -5
-volume.min.y = -5
-volume.min.z = -5
-volume.max.x = 5
-volume.max.y = 5
-volume.max.z = 5
-)";
+/// What a scenario may say beside bodies and ends.
+const char* const kSemantics =
+    R"json("environment": {"cell_size": 0.1, "memory": 16, "topology_level": 5, "places": "watershed"},
+"attributes": [{"name": "weight", "type": "number", "of": "body", "unit": "kg", "minimum": 0, "maximum": 1000, "initial": 2.5},
+{"name": "quality", "type": "choice", "of": "place", "choices": ["bad", "good"], "initial": "good"}],
+"places": [{"at": [0, 3, 0], "name": "gap", "attributes": {"quality": "bad"}}],
+"milestones": [{"at": [0, 3, 0], "pose": {"position": [0, 3, 0], "orientation": [0, 0, 0, 1]}}],
+"rules": {"node": "1", "edge": "if(2 > 1 and not (1 == 2), 1, max(2, -3))", "fine": [{"when": "1", "geometrical": true, "local": "rrt"}], "loop": true},
+"seed": 1)json";
+
+/// A recording as a run writes it while it goes on: a line that says what is run, and one of what has happened.
+std::string journalOf(const std::string& record) {
+  nlohmann::ordered_json head = nlohmann::ordered_json::parse(record, nullptr, false);
+  if (head.is_discarded()) return {};
+  head.erase("checksum");
+  nlohmann::ordered_json events;
+  for (auto& [key, value] : head.items()) {
+    const bool list = value.is_array() && key != "assets";
+    if (!list && key != "end" && key != "cut_short") continue;
+    events[key] = value;
+    if (list) value = nlohmann::ordered_json::array();
+    if (key == "end") value = nullptr;
+  }
+  return head.dump() + "\n" + events.dump() + "\n";
+}
 
 const char* const kStudy = R"({"format": "glissade-study", "version": 1, "name": "malformed", "title": "Malformed",
 "scenarios": ["scenario.json"], "strategies": ["birrt"], "limits": {"max_steps": 100}, "seeds": {"first": 1, "count": 2}, "rows": [{"label": "plain"}]}
@@ -129,6 +146,7 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
   addAsset("stl-binary", "mesh", ".stl", meshFile(part, MeshFormat::BinaryStl));
   addAsset("obj", "mesh", ".obj", meshFile(part, MeshFormat::Obj));
   addAsset("ply", "mesh", ".ply", kPly);
+  addAsset("ply-binary", "mesh", ".ply", binaryPly());
   addAsset("dae", "mesh", ".dae", kDae);
   addAsset("glb", "mesh", ".glb", meshFile(part, MeshFormat::Glb));
   addAsset("gltf", "mesh", ".gltf", kGltf);
@@ -147,7 +165,10 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
     files.push_back({format, name, content, std::move(command)});
   };
   addFile("scenario", "variant.json", scenarioWith("box", ""), {"info", in("variant.json")});
-  addFile("cfg", "variant.cfg", kCfg, {"info", in("variant.cfg")});
+  std::string semantics = scenarioWith("box", "");
+  semantics.replace(semantics.find("\"seed\": 1"), std::string("\"seed\": 1").size(), kSemantics);
+  addFile("semantics", "semantics.json", semantics, {"info", in("semantics.json")});
+  addFile("cfg", "variant.cfg", test::kSampleCfg, {"info", in("variant.cfg")});
   addFile("study", "study.json", kStudy, {"study", in("study.json"), "--out", in("results"), "--dry-run"});
   for (const std::string ending : {"csv", "json", "path"}) {
     const std::string path = "path." + ending;
@@ -157,6 +178,8 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
     addFile("path-" + ending, path, contentOf(in(path)), {"check", scenario, in(path)});
   }
   addFile("record", "record.json", contentOf(in("record.json")), {"replay", in("record.json"), "--scenario", scenario});
+  addFile("journal", "run.journal", journalOf(contentOf(in("record.json"))),
+          {"replay", in("run.journal"), "--scenario", scenario});
   return files;
 }
 
@@ -168,7 +191,7 @@ std::size_t trianglesBegun(const GoodFile& file, const std::string& content) {
     if (content.size() >= 84) std::memcpy(&claimed, content.data() + 80, 4);
     return claimed;
   }
-  return file.format == "dae" || file.format == "gltf" || file.format == "ply" ? 4 : 20;
+  return file.format == "dae" || file.format == "gltf" || file.format.rfind("ply", 0) == 0 ? 4 : 20;
 }
 
 }  // namespace glissade::reliability

@@ -1,5 +1,5 @@
 // Gives glissade-cli malformed files of every format, and prints one row of packaging/RELIABILITY.md for each:
-// name | tried | clean | defects | seconds | peak MB | seed. Links nothing of the engine.
+// name | tried | clean | defects | seconds | peak MB | seed. FORMAT: only this one. Links nothing of the engine.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -28,6 +28,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::size_t variants = 200;           ///< of each format
   std::size_t truncations = 1'000'000;  ///< of each good file, at the most
+  std::string format;                   ///< empty: all
 };
 
 struct Row {
@@ -46,6 +47,7 @@ class Campaign {
     const std::vector<GoodFile> files = makeGoodFiles(options_.folder, options_.cli, options_.stepFiles);
     std::size_t defects = 0;
     for (const GoodFile& file : files) {
+      if (!options_.format.empty() && options_.format != file.format) continue;
       checkTheGoodOne(file);
       defects += print(mutations(file));
       defects += print(truncations(file));
@@ -138,10 +140,12 @@ class Campaign {
 
 int main(int argc, char** argv) {
   using namespace glissade::reliability;
-  if (argc != 7) {
-    std::cerr << "usage: malformed_campaign GLISSADE_CLI FOLDER STEP_FILES SEED VARIANTS TRUNCATIONS\n";
+  if (argc != 7 && argc != 8) {
+    std::cerr << "usage: malformed_campaign GLISSADE_CLI FOLDER STEP_FILES SEED VARIANTS TRUNCATIONS [FORMAT]\n";
     return 2;
   }
   fs::create_directories(argv[2]);
-  return Campaign({argv[1], argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5]), std::stoull(argv[6])}).run();
+  return Campaign({argv[1], argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5]), std::stoull(argv[6]),
+                   argc == 8 ? argv[7] : ""})
+      .run();
 }

@@ -91,7 +91,8 @@ int soak(double seconds, std::uint64_t seed, const std::string& report) {
     if (!scenario) throw Failure{toString(scenario.error())};
     cycle(*scenario, random);
     const double resident = residentMegabytes();
-    lines << elapsed() << " " << resident << " " << residentMegabytesAfterTrim() << std::endl;
+    lines << elapsed() << " " << resident << " " << residentMegabytesAfterTrim() << " " << allocatedMegabytes()
+          << std::endl;
   }
   return lines ? 0 : 1;
 }

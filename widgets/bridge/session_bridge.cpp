@@ -1,5 +1,8 @@
 #include "widgets/bridge/session_bridge.h"
 
+#include <utility>
+
+#include "engine/base/guarded.h"
 #include "engine/operator/device_registry.h"
 
 namespace glissade {
@@ -8,6 +11,8 @@ namespace {
 /// A fixed run on screen: 250 planner steps a second, some six times the operator's own time.
 constexpr int kPaceMilliseconds = 16;
 constexpr std::uint64_t kStepsAtOnce = 4;
+/// What an exception is said to have interrupted.
+constexpr const char* kBeginning = "preparing the planner";
 
 }  // namespace
 
@@ -28,9 +33,12 @@ SessionBridge::~SessionBridge() {
 
 void SessionBridge::open(const ScenarioPtr& scenario) {
   scenario_ = scenario;
-  scene_ = scenario->problem.scene;
-  kept_.clear();
-  restart(scenario->parameters, scenario->scenario.seed, scenario->scenario.planner);
+  edits_ = scenario->problem.scene.edits;
+  knowledge_ = scenario->problem.scene.knowledge;
+  beginAnew([&] {
+    kept_.clear();
+    settings_ = {scenario->parameters, scenario->scenario.seed, scenario->scenario.planner};
+  });
 }
 
 namespace {
@@ -49,54 +57,101 @@ ParameterValues carriedOver(const ParameterValues& values, double objectRadius) 
 }  // namespace
 
 void SessionBridge::rearrange(const ScenarioPtr& scenario) {
-  const SnapshotPtr last = session_->snapshot();
-  keepPath(*last);
-  scenario_ = scenario;
-  scene_ = scenario->problem.scene;
-  restart(carriedOver(last->parameters, scenario->problem.world->objectRadius()), last->seed, last->plannerId);
+  const ScenarioPtr before = std::exchange(scenario_, scenario);
+  edits_ = scenario->problem.scene.edits;
+  knowledge_ = scenario->problem.scene.knowledge;
+  beginAnew([&] {
+    keepPath(before->object.id);
+    takeSettings();
+    settings_.parameters = carriedOver(settings_.parameters, scenario->problem.world->objectRadius());
+  });
 }
 
 void SessionBridge::setDevice(const std::string& deviceId) {
   if (deviceId == deviceId_ && !fixed_) return;
   deviceId_ = deviceId;
-  if (!session_) return;
-  keepPath(*session_->snapshot());
-  restartAsItIs();
+  if (scenario_) restart();
 }
 
 void SessionBridge::givePath(command::ExaminePath path) {
-  kept_[scenario_->object.id] = std::move(path);
-  restartAsItIs();
+  beginAnew([&] {
+    takeSettings();
+    kept_[scenario_->object.id] = std::move(path);
+  });
 }
 
-void SessionBridge::restartAsItIs() {
+/// Of the same scenario, with the path that was there.
+void SessionBridge::restart() {
+  beginAnew([this] {
+    keepPath(scenario_->object.id);
+    takeSettings();
+  });
+}
+
+/// The last session's; those that were there before where it could not be made.
+void SessionBridge::takeSettings() {
+  if (!session_) return;
   const SnapshotPtr last = session_->snapshot();
-  restart(last->parameters, last->seed, last->plannerId);
+  settings_ = {last->parameters, last->seed, last->plannerId};
 }
 
 /// One that is still being examined is kept already.
-void SessionBridge::keepPath(const SessionSnapshot& snapshot) {
-  const Path* path = snapshot.path ? snapshot.path.get() : snapshot.refused ? &snapshot.refused->path : nullptr;
-  if (path != nullptr && !fixed_) kept_[scenario_->object.id] = {path->points, snapshot.provenance};
+void SessionBridge::keepPath(const std::string& objectId) {
+  if (!session_ || fixed_) return;
+  const SnapshotPtr last = session_->snapshot();
+  const Path* path = last->path ? last->path.get() : last->refused ? &last->refused->path : nullptr;
+  if (path != nullptr) kept_[objectId] = {path->points, last->provenance};
 }
 
-void SessionBridge::restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner) {
-  end();
-  Problem problem = scenario_->problem;
-  problem.scene = scene_;
-  begin({std::move(problem), parameters, planner, seed, makeDevice(deviceId_, seed)}, clock_);
-  session_->setOperatorFrame(frame_);
+/// Ends the session and begins another. `prepare` takes from the old one what the new one needs.
+template <class Prepare>
+void SessionBridge::beginAnew(const Prepare& prepare) {
+  const auto why = guarded(kBeginning, [&] {
+    prepare();
+    end();
+    Problem problem = scenario_->problem;
+    problem.scene.edits = edits_;
+    problem.scene.knowledge = knowledge_;
+    begin({std::move(problem), settings_.parameters, settings_.planner, settings_.seed,
+           makeDevice(deviceId_, settings_.seed)},
+          clock_);
+    session_->setOperatorFrame(frame_);
+  });
+  if (why) {
+    fail(*why);
+    return;
+  }
   emitSnapshot();
   const auto kept = kept_.find(scenario_->object.id);
   if (kept != kept_.end()) post(kept->second);
 }
 
-void SessionBridge::startFixed(const FixedRun& run) {
+/// There is no session, and the snapshot says why.
+void SessionBridge::fail(const Diagnostic& why) {
   end();
-  fixed_ = true;
-  fixedDeviceId_ = run.deviceId;
-  begin({scenario_->problem, run.parameters, run.planner, run.seed, makeDevice(run.deviceId, run.seed)},
-        SessionClock::Lockstep);
+  auto snapshot = std::make_shared<SessionSnapshot>();
+  snapshot->state = SessionState::Failed;
+  snapshot->problem = why;
+  snapshot->plannerId = settings_.planner;
+  snapshot->seed = settings_.seed;
+  snapshot->parameters = settings_.parameters;
+  snapshot->device.q_device = scenario_->problem.start;
+  announced_ = std::move(snapshot);
+  emit snapshotChanged(SnapshotPtr(announced_));
+}
+
+void SessionBridge::startFixed(const FixedRun& run) {
+  const auto why = guarded(kBeginning, [&] {
+    end();
+    fixed_ = true;
+    fixedDeviceId_ = run.deviceId;
+    begin({scenario_->problem, run.parameters, run.planner, run.seed, makeDevice(run.deviceId, run.seed)},
+          SessionClock::Lockstep);
+  });
+  if (why) {
+    fail(*why);
+    return;
+  }
   post(command::Start{});
   if (clock_ == SessionClock::RealTime) pace_.start();
 }
@@ -140,10 +195,12 @@ void SessionBridge::begin(SessionConfig config, SessionClock clock) {
 }
 
 void SessionBridge::post(Command command) {
-  if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) scene_.edits = semantics->edits;
-  if (const auto* known = std::get_if<command::SetKnowledge>(&command)) scene_.knowledge = known->knowledge;
+  if (const auto* semantics = std::get_if<command::SetSemantics>(&command)) edits_ = semantics->edits;
+  if (const auto* known = std::get_if<command::SetKnowledge>(&command)) knowledge_ = known->knowledge;
+  if (scenario_ && !session_) restart();  // it could not be made
+  if (!session_) return;
   if (std::holds_alternative<command::Start>(command)) kept_.erase(scenario_->object.id);
-  if (session_) session_->post(std::move(command));
+  session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);
 }

@@ -28,6 +28,10 @@ struct FixedRun {
 
 /// The only class that crosses threads: owns the session, posts commands into it, and turns its
 /// wake-ups into a signal on the GUI thread.
+///
+/// Where an exception leaves the making of a session (no memory, no thread), there is none: an earlier session would
+/// prove paths in an arrangement that is not there any more. snapshot() is Failed and says why, and the next call
+/// that needs a session tries to make it again with the same settings.
 class SessionBridge final : public QObject {
   Q_OBJECT
 
@@ -68,9 +72,19 @@ class SessionBridge final : public QObject {
   void snapshotChanged(const glissade::SnapshotPtr& snapshot);
 
  private:
-  void restart(const ParameterValues& parameters, std::uint64_t seed, const std::string& planner);
-  void restartAsItIs();
-  void keepPath(const SessionSnapshot& snapshot);
+  /// What a session begins with.
+  struct Settings {
+    ParameterValues parameters{1.0};
+    std::uint64_t seed = 1;
+    std::string planner;
+  };
+
+  void restart();
+  template <class Prepare>
+  void beginAnew(const Prepare& prepare);
+  void fail(const Diagnostic& why);
+  void takeSettings();
+  void keepPath(const std::string& objectId);
   void end();
   void begin(SessionConfig config, SessionClock clock);
   std::unique_ptr<OperatorDevice> makeDevice(const std::string& id, std::uint64_t seed);
@@ -78,7 +92,9 @@ class SessionBridge final : public QObject {
 
   SessionClock clock_;
   ScenarioPtr scenario_;
-  SceneDescription scene_;  ///< the scenario's, with the edits and the knowledge posted since
+  SemanticEditsPtr edits_;                           ///< the scenario's, or posted since
+  std::shared_ptr<const SceneKnowledge> knowledge_;  ///< likewise
+  Settings settings_;                                ///< of the session that was made last or is to be made
   std::string deviceId_;
   OperatorFrame frame_;
   HandInputsPtr hand_;

@@ -49,6 +49,7 @@ AttributeDialog::AttributeDialog(AttributeOwner owner, Add add, QWidget* parent)
   owner_->addItem(tr("bodies"), static_cast<int>(AttributeOwner::Body));
   owner_->setCurrentIndex(owner == AttributeOwner::Place ? 0 : 1);
   refusal_->setObjectName(QStringLiteral("refusal"));
+  refusal_->setTextFormat(Qt::PlainText);
   refusal_->setWordWrap(true);
   auto* form = new QFormLayout;
   form->addRow(tr("Name"), name_);

@@ -44,6 +44,7 @@ RulesDialog::RulesDialog(const StrategyRules& own, AttributeTable table, QWidget
   form->addRow(tr("Attributes"), known);
   auto* planners = new QLabel(tr("&Planners: the first row that holds decides; the last must always hold (1)."), this);
   planners->setBuddy(fine_);
+  trouble_->setTextFormat(Qt::PlainText);
   trouble_->setWordWrap(true);
   trouble_->setObjectName(QStringLiteral("trouble"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);

@@ -39,12 +39,14 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   busy_->setTextVisible(false);
   busy_->setMaximumHeight(4);
   busy_->hide();
+  warning_->setTextFormat(Qt::PlainText);
   warning_->setWordWrap(true);
   warning_->setObjectName(QStringLiteral("edit-warning"));
   warning_->hide();
   removeStrays_->setDefaultAction(actions[QStringLiteral("attribute.remove-strays")]);
   removeStrays_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   removeStrays_->hide();
+  refusal_->setTextFormat(Qt::PlainText);
   refusal_->setWordWrap(true);
   refusal_->setObjectName(QStringLiteral("refusal"));
   refusal_->hide();

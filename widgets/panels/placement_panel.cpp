@@ -14,6 +14,7 @@ constexpr double kFarthest = 1e6;
 }  // namespace
 
 PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLabel(this)) {
+  name_->setTextFormat(Qt::PlainText);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(6, 2, 6, 6);
   grid->setHorizontalSpacing(6);

@@ -70,7 +70,9 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   steps_->setMinimumSize(288, 64);
+  why_->setTextFormat(Qt::PlainText);
   why_->setWordWrap(true);
+  summary_->setTextFormat(Qt::PlainText);
   summary_->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "engine/base/file.h"
+#include "engine/base/file_save.h"
 #include "engine/study/benchmarks/benchmark_results.h"
 #include "engine/study/benchmarks/planning_section.h"
 #include "engine/study/cell_value.h"
@@ -286,7 +287,7 @@ Outcome writeBenchmarkPage(const std::string& folder, Warnings& warnings) {
   if (!page) return page.error();
   const auto html = reportHtml(*page);
   if (!html) return html.error();
-  return writeFileAtomically(folder + "/benchmarks.html", *html);
+  return saveFile(folder + "/benchmarks.html", *html, warnings);
 }
 
 }  // namespace glissade

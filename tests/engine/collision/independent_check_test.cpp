@@ -163,6 +163,17 @@ TEST(IndependentCheck, AStopLeavesItUndecidedAndSoDoesATurnOfHalfACircle) {
   Pose turned;
   turned.orientation = Quaternion(0.0, 0.0, 0.0, 1.0);
   EXPECT_EQ(check.check({Pose::identity(), turned}, demands).status, CertificateStatus::Undecided);
+  EXPECT_EQ(check.whyUndecided(Pose::identity(), turned, kRequired).find("the edge turns by half a circle"), 0U);
+}
+
+TEST(IndependentCheck, CoordinatesThatHideTheClearanceAreTheReason) {
+  const Pose far = Pose::translation({1e12, 0, 0});
+  const std::vector<RigidBody> plane{boxBody("plane", {1, 1, 1}, Pose::translation({9, 0, 0}))};
+  const IndependentCheck check(plane, *cube(0.2));
+  const Pose beside = Pose::translation({1e12, 1, 0});
+  EXPECT_EQ(check.check({far, beside}, {{kRequired, false}}).status, CertificateStatus::Undecided);
+  EXPECT_EQ(check.whyUndecided(far, beside, kRequired).find("the rounding of coordinates"), 0U);
+  EXPECT_EQ(check.check({far, beside}, {{1.0, false}}).status, CertificateStatus::Certified);
 }
 
 TEST(RaySolid, AgreesWithWhatIsInsideByConstruction) {

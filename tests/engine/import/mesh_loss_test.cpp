@@ -4,6 +4,7 @@
 #include "engine/base/random_stream.h"
 #include "engine/geometry/primitives.h"
 #include "engine/import/mesh_import.h"
+#include "tests/engine/import/expect_refused.h"
 #include "tests/engine/support/mesh_files.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -72,16 +73,9 @@ std::vector<Loss> losses() {
 }
 
 TEST(MeshLoss, IsAnErrorThatNamesThePlace) {
-  const TemporaryFolder folder;
   for (const Loss& row : losses()) {
     SCOPED_TRACE(row.name);
-    const std::string file = folder.write(row.name, row.content);
-    const Result<ImportedMesh> imported = importMesh(file);
-    ASSERT_FALSE(imported.ok());
-    EXPECT_EQ(imported.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(imported.error().file, file);
-    EXPECT_EQ(imported.error().place, row.place);
-    EXPECT_THAT(imported.error().reason, HasSubstr(row.reason));
+    EXPECT_EQ(test::placeOfRefusal(row.name, row.content, row.reason), row.place);
   }
 }
 

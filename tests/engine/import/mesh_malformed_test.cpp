@@ -7,6 +7,7 @@
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/import/confinement.h"
 #include "engine/import/mesh_import.h"
+#include "tests/engine/import/expect_refused.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
@@ -54,17 +55,9 @@ const std::vector<Malformed>& table() {
 }
 
 TEST(MalformedMesh, GivesOneClearMessage) {
-  const TemporaryFolder folder;
   for (const Malformed& row : table()) {
     SCOPED_TRACE(row.name);
-    const std::string file = folder.write(row.name, row.content);
-    const Result<ImportedMesh> imported = importMesh(file);
-    ASSERT_FALSE(imported.ok());
-    EXPECT_EQ(imported.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(imported.error().file, file);
-    ASSERT_NE(std::string(row.reason), "");
-    EXPECT_THAT(imported.error().reason, testing::HasSubstr(row.reason));
-    EXPECT_FALSE(imported.error().advice.empty());
+    (void)test::placeOfRefusal(row.name, row.content, row.reason);
   }
 }
 

@@ -3,41 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/engine/support/sample_cfg.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
 namespace {
 
-const std::string kConfig = R"([problem]
-name = Test
-robot = robot.dae
-world = world.dae
-# a comment
-start.x = 1
-start.y = 2
-start.z = 3
-start.theta = 1.5707963267948966
-start.axis.x = 0
-start.axis.y = 0
-start.axis.z = 2
-goal.x = 20
-goal.y = 0
-goal.z = 0
-goal.theta = 0
-goal.axis.x = 0
-goal.axis.y = 0
-goal.axis.z = 0
-volume.min.x = -5
-volume.min.y = -5
-volume.min.z = -5
-volume.max.x = 5
-volume.max.y = 5
-volume.max.z = 5
-sampler = obstacle_based
-
-[planner]
-rrt =
-)";
+const std::string kConfig = test::kSampleCfg;
 
 std::string replaced(const std::string& from, const std::string& to) {
   std::string text = kConfig;

@@ -20,9 +20,11 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kCubicMillimetre = 1e-9;
 
 std::vector<StepPart> partsOf(const std::string& name, double deflection = 0.0) {
-  auto parts = importStep(stepFile(name), deflection);
-  EXPECT_TRUE(parts) << toString(parts.error());
-  return parts ? std::move(*parts) : std::vector<StepPart>();
+  auto product = importStep(stepFile(name), deflection);
+  EXPECT_TRUE(product) << toString(product.error());
+  if (!product) return {};
+  EXPECT_TRUE(product->warnings.empty()) << toString(product->warnings.front());
+  return std::move(product->parts);
 }
 
 StepPart onePart(const std::string& name, double deflection = 0.0) {

@@ -46,8 +46,8 @@ class PathExporterConformance : public test::PathFixture, public testing::WithPa
   std::string fileNamed(const std::string& name) const { return folder_ / name + "." + exporter_.endings.front(); }
   std::string written(const std::string& name) const {
     const std::string file = fileNamed(name);
-    const Outcome outcome = exporter_.write(path_, scenario_, provenance_, file);
-    EXPECT_TRUE(outcome.ok()) << toString(outcome.error());
+    const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
+    EXPECT_TRUE(saved.ok()) << toString(saved.why);
     return file;
   }
   std::ptrdiff_t filesInFolder() const {
@@ -97,33 +97,43 @@ TEST_P(PathExporterConformance, ReadsBackAsItSays) {
 
 TEST_P(PathExporterConformance, AFailedWriteLeavesTheOldFileAndSaysWhy) {
   const std::string file = folder_.write("a." + exporter_.endings.front(), "old");
-  const Outcome outcome = [&] {
+  const SaveResult saved = [&] {
     const FullDisk disk;
     return exporter_.write(path_, scenario_, provenance_, file);
   }();
-  ASSERT_FALSE(outcome.ok());
-  EXPECT_EQ(outcome.error().file, file);
-  EXPECT_THAT(outcome.error().reason, testing::HasSubstr("cannot be saved"));
+  ASSERT_FALSE(saved.ok());
+  EXPECT_EQ(saved.why.file, file);
+  EXPECT_THAT(saved.why.reason, testing::HasSubstr("cannot be saved"));
   EXPECT_EQ(readWhole(file), "old");
   EXPECT_EQ(filesInFolder(), 1);
 }
 
 TEST_P(PathExporterConformance, AFileThatCannotBeIsAnErrorWithItsReason) {
   const std::string file = fileNamed("missing/a");
-  const Outcome outcome = exporter_.write(path_, scenario_, provenance_, file);
-  ASSERT_FALSE(outcome.ok());
-  EXPECT_EQ(outcome.error().file, file);
-  EXPECT_THAT(outcome.error().reason, testing::HasSubstr("No such file"));
-  EXPECT_FALSE(outcome.error().advice.empty());
+  const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
+  ASSERT_FALSE(saved.ok());
+  EXPECT_EQ(saved.why.file, file);
+  EXPECT_THAT(saved.why.reason, testing::HasSubstr("No such file"));
+  EXPECT_FALSE(saved.why.advice.empty());
+}
+
+/// Such warnings were lost.
+TEST_P(PathExporterConformance, WhatASaveWarnsOfIsHandedOn) {
+  const std::string file = folder_.write("a." + exporter_.endings.front(), "old");
+  ASSERT_EQ(::link(file.c_str(), (file + ".link").c_str()), 0);
+  const SaveResult saved = exporter_.write(path_, scenario_, provenance_, file);
+  ASSERT_TRUE(saved.ok()) << toString(saved.why);
+  ASSERT_EQ(saved.warnings.size(), 1U);
+  EXPECT_THAT(saved.warnings.front().reason, testing::HasSubstr("hard links"));
 }
 
 TEST_P(PathExporterConformance, AnEmptyPathIsRefused) {
   const std::string file = folder_.write("a." + exporter_.endings.front(), "old");
-  const Outcome outcome = exporter_.write({}, scenario_, provenance_, file);
-  ASSERT_FALSE(outcome.ok());
-  EXPECT_EQ(outcome.error().kind, ErrorKind::Usage);
-  EXPECT_EQ(outcome.error().file, file);
-  EXPECT_THAT(outcome.error().reason, testing::HasSubstr("no configuration"));
+  const SaveResult saved = exporter_.write({}, scenario_, provenance_, file);
+  ASSERT_FALSE(saved.ok());
+  EXPECT_EQ(saved.why.kind, ErrorKind::Usage);
+  EXPECT_EQ(saved.why.file, file);
+  EXPECT_THAT(saved.why.reason, testing::HasSubstr("no configuration"));
   EXPECT_EQ(readWhole(file), "old");
 }
 

@@ -294,8 +294,8 @@ TEST(RunJournal, GoesOnceItsRecordingIsWritten) {
   EXPECT_FALSE(saveJournal(file, folder / "run.json", source.token()).ok());
   EXPECT_FALSE(saveJournal(file, folder.write("file", "") + "/run.json").ok());
   EXPECT_EQ(abandonedJournals(folder / "recordings"), std::vector<std::string>{file});  // nothing is lost
-  const Outcome saved = saveJournal(file, folder / "run.json");
-  ASSERT_TRUE(saved.ok()) << toString(saved.error());
+  const SaveResult saved = saveJournal(file, folder / "run.json");
+  ASSERT_TRUE(saved.ok()) << toString(saved.why);
   EXPECT_TRUE(abandonedJournals(folder / "recordings").empty());
   const auto read = readRunRecord(folder / "run.json");
   ASSERT_TRUE(read.ok()) << toString(read.error());

@@ -1,31 +1,20 @@
 // Exceptions of planners and devices end a run and nothing else, in both sessions.
 #include <gtest/gtest.h>
-#include <ompl/util/Exception.h>
 
-#include <new>
-#include <stdexcept>
 #include <tuple>
 
 #include "engine/session/session_with_planners.h"
 #include "tests/engine/support/session_support.h"
+#include "tests/engine/support/thrown_exceptions.h"
 
 namespace glissade {
 namespace {
 
+using test::kThrown;
+using test::Thrown;
+
 /// Where the planner of these tests throws.
 enum class Place { Constructor, Solve, Nodes, CompleteRoadmap };
-
-struct Thrown {
-  const char* name;
-  void (*raise)();
-  ErrorKind kind;
-};
-
-const Thrown kThrown[] = {
-    {"BadAlloc", [] { throw std::bad_alloc(); }, ErrorKind::LimitReached},
-    {"Ompl", [] { throw ompl::Exception("no space information"); }, ErrorKind::Internal},
-    {"Integer", [] { throw 7; }, ErrorKind::Internal},
-};
 
 class ThrowingPlanner final : public Planner {
  public:
