@@ -56,7 +56,7 @@ std::map<std::string, int> countsOf(const ContactReport& report) {
   return counts;
 }
 
-Json toJson(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json toJson(const Contact& contact, const Bodies& bodies) {
   Json json{{"a", bodies[contact.a].id},
@@ -68,8 +68,8 @@ Json toJson(const Contact& contact, const Bodies& bodies) {
             {"allowance_m", usualAllowance(contact)},
             {"status", statusOf(contact)}};
   if (contact.axis) {
-    json["axis"] = {{"point", toJson(contact.axis->point)},
-                    {"direction", toJson(contact.axis->direction)},
+    json["axis"] = {{"point", coordinates(contact.axis->point)},
+                    {"direction", coordinates(contact.axis->direction)},
                     {"radius_a", contact.axis->radiusA},
                     {"radius_b", contact.axis->radiusB}};
   }

@@ -12,7 +12,6 @@ namespace {
 
 namespace protocol = import_protocol;
 
-constexpr double kMillimetre = 0.001;
 constexpr std::string_view kBeginning = "ISO-10303-21;";
 constexpr std::string_view kEnd = "END-ISO-10303-21;";
 
@@ -42,7 +41,7 @@ bool isStepFile(const std::string& file) {
 }
 
 Result<std::vector<StepPart>> importStep(const FileContent& content, double deflection, const StopToken& stop) {
-  const ImporterCall call{"glissade-import-step", toText(deflection / kMillimetre), content.file,
+  const ImporterCall call{"glissade-import-step", toText(deflection / protocol::kMillimetre), content.file,
                           protocol::stepLimitsFor(content.bytes.size()),
                           "Export it again as STEP AP214 or AP242, or its parts as meshes."};
   if (const auto refused = precheck(call, content.bytes)) return *refused;
