@@ -16,7 +16,8 @@ done
 log=build/$preset.log
 mkdir -p build
 echo "building $preset (log: $log)"
-if ! { cmake --preset "$preset" -DGLISSADE_PRECOMPILE=ON "$@" && cmake --build "build/$preset" "${targets[@]}"; } >"$log" 2>&1; then
+if ! { cmake --preset "$preset" -DGLISSADE_UNITY=ON -DGLISSADE_PRECOMPILE=ON "$@" &&
+       cmake --build "build/$preset" "${targets[@]}"; } >"$log" 2>&1; then
   grep -nE 'error|CMake Error|FAILED' "$log" | head -n 20 >&2 || true
   tail -n 30 "$log" >&2
   echo "build.sh: the build of $preset failed; its log is $log" >&2

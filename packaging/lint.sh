@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # Checks the style of the C++ sources: clang-format for the layout, clang-tidy for suspicious code.
 # usage: packaging/lint.sh --format        layout of all files: some seconds. The test Style.Format.
-#        packaging/lint.sh [--since REV]   layout of all files, clang-tidy of the files changed since REV
-#                                          (default: HEAD, that is what is not committed)
+#        packaging/lint.sh [--since REV [--at-most N]]
+#                                          layout of all files, clang-tidy of the files changed since REV
+#                                          (default: HEAD, that is what is not committed); of more than N changed
+#                                          files, N are chosen, others in each revision
 #        packaging/lint.sh --all           layout of all files, clang-tidy of all files
 # JOBS: how many files at once (default: the number of cores).
 set -uo pipefail
@@ -82,13 +84,29 @@ check_tidy() {
   echo "clang-tidy: ${#files[@]} files are clean"
 }
 
+# Of more than $1 lines of standard input, prints $1; which ones, depends on the revision.
+choose() {
+  local lines
+  mapfile -t lines
+  if [ "${#lines[@]}" -gt "$1" ]; then
+    echo "clang-tidy: $1 of ${#lines[@]} changed files" >&2
+    printf '%s\n' "${lines[@]}" | shuf --random-source=<(git rev-parse HEAD | sed 'h;G;G;G;G;G;G;G;G;G;G;G;G;G;G;G') -n "$1"
+  elif [ "${#lines[@]}" -gt 0 ]; then
+    printf '%s\n' "${lines[@]}"
+  fi
+}
+
 usage() {
-  sed -n '3,7s/^# //p' "$0" >&2
+  sed -n '3,9s/^# //p' "$0" >&2
   exit 2
 }
 
 mode=${1:---since}
-case "$mode" in --format|--all) [ $# -eq 1 ] ;; --since) [ $# -ne 1 ] ;; *) false ;; esac || usage
+case "$mode" in
+  --format|--all) [ $# -eq 1 ] ;;
+  --since) [ $# -eq 0 ] || [ $# -eq 2 ] || { [ $# -eq 4 ] && [ "$3" = --at-most ] && [ "$4" -gt 0 ]; } ;;
+  *) false ;;
+esac || usage
 check_format || exit 1
 [ "$mode" != --format ] || exit 0
 require clang-tidy
@@ -98,5 +116,5 @@ if [ "$mode" = --all ]; then
 else
   revision=${2:-HEAD}
   git rev-parse --verify --quiet "$revision^{commit}" >/dev/null || { echo "lint.sh: there is no revision '$revision'" >&2; exit 2; }
-  changed_sources "$revision" | check_tidy
+  changed_sources "$revision" | choose "${4:-100000}" | check_tidy
 fi

@@ -86,7 +86,7 @@ std::map<std::string, int> countsOf(const Rows& rows) {
   return counts;
 }
 
-Json toJson(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json toJson(const Row& row) {
   const Contact& contact = row.contact;
@@ -99,8 +99,8 @@ Json toJson(const Row& row) {
             {"allowance_m", allowanceOf(row)},
             {"status", statusOf(row)}};
   if (contact.axis) {
-    json["axis"] = {{"point", toJson(contact.axis->point)},
-                    {"direction", toJson(contact.axis->direction)},
+    json["axis"] = {{"point", coordinates(contact.axis->point)},
+                    {"direction", coordinates(contact.axis->direction)},
                     {"radius_a", contact.axis->radiusA},
                     {"radius_b", contact.axis->radiusB}};
   }

@@ -13,14 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json toJson(const Vector3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
+Json vectorJson(const Vector3& v) { return Json::array({number(v.x()), number(v.y()), number(v.z())}); }
 
-Json toJson(const Pose& pose) {
+Json poseJson(const Pose& pose) {
   const Quaternion& q = pose.orientation;
-  return {{"position", toJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
+  return {{"position", vectorJson(pose.position)}, {"orientation", Json::array({q.x(), q.y(), q.z(), q.w()})}};
 }
 
-Json toJson(const Box3& box) { return {{"min", toJson(box.min())}, {"max", toJson(box.max())}}; }
+Json boxJson(const Box3& box) { return {{"min", vectorJson(box.min())}, {"max", vectorJson(box.max())}}; }
 
 /// How far the mesh of a body may be off, metres; 0 where it is what was given.
 struct Uncertainty {
@@ -49,7 +49,7 @@ Json toJson(const RigidBody& body, const Uncertainty& uncertainty) {
           {"deflection_m", uncertainty.deflection},
           {"coordinate_spacing_m", uncertainty.coordinateSpacing},
           {"volume_m3", result.closed() ? number(std::abs(result.volume)) : Json(nullptr)},
-          {"box_W", toJson(boundingBox(*body.mesh, body.X_WB))}};
+          {"box_W", boxJson(boundingBox(*body.mesh, body.X_WB))}};
 }
 
 Json toJson(const Asset& asset) {
@@ -124,10 +124,10 @@ int runInfo(const InfoOptions& options) {
     report["bodies"].push_back(toJson(body, uncertaintyOf(body, *loaded)));
   report["object"] = toJson(loaded->object, uncertaintyOf(loaded->object, *loaded));
   report["object"]["radius_m"] = loaded->problem.world->objectRadius();
-  report["workspace"] = toJson(loaded->problem.bounds);
-  report["start"] = toJson(loaded->problem.start);
+  report["workspace"] = boxJson(loaded->problem.bounds);
+  report["start"] = poseJson(loaded->problem.start);
   const Pose* goal = std::get_if<Pose>(&loaded->problem.goal);
-  report["goal"] = goal != nullptr ? toJson(*goal) : Json("out");
+  report["goal"] = goal != nullptr ? poseJson(*goal) : Json("out");
   report["way_points"] = scenario.wayPoints.size();
   report["planner"] = scenario.planner;
   report["seed"] = scenario.seed;

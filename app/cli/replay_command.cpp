@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Session steps between two looks at the clock of the outside world.
-constexpr std::uint64_t kSlice = 1000;
+constexpr std::uint64_t kReplaySlice = 1000;
 
 struct Replayed {
   RunRecord record;
@@ -37,7 +37,7 @@ Result<Replayed> replay(const ReplayOptions& options, const Interrupt& interrupt
   const auto session = makeReplaySession(*problem, std::make_shared<const RunLog>(*log));
   session->post(command::Start{});
   session->advance(0);
-  while (isRunning(*session->snapshot()) && !interrupt.requested()) session->advance(kSlice, interrupt.token());
+  while (isRunning(*session->snapshot()) && !interrupt.requested()) session->advance(kReplaySlice, interrupt.token());
   if (interrupt.requested()) {
     return Diagnostic{ErrorKind::Interrupted, options.record, "", "the replay was not finished", "Start it again."};
   }

@@ -1,11 +1,10 @@
 #include "engine/base/random_stream.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::uint64_t splitMix(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15ULL;
@@ -51,7 +50,7 @@ double RandomStream::uniform(double low, double high) { return low + (high - low
 double RandomStream::normal() {
   const double u = 1.0 - uniform();  // in (0, 1]: the logarithm is finite
   const double v = uniform();
-  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * kPi * v);
+  return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
 }
 
 double RandomStream::exponential(double rate) { return -std::log(1.0 - uniform()) / rate; }

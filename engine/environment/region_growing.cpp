@@ -8,7 +8,7 @@ namespace {
 /// Layers of cells by which a place grows at each level.
 constexpr int kLayersPerLevel = 2;
 /// Places smaller than this many finest cells go to their neighbour.
-constexpr std::size_t kLeastCells = 64;
+constexpr std::size_t kLeastRegionCells = 64;
 
 /// The aligned blocks of one level: blocks of free cells that have no label yet.
 class LevelBlocks {
@@ -136,7 +136,7 @@ PlaceLabels growRegions(const IdentificationInput& input) {
     aggregate(blocks, passages, input.stop, labels);
     next = initialise(blocks, next, input.stop, labels);
   }
-  if (!input.stop.stopRequested()) tidyLabels(input.space, kLeastCells, passages, labels);
+  if (!input.stop.stopRequested()) tidyLabels(input.space, kLeastRegionCells, passages, labels);
   return labels;
 }
 

@@ -9,7 +9,7 @@ namespace {
 /// Two basins are one place where the way between them is at least this share of the narrower's
 /// clearance: the same narrowness, as the paper's places have.
 constexpr double kSameNarrowness = 0.7;
-constexpr std::size_t kLeastCells = 64;
+constexpr std::size_t kLeastBasinCells = 64;
 
 /// Basins that are joined as the water sinks, each with the clearance of its widest spot.
 class Basins {
@@ -69,7 +69,7 @@ PlaceLabels watershed(const IdentificationInput& input) {
   for (int& label : labels) {
     if (label >= passages) label = passages + basins.root(label - passages);
   }
-  tidyLabels(input.space, kLeastCells, passages, labels);
+  tidyLabels(input.space, kLeastBasinCells, passages, labels);
   return labels;
 }
 

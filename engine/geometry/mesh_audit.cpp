@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 namespace glissade {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// Union-find over vertex indices with path halving.
 class Components {
@@ -142,7 +141,7 @@ double windingNumber(const TriangleMesh& mesh, const Vector3& p) {
   for (const auto& [a, b, c] : mesh.triangles) {
     total += solidAngle(mesh.vertices[a] - p, mesh.vertices[b] - p, mesh.vertices[c] - p);
   }
-  return total / (4.0 * kPi);
+  return total / (4.0 * std::numbers::pi);
 }
 
 bool containsPoint(const TriangleMesh& closedMesh, const Vector3& p) {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace glissade {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::uint32_t midpoint(TriangleMesh& mesh, std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>& known,
                        std::uint32_t a, std::uint32_t b) {
@@ -67,12 +66,12 @@ TriangleMesh makeBox(const Vector3& size) {
 }
 
 TriangleMesh makeCylinder(double radius, double length, int segments) {
-  const double outer = radius / std::cos(kPi / segments);
+  const double outer = radius / std::cos(std::numbers::pi / segments);
   TriangleMesh mesh;
   mesh.vertices.emplace_back(0, 0, -length / 2);
   mesh.vertices.emplace_back(0, 0, length / 2);
   for (int i = 0; i < segments; ++i) {
-    const double angle = 2.0 * kPi * i / segments;
+    const double angle = 2.0 * std::numbers::pi * i / segments;
     mesh.vertices.emplace_back(outer * std::cos(angle), outer * std::sin(angle), -length / 2);
     mesh.vertices.emplace_back(outer * std::cos(angle), outer * std::sin(angle), length / 2);
   }

@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::uint32_t kMostInALeaf = 4;
+constexpr std::uint32_t kRayLeafSize = 4;
 /// Boxes are this share of their diagonal wider, because triangles are hit with some rounding.
 constexpr double kMargin = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -62,7 +62,7 @@ void RayTree::build(std::uint32_t first, std::uint32_t last) {
   }
   const Vector3 margin = Vector3::Constant(kMargin * box.diagonal().norm());
   nodes_[index].box = Box3(box.min() - margin, box.max() + margin);
-  if (last - first <= kMostInALeaf) {
+  if (last - first <= kRayLeafSize) {
     nodes_[index].first = first;
     nodes_[index].count = last - first;
     return;

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::uint32_t kMostInALeaf = 4;
+constexpr std::uint32_t kTreeLeafSize = 4;
 
 std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
   std::vector<Triangle> triangles;
@@ -73,7 +73,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
     nodes_[index].box.extend(boxes_[order_[i]]);
     middles.extend(boxes_[order_[i]].center());
   }
-  if (last - first <= kMostInALeaf) {
+  if (last - first <= kTreeLeafSize) {
     nodes_[index].first = first;
     nodes_[index].count = last - first;
     return;

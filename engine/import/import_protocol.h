@@ -18,6 +18,8 @@ inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
 inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
+/// Metres: the unit of every length in an assembly.
+inline constexpr double kMillimetre = 0.001;
 
 struct Header {
   std::uint32_t magic = kMagic;

@@ -24,11 +24,11 @@ std::string besideThisProgram(const std::string& name) {
 }
 
 /// What a process says that reads nothing: the place, a line feed, the reason.
-struct Refusal {
+struct ImporterRefusal {
   std::string place;
   std::string reason;
 };
-Refusal refusalIn(const std::string& text) {
+ImporterRefusal refusalIn(const std::string& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   return {text.substr(0, end), text.substr(std::min(end + 1, text.size()))};
 }
@@ -79,7 +79,7 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
     return refusalOf(call, "the importer failed on it");
   }
   const bool refused = header.kind == protocol::kNotConfined || header.kind == protocol::kError;
-  const Refusal why = refused ? refusalIn(answer.message.rest()) : Refusal();
+  const ImporterRefusal why = refused ? refusalIn(answer.message.rest()) : ImporterRefusal();
   if (header.kind == protocol::kNotConfined) {
     return Diagnostic{
         ErrorKind::Internal, call.file, "",

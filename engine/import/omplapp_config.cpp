@@ -12,11 +12,11 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostBytes = 1U << 20;
+constexpr std::size_t kMostConfigBytes = 1U << 20;
 
 using Keys = std::map<std::string, std::string>;
 
-Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
+Diagnostic malformedConfig(const std::string& file, const std::string& place, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, place, reason, "Correct the OMPL.app problem file."};
 }
 
@@ -40,14 +40,15 @@ Result<Keys> problemSection(const std::string& text, const std::string& file) {
       continue;
     }
     const auto equals = line.find('=');
-    if (equals == std::string::npos) return malformed(file, "line " + std::to_string(number), "is not 'key = value'");
+    if (equals == std::string::npos)
+      return malformedConfig(file, "line " + std::to_string(number), "is not 'key = value'");
     if (section != "[problem]") continue;
     const std::string key = trimmed(line.substr(0, equals));
     if (!keys.emplace(key, trimmed(line.substr(equals + 1))).second) {
-      return malformed(file, "line " + std::to_string(number), "gives '" + key + "' a second time");
+      return malformedConfig(file, "line " + std::to_string(number), "gives '" + key + "' a second time");
     }
   }
-  if (keys.empty()) return malformed(file, "[problem]", "is missing or empty");
+  if (keys.empty()) return malformedConfig(file, "[problem]", "is missing or empty");
   return keys;
 }
 
@@ -84,7 +85,7 @@ class Numbers {
 
  private:
   void complain(const std::string& key, const std::string& reason) {
-    if (!complaint_) complaint_ = malformed(file_, key, reason);
+    if (!complaint_) complaint_ = malformedConfig(file_, key, reason);
   }
 
   const Keys& keys_;
@@ -95,7 +96,7 @@ class Numbers {
 }  // namespace
 
 Result<OmplAppConfig> readOmplAppConfig(const std::string& file) {
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, kMostConfigBytes);
   if (!text) return text.error();
   const auto keys = problemSection(*text, file);
   if (!keys) return keys.error();
@@ -107,13 +108,13 @@ Result<OmplAppConfig> readOmplAppConfig(const std::string& file) {
   config.name = printableLine(textOf("name"));
   config.robot = textOf("robot");
   config.world = textOf("world");
-  if (config.robot.empty()) return malformed(file, "robot", "is missing");
+  if (config.robot.empty()) return malformedConfig(file, "robot", "is missing");
   Numbers numbers(*keys, file);
   config.start = numbers.pose("start");
   config.goal = numbers.pose("goal");
   config.volume = Box3(numbers.vector("volume.min"), numbers.vector("volume.max"));
   if (numbers.complaint()) return *numbers.complaint();
-  if (config.volume.isEmpty()) return malformed(file, "volume", "has a minimum above its maximum");
+  if (config.volume.isEmpty()) return malformedConfig(file, "volume", "has a minimum above its maximum");
   config.volume.extend(config.start.position);
   config.volume.extend(config.goal.position);
   return config;

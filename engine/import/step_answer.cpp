@@ -12,8 +12,6 @@ namespace {
 
 namespace protocol = import_protocol;
 
-constexpr double kMillimetre = 0.001;
-
 struct Shape {
   MeshPtr mesh;
   double deflection = 0.0;
@@ -78,11 +76,12 @@ class StepDecoder {
       return broken();
     }
     for (std::size_t i = 0; i < coordinates.size(); i += 3) {
-      mesh.vertices.emplace_back(kMillimetre * Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
+      mesh.vertices.emplace_back(protocol::kMillimetre *
+                                 Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
     }
     if (const auto fault = faultOf(mesh)) return refusalOf(call_, *fault);
-    shapes_.push_back(
-        {std::make_shared<const TriangleMesh>(welded(mesh)), kMillimetre * record.deflection, record.facesWithoutMesh});
+    shapes_.push_back({std::make_shared<const TriangleMesh>(welded(mesh)), protocol::kMillimetre * record.deflection,
+                       record.facesWithoutMesh});
     return Done{};
   }
 
@@ -98,7 +97,7 @@ class StepDecoder {
       return broken();
     }
     if (!paths_.insert(part.path).second) return broken();
-    part.X_FP.position = kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
+    part.X_FP.position = protocol::kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
     const auto& [x, y, z, w] = record.orientation;
     part.X_FP.orientation = Quaternion(w, x, y, z).normalized();
     if (!isValid(part.X_FP)) return refusalOf(call_, "has a part that is at no place in space");

@@ -27,7 +27,7 @@ namespace glissade {
 namespace {
 
 /// An assembly that holds itself would have no end.
-constexpr int kDeepest = 64;
+constexpr int kDeepestAssembly = 64;
 /// Assemblies that use each other twice at every level would take time without end.
 constexpr std::size_t kMostOccurrences = 100'000;
 
@@ -112,7 +112,8 @@ class AssemblyWalk {
   };
 
   void visit(const TDF_Label& product, const Place& place) {
-    if (place.depth > kDeepest) throw std::runtime_error("its assemblies are nested too deeply, or hold themselves");
+    if (place.depth > kDeepestAssembly)
+      throw std::runtime_error("its assemblies are nested too deeply, or hold themselves");
     if (++occurrences_ > kMostOccurrences) {
       throw std::runtime_error("it has more than " + std::to_string(kMostOccurrences) + " assemblies and parts");
     }

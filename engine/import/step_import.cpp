@@ -12,7 +12,6 @@ namespace {
 
 namespace protocol = import_protocol;
 
-constexpr double kMillimetre = 0.001;
 constexpr std::string_view kBeginning = "ISO-10303-21;";
 constexpr std::string_view kEnd = "END-ISO-10303-21;";
 
@@ -42,7 +41,7 @@ bool isStepFile(const std::string& file) {
 }
 
 Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
-  const std::string millimetres = toText(deflection / kMillimetre);
+  const std::string millimetres = toText(deflection / protocol::kMillimetre);
   const ImporterCall call{"glissade-import-step",
                           {millimetres},
                           content.file,

@@ -18,7 +18,6 @@
 namespace glissade {
 namespace {
 
-constexpr double kMillimetre = 0.001;
 /// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
 constexpr double kAsked = 0.5;
 
@@ -26,7 +25,7 @@ double usualDeflectionOf(const TopoDS_Shape& shape) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
   const double diagonal = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
-  return usualDeflection(kMillimetre * diagonal) / kMillimetre;
+  return usualDeflection(import_protocol::kMillimetre * diagonal) / import_protocol::kMillimetre;
 }
 
 void addFace(const TopoDS_Face& face, StepTriangles& triangles) {

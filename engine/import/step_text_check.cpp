@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kLongestNumber = 350;
-constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kMostParentheses = 100;
 constexpr std::size_t kLongestList = 100'000;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -96,7 +96,8 @@ class StepTextCheck {
     if (c == '(') valuesOfList_.push_back(1);
     if (c == ')' && !valuesOfList_.empty()) valuesOfList_.pop_back();
     if (c == ',' && !valuesOfList_.empty()) ++valuesOfList_.back();
-    if (valuesOfList_.size() > kDeepest) fail("parentheses are nested more than " + std::to_string(kDeepest) + " deep");
+    if (valuesOfList_.size() > kMostParentheses)
+      fail("parentheses are nested more than " + std::to_string(kMostParentheses) + " deep");
     if (!valuesOfList_.empty() && valuesOfList_.back() > kLongestList) {
       fail("a list has more than " + std::to_string(kLongestList) + " values");
     }

@@ -19,13 +19,13 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostBytes = 16U << 20;
+constexpr std::size_t kMostUrdfBytes = 16U << 20;
 /// urdfdom releases a chain of links recursively.
 constexpr std::size_t kMostLinks = 4000;
 /// Of all shapes together.
 constexpr std::size_t kMostTriangles = 8U << 20;
 
-Diagnostic malformed(const std::string& file, const std::string& place, const std::string& reason) {
+Diagnostic malformedUrdf(const std::string& file, const std::string& place, const std::string& reason) {
   return {ErrorKind::MalformedInput, file, place, reason, "Correct the URDF file."};
 }
 
@@ -74,30 +74,32 @@ class LinkBuilder {
     std::vector<std::pair<urdf::LinkConstSharedPtr, Pose>> open{{model.getRoot(), Pose::identity()}};
     for (std::size_t i = 0; i < open.size(); ++i) {
       // Two joints with one child would be followed twice, and a chain of such pairs without end.
-      if (open.size() > model.links_.size()) return malformed(file_, "", "has a link that is the child of two joints");
+      if (open.size() > model.links_.size())
+        return malformedUrdf(file_, "", "has a link that is the child of two joints");
       const auto [link, X_RL] = open[i];
       coordinateSpacing_ = 0.0;
       auto mesh = meshOf(*link);
       if (!mesh) return mesh.error();
       triangles_ += mesh->triangles.size();
       if (triangles_ > kMostTriangles) {
-        return malformed(file_, "", "has more than " + std::to_string(kMostTriangles) + " triangles");
+        return malformedUrdf(file_, "", "has more than " + std::to_string(kMostTriangles) + " triangles");
       }
       if (!mesh->empty()) {
         links.push_back({printableLine(link->name), std::move(*mesh), X_RL, colourOf(*link), coordinateSpacing_});
       }
       for (const auto& joint : link->child_joints) {
         if (joint->type != urdf::Joint::FIXED) {
-          return malformed(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
+          return malformedUrdf(file_, "joint '" + joint->name + "'", "is not fixed: only rigid bodies are read");
         }
         const Pose X_LC = toPose(joint->parent_to_joint_origin_transform);
         const Pose X_RC = X_RL * X_LC;
-        if (!isSound(X_LC) || !isSound(X_RC)) return malformed(file_, "joint '" + joint->name + "'", kFarOrigin);
+        if (!isSound(X_LC) || !isSound(X_RC)) return malformedUrdf(file_, "joint '" + joint->name + "'", kFarOrigin);
         open.emplace_back(model.getLink(joint->child_link_name), X_RC);
       }
     }
-    if (open.size() < model.links_.size()) return malformed(file_, "", "has links that no joint connects to its root");
-    if (links.empty()) return malformed(file_, "", "holds no shape");
+    if (open.size() < model.links_.size())
+      return malformedUrdf(file_, "", "has links that no joint connects to its root");
+    if (links.empty()) return malformedUrdf(file_, "", "holds no shape");
     return links;
   }
 
@@ -110,7 +112,7 @@ class LinkBuilder {
         auto part = meshOf(*shape->geometry, place);
         if (!part) return part.error();
         const Pose X_LS = toPose(shape->origin);
-        if (!isSound(X_LS)) return malformed(file_, place, kFarOrigin);
+        if (!isSound(X_LS)) return malformedUrdf(file_, place, kFarOrigin);
         append(mesh, transformed(*part, X_LS));
       }
       return Done{};
@@ -125,7 +127,7 @@ class LinkBuilder {
       return std::all_of(sizes.begin(), sizes.end(), limits::isSize);
     };
     const Diagnostic badSize =
-        malformed(file_, place, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
+        malformedUrdf(file_, place, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const auto& box = static_cast<const urdf::Box&>(geometry);
@@ -144,14 +146,14 @@ class LinkBuilder {
       }
       case urdf::Geometry::MESH: return meshOf(static_cast<const urdf::Mesh&>(geometry), place);
     }
-    return malformed(file_, place, "has an unknown shape");
+    return malformedUrdf(file_, place, "has an unknown shape");
   }
 
   Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& place) {
     constexpr const char* kPackage = "package://";
     const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     if (!limits::isSize(scale.cwiseAbs().minCoeff()) || !limits::isSize(scale.cwiseAbs().maxCoeff())) {
-      return malformed(file_, place, "has a mesh whose scale is not a number from 1e-12 to 1e9");
+      return malformedUrdf(file_, place, "has a mesh whose scale is not a number from 1e-12 to 1e9");
     }
     std::string name = mesh.filename;
     if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
@@ -211,21 +213,21 @@ Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::
   const auto facts = precheckXml(text, file);
   if (!facts) return facts.error();
   if (facts->links > kMostLinks) {
-    return malformed(file, "", "has more than " + std::to_string(kMostLinks) + " links");
+    return malformedUrdf(file, "", "has more than " + std::to_string(kMostLinks) + " links");
   }
   ParserMessages messages;
   const urdf::ModelInterfaceSharedPtr model = parse(text);
   if (!model || !model->getRoot()) {
-    return malformed(file, "", messages.first().empty() ? "is not a URDF file" : messages.first());
+    return malformedUrdf(file, "", messages.first().empty() ? "is not a URDF file" : messages.first());
   }
   if (shapesIn(*model) != facts->geometries) {
-    return malformed(file, "", messages.first().empty() ? "has a shape that cannot be read" : messages.first());
+    return malformedUrdf(file, "", messages.first().empty() ? "has a shape that cannot be read" : messages.first());
   }
   return LinkBuilder(file, packageFolder, stop).build(*model);
 }
 
 Result<std::vector<UrdfLink>> importUrdf(const std::string& file, const std::string& packageFolder) {
-  const auto content = readContent(file, kMostBytes);
+  const auto content = readContent(file, kMostUrdfBytes);
   if (!content) return content.error();
   return importUrdf(*content, packageFolder);
 }

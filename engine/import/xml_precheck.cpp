@@ -10,11 +10,11 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kDeepest = 100;
+constexpr std::size_t kDeepestElement = 100;
 constexpr std::size_t kMostElements = 200'000;
 constexpr std::size_t kMostAttributes = 100;
 
-struct Refusal {
+struct XmlRefusal {
   std::size_t position;
   std::string reason;
 };
@@ -26,7 +26,7 @@ bool beginsName(char c) {
 }
 bool continuesName(char c) { return beginsName(c) || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':'; }
 
-/// Goes through the text once, from markup to markup. Throws Refusal.
+/// Goes through the text once, from markup to markup. Throws XmlRefusal.
 class XmlScanner {
  public:
   explicit XmlScanner(std::string_view text) : text_(text) {}
@@ -39,7 +39,9 @@ class XmlScanner {
   }
 
  private:
-  [[noreturn]] static void refuse(std::size_t position, const std::string& reason) { throw Refusal{position, reason}; }
+  [[noreturn]] static void refuse(std::size_t position, const std::string& reason) {
+    throw XmlRefusal{position, reason};
+  }
 
   void checkCharacters() const {
     for (std::size_t at = 0; at < text_.size();) {
@@ -93,8 +95,8 @@ class XmlScanner {
     const bool alone = take('/');
     if (!take('>')) refuse(begin, "has a tag that does not end");
     open_.push_back(name);
-    if (open_.size() > kDeepest) {
-      refuse(begin, "is nested too deeply (more than " + std::to_string(kDeepest) + " elements)");
+    if (open_.size() > kDeepestElement) {
+      refuse(begin, "is nested too deeply (more than " + std::to_string(kDeepestElement) + " elements)");
     }
     count();
     if (alone) open_.pop_back();
@@ -165,7 +167,7 @@ class XmlScanner {
 Result<XmlFacts> precheckXml(const std::string& text, const std::string& file) {
   try {
     return XmlScanner(text).scan();
-  } catch (const Refusal& refusal) {
+  } catch (const XmlRefusal& refusal) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(refusal.position);
     const auto line = 1 + std::count(text.begin(), end, '\n');
     return Diagnostic{ErrorKind::MalformedInput, file, "line " + std::to_string(line), refusal.reason,

@@ -13,7 +13,7 @@ constexpr double kLagging = 0.9 / 1.536;  ///< times r: the tree is this far beh
 constexpr double kPeakOverMean = 1.875;      ///< of the speed of a minimum-jerk movement
 constexpr double kShortestMovement = 0.3;    ///< s
 constexpr double kLongestReach = 2.0;        ///< m (and rad) covered by one sub-movement
-constexpr double kPatience = 3.0;            ///< s of waiting for the tree before he fetches it
+constexpr double kWaitForTree = 3.0;         ///< s of waiting for the tree before he fetches it
 constexpr double kLinger = 3.0;              ///< s at a way-point before he goes on without the tree
 constexpr double kSlidingMemory = 1.0;       ///< s without contact nodes: the tree does not slide any more
 constexpr double kTremorTime = 0.3;          ///< s, correlation time
@@ -112,13 +112,13 @@ bool SimulatedOperator::waitsForTheTree(double dt, const OperatorView& view) {
     return false;
   }
   waited_ += dt;
-  if (waited_ < kPatience) return true;
+  if (waited_ < kWaitForTree) return true;
   // Back towards the tree: one way-point at a time, moving although it lags.
-  if (waited_ - dt < kPatience && target_ > 0) {
+  if (waited_ - dt < kWaitForTree && target_ > 0) {
     --target_;
     movement_ = SubMovement();
   }
-  if (waited_ > 2.0 * kPatience) waited_ = 0.0;
+  if (waited_ > 2.0 * kWaitForTree) waited_ = 0.0;
   return false;
 }
 

@@ -30,7 +30,7 @@ using std::chrono::milliseconds;
 constexpr double kFullDeflection = 350.0;
 constexpr milliseconds kLongestBackOff{4000};
 /// How often a quit is looked for while waiting for events.
-constexpr milliseconds kPatience{50};
+constexpr milliseconds kPollTimeout{50};
 /// Pause after each reading: a flood wakes us so often and no more.
 constexpr milliseconds kPause{2};
 /// Packets taken in one reading, so that a flood cannot hold us.
@@ -133,7 +133,7 @@ struct SpacenavReader::Connection {
     }
     while (!quit) {
       pollfd descriptor{spnav_fd(), POLLIN, 0};
-      const int ready = poll(&descriptor, 1, static_cast<int>(kPatience.count()));
+      const int ready = poll(&descriptor, 1, static_cast<int>(kPollTimeout.count()));
       ++wakeUps;
       if (ready <= 0) continue;
       if (!drain()) break;
@@ -216,7 +216,7 @@ struct SpacenavReader::Connection {
   void wait(milliseconds duration) {
     const auto end = Clock::now() + duration;
     while (!quit && Clock::now() < end) {
-      std::this_thread::sleep_for(std::min(kPatience, duration));
+      std::this_thread::sleep_for(std::min(kPollTimeout, duration));
       ++wakeUps;
     }
   }
@@ -234,8 +234,8 @@ SpacenavReader::SpacenavReader(HandInputsPtr hand, milliseconds firstBackOff)
 
 SpacenavReader::~SpacenavReader() {
   connection_->quit = true;
-  // The thread ends within kPatience unless libspnav holds it; then it is left behind.
-  for (int i = 0; i < 20 && !connection_->ended; ++i) std::this_thread::sleep_for(kPatience / 2);
+  // The thread ends within kPollTimeout unless libspnav holds it; then it is left behind.
+  for (int i = 0; i < 20 && !connection_->ended; ++i) std::this_thread::sleep_for(kPollTimeout / 2);
 }
 
 std::optional<Diagnostic> SpacenavReader::problem() const { return connection_->problem.get(); }

@@ -1,14 +1,9 @@
 #include "engine/planning/random_shooter.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
-
 Pose RandomShooter::shoot() {
   Pose q;
   if (region_) {
@@ -22,8 +17,8 @@ Pose RandomShooter::shoot() {
 
 Quaternion RandomShooter::orientation(RandomStream& stream) {
   const double u1 = stream.uniform();
-  const double u2 = 2.0 * kPi * stream.uniform();
-  const double u3 = 2.0 * kPi * stream.uniform();
+  const double u2 = 2.0 * std::numbers::pi * stream.uniform();
+  const double u3 = 2.0 * std::numbers::pi * stream.uniform();
   const double a = std::sqrt(1.0 - u1);
   const double b = std::sqrt(u1);
   return Quaternion(b * std::cos(u3), a * std::sin(u2), a * std::cos(u2), b * std::sin(u3)).normalized();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -15,7 +16,6 @@ namespace {
 using Label = SurfaceRegions::Label;
 using LabelKind = SurfaceRegions::Kind;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Fitted surfaces that are nearer to each other touch, metres: what fitting and rounding leave.
 constexpr double kTouching = 3e-6;
@@ -148,7 +148,7 @@ class PairExaminer {
     const Vector3 u = axis.direction.unitOrthogonal();
     const Vector3 v = axis.direction.cross(u);
     for (int i = 0; i < kAngles; ++i) {
-      const double angle = 2.0 * kPi * (i + 0.37) / kAngles;
+      const double angle = 2.0 * std::numbers::pi * (i + 0.37) / kAngles;
       const Vector3 p = axis.point + 0.5 * (axis.radiusA + axis.radiusB) * (std::cos(angle) * u + std::sin(angle) * v);
       if (a_.depth()->contains(p) && b_.depth()->contains(p)) return true;
     }

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Share of the common box's diagonal between two samples.
 constexpr double kSpacing = 0.05;
 /// In diagonals: nearer hits of a ray inwards are of the face that it begins at.
@@ -53,12 +53,12 @@ class DepthSearch {
     double radius = 0.0;
     for (const Vector3& corner : piece) radius = std::max(radius, (corner - middle).norm());
     const bool inside = solid_.contains(middle);
-    const TriangleTree::Nearest nearest = body_.nearest(middle, inside ? kInfinity : radius);
+    const TriangleTree::Nearest nearest = body_.nearest(middle, inside ? kUnbounded : radius);
     if (nearest.distance + radius <= deepest_.depth || (!inside && nearest.distance >= radius)) return;
     if (inside) take(nearest);
     if (radius <= spacing) {
       for (const Vector3& corner : piece) {
-        if (solid_.contains(corner)) take(body_.nearest(corner, kInfinity));
+        if (solid_.contains(corner)) take(body_.nearest(corner, kUnbounded));
       }
       return;
     }
@@ -103,7 +103,7 @@ SolidDepth::SolidDepth(const TriangleMesh& mesh_W, bool oriented, double sense)
 double SolidDepth::thicknessBelow(const Triangle& triangle) const {
   const Vector3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).stableNormalized();
   const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-  return normal.isZero(0.0) ? kInfinity : rays_.firstHit(middle, -sense_ * normal, beyond_);
+  return normal.isZero(0.0) ? kUnbounded : rays_.firstHit(middle, -sense_ * normal, beyond_);
 }
 
 std::optional<OverlapDepth> depthInside(const TriangleTree& surface, const TriangleTree& body, const SolidDepth& solid,
@@ -114,7 +114,7 @@ std::optional<OverlapDepth> depthInside(const TriangleTree& surface, const Trian
   const double spacing = kSpacing * common.diagonal().norm();
   surface.visit(common, [&](std::uint32_t t) {
     const std::vector<Vector3> polygon = clipped(surface.triangles()[t], common);
-    const double ofTriangle = isCoincident(t) ? kInfinity : spacing;
+    const double ofTriangle = isCoincident(t) ? kUnbounded : spacing;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
       depths.search({polygon[0], polygon[i], polygon[i + 1]}, ofTriangle);
     }

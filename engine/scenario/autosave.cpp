@@ -23,8 +23,8 @@ using Json = JsonCursor::Json;
 
 constexpr const char* kLockEnding = ".lock";
 constexpr const char* kEditsEnding = ".edits";
-constexpr const char* kFormat = "glissade-unsaved-edits";
-constexpr std::size_t kMostBytes = 64U << 20;
+constexpr const char* kEditsFormat = "glissade-unsaved-edits";
+constexpr std::size_t kMostEditsBytes = 64U << 20;
 
 Diagnostic unusable(const std::string& folder, const std::string& what) {
   return {ErrorKind::Internal, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
@@ -43,7 +43,7 @@ void removeFiles(const std::string& base) {
 
 std::string textOf(const UnsavedEdits& edits, const std::string& base) {
   const Scenario here = movedTo(base + kEditsEnding, edits.scenario, edits.file.empty() ? "./x" : edits.file);
-  Json json{{"format", kFormat}, {"version", 1}, {"file", edits.file}, {"sha256", edits.sha256}};
+  Json json{{"format", kEditsFormat}, {"version", 1}, {"file", edits.file}, {"sha256", edits.sha256}};
   json["scenario"] = Json::parse(writeScenario(here));
   addChecksum(json);
   return jsonText(json) + "\n";
@@ -79,7 +79,7 @@ void AutosaveSlot::clear() { ::unlink((base_ + kEditsEnding).c_str()); }
 std::string AbandonedEdits::file() const { return base_ + kEditsEnding; }
 
 Result<UnsavedEdits> AbandonedEdits::read() const {
-  const auto text = readFile(file(), kMostBytes);
+  const auto text = readFile(file(), kMostEditsBytes);
   if (!text) return text.error();
   auto document = parseJson(*text, file());
   if (!document) return document.error();
@@ -88,7 +88,7 @@ Result<UnsavedEdits> AbandonedEdits::read() const {
   }
   try {
     const JsonCursor root(*document, file(), "");
-    if (root.at("format").text() != kFormat) root.at("format").fail("is not unsaved edits of Glissade");
+    if (root.at("format").text() != kEditsFormat) root.at("format").fail("is not unsaved edits of Glissade");
     if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
     auto scenario = parseScenario(root.at("scenario").json().dump(), file());
     if (!scenario) return scenario.error();

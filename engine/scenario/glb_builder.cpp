@@ -17,13 +17,13 @@ constexpr int kArrayBuffer = 34962;
 constexpr std::uint32_t kMagic = 0x46546C67;      // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinaryChunk = 0x004E4942;
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kGlbVersion = 2;
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
 
 const char* typeOf(Eigen::Index rows) { return rows == 1 ? "SCALAR" : rows == 3 ? "VEC3" : "VEC4"; }
 
-Json listOf(const Eigen::VectorXf& values) {
+Json numberList(const Eigen::VectorXf& values) {
   Json list = Json::array();
   for (const float value : values) list.push_back(value);
   return list;
@@ -61,8 +61,8 @@ std::size_t GlbBuilder::addNumbers(const Eigen::MatrixXf& elements, Use use) {
                            {"componentType", kFloat},
                            {"count", elements.cols()},
                            {"type", typeOf(elements.rows())},
-                           {"min", listOf(elements.rowwise().minCoeff())},
-                           {"max", listOf(elements.rowwise().maxCoeff())}});
+                           {"min", numberList(elements.rowwise().minCoeff())},
+                           {"max", numberList(elements.rowwise().maxCoeff())}});
 }
 
 Result<std::string> GlbBuilder::bytes() const {
@@ -78,7 +78,7 @@ Result<std::string> GlbBuilder::bytes() const {
   std::string bytes;
   bytes.reserve(size);
   append(bytes, kMagic);
-  append(bytes, kVersion);
+  append(bytes, kGlbVersion);
   append(bytes, size);
   appendChunk(bytes, kJsonChunk, text);
   appendChunk(bytes, kBinaryChunk, buffer_);

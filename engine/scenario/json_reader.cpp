@@ -140,7 +140,7 @@ Pose JsonCursor::pose() const {
 namespace {
 
 /// What JSON allows and we do not; the first is said.
-struct Refusal {
+struct JsonRefusal {
   std::string reason;
 };
 
@@ -153,9 +153,9 @@ class ParserGuard {
   bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
     using Event = Json::parse_event_t;
     constexpr int kDeepest = 32;
-    if (depth > kDeepest) throw Refusal{"is nested too deeply"};
+    if (depth > kDeepest) throw JsonRefusal{"is nested too deeply"};
     const bool value = event == Event::value || event == Event::object_start || event == Event::array_start;
-    if (value && valuesLeft_-- == 0) throw Refusal{"holds too many values"};
+    if (value && valuesLeft_-- == 0) throw JsonRefusal{"holds too many values"};
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key) take(parsed.get_ref<const std::string&>());
@@ -165,9 +165,9 @@ class ParserGuard {
  private:
   void take(const std::string& key) {
     constexpr std::size_t kMostKeys = 20'000;
-    if (!keys_.back().insert(key).second) throw Refusal{"holds the key '" + key + "' twice in one object"};
+    if (!keys_.back().insert(key).second) throw JsonRefusal{"holds the key '" + key + "' twice in one object"};
     if (keys_.back().size() > kMostKeys) {
-      throw Refusal{"holds an object with more than " + std::to_string(kMostKeys) + " keys"};
+      throw JsonRefusal{"holds an object with more than " + std::to_string(kMostKeys) + " keys"};
     }
   }
 
@@ -238,7 +238,7 @@ Result<Json> parseJson(const std::string& text, const std::string& file, const W
     return Diagnostic{ErrorKind::MalformedInput, file,
                       "line " + std::to_string(line) + ", column " + std::to_string(column), "is not valid JSON",
                       "Correct the text there."};
-  } catch (const Refusal& refusal) {
+  } catch (const JsonRefusal& refusal) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", refusal.reason, "Correct the file."};
   } catch (const Json::exception&) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds a number that is out of range",

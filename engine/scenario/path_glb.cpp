@@ -20,8 +20,8 @@ constexpr double kRoughness = 0.8;
 /// glTF's colours are linear, ours sRGB.
 double linear(double value) { return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); }
 
-Json listOf(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-Json listOf(const Quaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+Json coordinateList(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+Json coordinateList(const Quaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 std::size_t addMaterial(GlbBuilder& glb, const RigidBody& body, double opacity) {
   const Json colour{linear(body.colour[0]), linear(body.colour[1]), linear(body.colour[2]), opacity};
@@ -55,8 +55,8 @@ std::size_t addBody(GlbBuilder& glb, const RigidBody& body, double opacity) {
   const Json surface{{"attributes", surfaceOf(glb, *body.mesh)}, {"material", material}};
   const std::size_t mesh = glb.add("meshes", {{"name", body.name}, {"primitives", Json::array({surface})}});
   return glb.add("nodes", {{"name", body.name},
-                           {"translation", listOf(body.X_WB.position)},
-                           {"rotation", listOf(body.X_WB.orientation)},
+                           {"translation", coordinateList(body.X_WB.position)},
+                           {"rotation", coordinateList(body.X_WB.orientation)},
                            {"mesh", mesh}});
 }
 

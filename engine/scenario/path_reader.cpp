@@ -17,7 +17,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostBytes = 256U << 20;
+constexpr std::size_t kMostPathBytes = 256U << 20;
 /// Twelve numbers as the longest texts that doubles have.
 constexpr std::size_t kLongestLine = 8192;
 /// Half a gigabyte.
@@ -143,7 +143,7 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
 }  // namespace
 
 Result<std::vector<PathPoint>> readPath(const std::string& file) {
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, kMostPathBytes);
   if (!text) return text.error();
   if (text->rfind("glTF", 0) == 0) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "is an animation (GLB), which is there to be looked at",
@@ -158,7 +158,7 @@ bool isPathFile(const std::string& file) {
   const auto exporter = pathExporterFor(file);
   if (!exporter || !exporter->readBackError) return false;
   if (exporter->id != "json") return true;
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, kMostPathBytes);
   const auto document = text ? parseJson(*text, file) : Result<JsonCursor::Json>(text.error());
   return document && document->is_object() && document->value("format", JsonCursor::Json()) == kJsonFormat;
 }

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = JsonCursor::Json;
 
-constexpr std::size_t kMostBytes = 256U << 20;
+constexpr std::size_t kMostRecordBytes = 256U << 20;
 
 /// One key a line, one entry of a list a line: long streams stay readable, and small.
 std::string text(const Json& json) {
@@ -103,7 +103,7 @@ SaveResult writeRunRecord(const RunRecord& record, const std::string& file) {
 
 Result<RunRecord> readRunRecord(const std::string& file, const WorkWatch& watch) {
   constexpr double kParsing = 0.8;  // of the work; the rest is taking the values
-  const auto content = readFile(file, kMostBytes);
+  const auto content = readFile(file, kMostRecordBytes);
   if (!content) return content.error();
   auto document = isJournal(*content) ? mergedJournal(*content, file, watch.part(0.0, kParsing))
                                       : parseJson(*content, file, watch.part(0.0, kParsing));

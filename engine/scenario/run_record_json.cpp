@@ -204,7 +204,7 @@ Json toJson(const RunLog::SemanticChange& change) {
 Json toJson(const RunRecord::AssetHash& asset) { return {{"id", asset.id}, {"sha256", asset.sha256}}; }
 
 template <class Entries>
-Json listOf(const Entries& entries) {
+Json entryList(const Entries& entries) {
   Json json = Json::array();
   for (const auto& entry : entries) json.push_back(toJson(entry));
   return json;
@@ -221,7 +221,7 @@ Json headToJson(const RunRecord& record) {
   json["build"] = record.build;
   json["scenario"] = record.scenario;
   json["problem_sha256"] = record.problemSha256;
-  json["assets"] = listOf(record.assets);
+  json["assets"] = entryList(record.assets);
   json["planner"] = start.planner;
   json["seed"] = start.seed;
   json["parameters"] = Json::object();
@@ -232,10 +232,10 @@ Json headToJson(const RunRecord& record) {
 }
 
 void addEvents(const RunLog& log, Json& json) {
-  json["parameter_changes"] = listOf(log.parameterChanges);
-  json["semantic_changes"] = listOf(log.semanticChanges);
-  json["operator_stream"] = listOf(log.operatorStream);
-  json["checkpoints"] = listOf(log.checkpoints);
+  json["parameter_changes"] = entryList(log.parameterChanges);
+  json["semantic_changes"] = entryList(log.semanticChanges);
+  json["operator_stream"] = entryList(log.operatorStream);
+  json["checkpoints"] = entryList(log.checkpoints);
   json["end"] = log.end ? toJson(*log.end) : Json(nullptr);
   json["cut_short"] = log.cutShort;
 }

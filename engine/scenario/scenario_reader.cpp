@@ -11,14 +11,14 @@
 namespace glissade {
 namespace {
 
-constexpr const char* kFormat = "glissade-scenario";
-constexpr std::uint64_t kVersion = 1;
+constexpr const char* kScenarioFormat = "glissade-scenario";
+constexpr std::uint64_t kScenarioVersion = 1;
 
 using Json = JsonCursor::Json;
 
 /// Brings a document one version up; entry i migrates version i + 1. Version 1 is the first: empty.
 using Migration = void (*)(Json&);
-constexpr std::array<Migration, kVersion - 1> kMigrations{};
+constexpr std::array<Migration, kScenarioVersion - 1> kMigrations{};
 
 Colour readColour(const JsonCursor& at) {
   const Vector3 v = at.vector();
@@ -176,11 +176,13 @@ Scenario readScenario(const JsonCursor& root) {
 }
 
 std::uint64_t readVersion(const JsonCursor& root) {
-  if (root.at("format").text() != kFormat) root.at("format").fail("is not \"" + std::string(kFormat) + "\"");
+  if (root.at("format").text() != kScenarioFormat)
+    root.at("format").fail("is not \"" + std::string(kScenarioFormat) + "\"");
   const JsonCursor at = root.at("version");
   const std::uint64_t version = at.wholeNumber();
-  if (version < 1 || version > kVersion) {
-    at.fail("is version " + std::to_string(version) + "; this program reads up to version " + std::to_string(kVersion),
+  if (version < 1 || version > kScenarioVersion) {
+    at.fail("is version " + std::to_string(version) + "; this program reads up to version " +
+                std::to_string(kScenarioVersion),
             "Use a newer Glissade.");
   }
   return version;

@@ -88,7 +88,7 @@ Json toJson(const ObjectDescription& object) {
 }
 
 template <class Range>
-Json listOf(const Range& range) {
+Json itemList(const Range& range) {
   Json json = Json::array();
   for (const auto& item : range) json.push_back(toJson(item));
   return json;
@@ -100,15 +100,15 @@ Json scenarioJson(const Scenario& scenario) {
   json["version"] = 1;
   json["name"] = scenario.name;
   json["description"] = scenario.description;
-  json["assets"] = listOf(scenario.assets);
-  json["bodies"] = listOf(scenario.bodies);
+  json["assets"] = itemList(scenario.assets);
+  json["bodies"] = itemList(scenario.bodies);
   json["object"] = toJson(scenario.object);
   json["start"] = glissade::toJson(scenario.start);
   const Pose* goal = std::get_if<Pose>(&scenario.goal);
   json["goal"] = goal != nullptr ? glissade::toJson(*goal) : Json("out");
   json["workspace"] = {{"min", glissade::toJson(Vector3(scenario.workspace.min()))},
                        {"max", glissade::toJson(Vector3(scenario.workspace.max()))}};
-  json["way_points"] = listOf(scenario.wayPoints);
+  json["way_points"] = itemList(scenario.wayPoints);
   json["planner"] = scenario.planner;
   json["parameters"] = Json::object();
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;

@@ -24,7 +24,7 @@ bool endsWithName(const std::string& node, const std::string& name) {
 }
 
 /// As many as a person reads.
-std::string listOf(const std::vector<std::string>& names) {
+std::string nameList(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 30;
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) text += (i > 0 ? ", " : "") + names[i];
@@ -58,13 +58,13 @@ Result<std::string> nodeNamed(const std::string& name, const std::vector<std::st
   if (found.empty()) return noSuchPart(file, name, parts);
   if (found.size() == 1) return found.front();
   return Diagnostic{ErrorKind::MalformedInput, file, "part '" + name + "'", "is the name of several parts",
-                    "Give the whole name: " + listOf(found) + "."};
+                    "Give the whole name: " + nameList(found) + "."};
 }
 
 Diagnostic noSuchPart(const std::string& file, const std::string& name, const std::vector<std::string>& parts) {
   const bool single = parts.size() == 1 && parts.front().empty();
   return {ErrorKind::MalformedInput, file, "part '" + name + "'", "is not in the file",
-          single ? "The file holds one part: leave out the name." : "It holds: " + listOf(parts) + "."};
+          single ? "The file holds one part: leave out the name." : "It holds: " + nameList(parts) + "."};
 }
 
 }  // namespace glissade

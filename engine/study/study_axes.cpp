@@ -7,8 +7,6 @@
 namespace glissade {
 namespace {
 
-void append(std::string& label, const std::string& part) { label += (label.empty() ? "" : ", ") + part; }
-
 /// One value of each grid parameter.
 using GridPoint = std::vector<std::pair<ParameterId, double>>;
 
@@ -33,10 +31,10 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
   StudyCell cell;
   cell.row = row.label;
   cell.label = row.label;
-  if (axes.scenarios.size() > 1) append(cell.label, scenarioName(scenario));
-  if (axes.strategies.size() > 1) append(cell.label, strategy);
-  if (axes.operators.size() > 1) append(cell.label, operatorName);
-  for (const auto& [id, value] : point) append(cell.label, std::string(specOf(id).key) + "=" + toText(value));
+  if (axes.scenarios.size() > 1) appendPart(cell.label, scenarioName(scenario));
+  if (axes.strategies.size() > 1) appendPart(cell.label, strategy);
+  if (axes.operators.size() > 1) appendPart(cell.label, operatorName);
+  for (const auto& [id, value] : point) appendPart(cell.label, std::string(specOf(id).key) + "=" + toText(value));
   cell.scenario = scenario;
   cell.strategy = strategy;
   cell.operatorName = operatorName;
@@ -78,5 +76,12 @@ std::vector<StudyCell> cellsOf(const StudyRow& row) {
   }
   return cells;
 }
+
+bool isLimit(ParameterId id) {
+  return id == ParameterId::TimeLimit || id == ParameterId::MaxSteps || id == ParameterId::MaxSamples ||
+         id == ParameterId::StepsPerSecond;
+}
+
+void appendPart(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
 }  // namespace glissade

@@ -36,4 +36,10 @@ std::vector<StudyCell> cellsOf(const StudyRow& row);
 /// "environment-1" of "../environment-1/scenario.json", and "tight-star": enough to tell scenarios apart.
 std::string scenarioName(const std::string& scenario);
 
+/// Limits of a run are parameters; in a study they are not varied.
+bool isLimit(ParameterId id);
+
+/// Adds a part to a text whose parts are separated by commas.
+void appendPart(std::string& text, const std::string& part);
+
 }  // namespace glissade

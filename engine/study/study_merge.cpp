@@ -1,11 +1,10 @@
 #include "engine/base/file.h"
 #include "engine/study/study_folder.h"
+#include "engine/study/study_reader.h"
 #include "engine/study/study_tables.h"
 
 namespace glissade {
 namespace {
-
-constexpr std::size_t kMostStudyBytes = 16U << 20;
 
 /// Adds what a folder knows; a run that is there already must have ended the same way.
 Outcome unite(const StudyFolder& folder, StudyResults& all, Warnings& warnings) {

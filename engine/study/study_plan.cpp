@@ -13,8 +13,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostStudyBytes = 16U << 20;
-
 /// What cells need to know of a scenario.
 struct KnownScenario {
   std::string sha256;

@@ -17,11 +17,6 @@ constexpr double kDodge = 0.009;
 /// Share of a category that its bars take.
 constexpr double kBarsShare = 0.84;
 
-bool isLimit(ParameterId id) {
-  return id == ParameterId::MaxSteps || id == ParameterId::MaxSamples || id == ParameterId::TimeLimit ||
-         id == ParameterId::StepsPerSecond;
-}
-
 /// Settings of the peers: they tell series apart, and panels, and are no axis of their own.
 bool isOfPeers(ParameterId id) { return id == ParameterId::OmplRange || id == ParameterId::OmplResolution; }
 
@@ -66,8 +61,6 @@ bool differ(const Study& study, Get get) {
   return std::any_of(study.cells.begin(), study.cells.end(),
                      [&](const StudyCell& cell) { return get(cell) != get(study.cells.front()); });
 }
-
-void append(std::string& text, const std::string& part) { text += (text.empty() ? "" : ", ") + part; }
 
 /// One value of the resolution at which OMPL's planners look at edges; cells that set none are in every
 /// panel. Nothing: all cells.
@@ -153,13 +146,13 @@ class Plotter {
 
   std::string seriesName(const StudyCell& cell) const {
     std::string text;
-    if (severalStrategies_) append(text, cell.strategy);
-    if (cell.operatorName != "none") append(text, cell.operatorName);
-    if (along_ && severalScenarios_) append(text, scenarioName(cell.scenario));
+    if (severalStrategies_) appendPart(text, cell.strategy);
+    if (cell.operatorName != "none") appendPart(text, cell.operatorName);
+    if (along_ && severalScenarios_) appendPart(text, scenarioName(cell.scenario));
     for (const ParameterId id : variedParameters(study_)) {
       const auto setting = cell.settings.find(id);
       if (id != along_ && id != ParameterId::OmplResolution && setting != cell.settings.end()) {
-        append(text, std::string(specOf(id).key) + " " + shortNumber(setting->second));
+        appendPart(text, std::string(specOf(id).key) + " " + shortNumber(setting->second));
       }
     }
     return text.empty() ? "Glissade" : text;

@@ -56,12 +56,6 @@ auto readSet(const JsonCursor& list, Read read) {
   return values;
 }
 
-/// Limits are parameters, too; here they have a place of their own.
-bool isLimit(ParameterId id) {
-  return id == ParameterId::TimeLimit || id == ParameterId::MaxSteps || id == ParameterId::MaxSamples ||
-         id == ParameterId::StepsPerSecond;
-}
-
 ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
   const auto id = parameterByKey(key);
   if (!id) at.fail("is not a parameter", "See 'glissade-cli plan --help'; '_' stands for '-'.");

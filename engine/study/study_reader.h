@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "engine/base/result.h"
 #include "engine/study/study.h"
 
 namespace glissade {
+
+/// Of a study file.
+inline constexpr std::size_t kMostStudyBytes = 16U << 20;
 
 /// Reads study JSON ("glissade-study", version 1; schema in resources/schema) and spells its cells
 /// out: rows x scenarios x strategies x operators x grid, in this order. `quick` puts the file's

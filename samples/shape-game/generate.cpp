@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,6 @@ using namespace glissade;
 
 constexpr double kUnit = 0.1;
 constexpr double kSide = 24.0;  ///< of the cubic workspace
-const double kPi = std::acos(-1.0);
 
 struct Point2 {
   double y;
@@ -32,20 +32,20 @@ using Polygon = std::vector<Point2>;  ///< counter-clockwise seen against x
 Polygon regular(int corners, double radius, double firstAngle) {
   Polygon polygon;
   for (int i = 0; i < corners; ++i) {
-    const double angle = firstAngle + 2.0 * kPi * i / corners;
+    const double angle = firstAngle + 2.0 * std::numbers::pi * i / corners;
     polygon.push_back({radius * std::cos(angle), radius * std::sin(angle)});
   }
   return polygon;
 }
 
 Polygon circle(double radius) { return regular(64, radius, 0.0); }
-Polygon square(double side) { return regular(4, side / std::sqrt(2.0), kPi / 4.0); }
-Polygon triangle(double side) { return regular(3, side / std::sqrt(3.0), kPi / 2.0); }
-Polygon pentagon(double radius) { return regular(5, radius, kPi / 2.0); }
+Polygon square(double side) { return regular(4, side / std::sqrt(2.0), std::numbers::pi / 4.0); }
+Polygon triangle(double side) { return regular(3, side / std::sqrt(3.0), std::numbers::pi / 2.0); }
+Polygon pentagon(double radius) { return regular(5, radius, std::numbers::pi / 2.0); }
 
 Polygon star(double radius) {
   constexpr double kInner = 0.382;
-  Polygon polygon = regular(10, radius, kPi / 2.0);
+  Polygon polygon = regular(10, radius, std::numbers::pi / 2.0);
   for (std::size_t i = 1; i < polygon.size(); i += 2) {
     polygon[i].y *= kInner;
     polygon[i].z *= kInner;

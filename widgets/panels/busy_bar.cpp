@@ -7,7 +7,7 @@ namespace glissade {
 namespace {
 
 constexpr int kPatienceMilliseconds = 250;
-constexpr int kPositions = 1000;
+constexpr int kProgressSteps = 1000;
 constexpr int kWidth = 140;
 
 }  // namespace
@@ -15,7 +15,7 @@ constexpr int kWidth = 140;
 BusyBar::BusyBar(QAction* cancel, QWidget* parent)
     : QWidget(parent), what_(new QLabel(this)), progress_(new QProgressBar(this)) {
   setObjectName(QStringLiteral("busy"));
-  progress_->setRange(0, kPositions);
+  progress_->setRange(0, kProgressSteps);
   progress_->setFixedWidth(kWidth);
   // No higher than the text beside it, so that the status bar does not grow by it.
   const int height = fontMetrics().height() + 4;
@@ -44,7 +44,7 @@ void BusyBar::begin(const QString& what) {
   patience_.start();
 }
 
-void BusyBar::setShare(double share) { progress_->setValue(static_cast<int>(kPositions * share)); }
+void BusyBar::setShare(double share) { progress_->setValue(static_cast<int>(kProgressSteps * share)); }
 
 void BusyBar::end() {
   patience_.stop();

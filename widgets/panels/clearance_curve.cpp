@@ -14,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr int kPlotHeight = 72;
-constexpr double kGap = 4.0;
+constexpr double kCurveGap = 4.0;
 constexpr double kKeyStep = 0.01;
 /// Distances below are drawn at the bottom of the axis, metres.
 constexpr double kSmallestDrawn = 1e-9;
@@ -34,7 +34,7 @@ ClearanceCurve::ClearanceCurve(QWidget* parent) : QWidget(parent) {
 }
 
 QSize ClearanceCurve::sizeHint() const {
-  return {160, kPlotHeight + static_cast<int>(kGap) + fontMetrics().height() + 2};
+  return {160, kPlotHeight + static_cast<int>(kCurveGap) + fontMetrics().height() + 2};
 }
 
 void ClearanceCurve::setProfile(std::shared_ptr<const ClearanceProfile> profile, const QStringList& bodies,
@@ -66,8 +66,8 @@ void ClearanceCurve::setPlace(double share) {
 }
 
 QRectF ClearanceCurve::plotArea() const {
-  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-4)) + 2.0 * kGap;
-  const double top = fontMetrics().height() + kGap;
+  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-4)) + 2.0 * kCurveGap;
+  const double top = fontMetrics().height() + kCurveGap;
   return {left, top, std::max(1.0, width() - left - 1.0), std::max(1.0, height() - top - 2.0)};
 }
 
@@ -143,7 +143,7 @@ void ClearanceCurve::paintGrid(QPainter& painter) const {
     painter.setPen(palette().color(QPalette::Text));
     const double half = 0.5 * fontMetrics().height();
     const double top = std::clamp(y - half, area.top() - 0.5 * half, area.bottom() - 2.0 * half + 2.0);
-    painter.drawText(QRectF(0.0, top, area.left() - kGap, 2.0 * half), Qt::AlignRight | Qt::AlignVCenter,
+    painter.drawText(QRectF(0.0, top, area.left() - kCurveGap, 2.0 * half), Qt::AlignRight | Qt::AlignVCenter,
                      lengthText(metres));
   }
   if (required_ <= 0.0) return;

@@ -8,9 +8,9 @@
 namespace glissade {
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;
+constexpr int kRowRole = Qt::UserRole;
 
-QString millimetres(double metres) {
+QString depthText(double metres) {
   const double shown = 1e3 * metres;
   return QLocale().toString(shown, 'f', shown < 10.0 ? 2 : 1) + QStringLiteral(" mm");
 }
@@ -66,26 +66,26 @@ void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const Loade
 void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
   if (const auto& least = difficulty.leastPenetration) {
     summary_->setText(tr("With <b>%1</b> given between the object and <b>%2</b> there is a way.")
-                          .arg(millimetres(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
-    addRow("least", tr("Least penetration"), millimetres(least->depth), least->body, least->q, scenario);
+                          .arg(depthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
+    addRow("least", tr("Least penetration"), depthText(least->depth), least->body, least->q, scenario);
   } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
     summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
   } else {
     summary_->setText(tr("However much smaller the object was made, no way was found."));
   }
   if (const auto& tightest = difficulty.tightest) {
-    addRow("tightest", tr("Tightest passage reached"), millimetres(tightest->clearance), tightest->body, tightest->q,
+    addRow("tightest", tr("Tightest passage reached"), depthText(tightest->clearance), tightest->body, tightest->q,
            scenario);
   }
   if (const auto& frontier = difficulty.frontier) {
-    addRow("frontier", tr("Trees came within"), millimetres(frontier->distance), frontier->body,
+    addRow("frontier", tr("Trees came within"), depthText(frontier->distance), frontier->body,
            frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
   }
 }
 
 bool DifficultyPanel::showPart(const QString& id) {
   for (int i = 0; i < rows_->topLevelItemCount(); ++i) {
-    if (rows_->topLevelItem(i)->data(0, kIdRole) != id) continue;
+    if (rows_->topLevelItem(i)->data(0, kRowRole) != id) continue;
     rows_->setCurrentItem(rows_->topLevelItem(i));
     return true;
   }
@@ -97,7 +97,7 @@ void DifficultyPanel::addRow(const char* id, const QString& what, const QString&
   const QString other = bodyName(body, scenario);
   auto* item = new QTreeWidgetItem(rows_, {what, amount, other});
   item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-  item->setData(0, kIdRole, QString::fromLatin1(id));
+  item->setData(0, kRowRole, QString::fromLatin1(id));
   item->setToolTip(2, other);
   item->setToolTip(0, tr("Shows the object there"));
   places_.push_back(q);

@@ -13,7 +13,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kPositions = 1000;
+constexpr int kSliderSteps = 1000;
 /// Of what sets itself: Okabe and Ito's orange, which nothing else in the panels has.
 constexpr QRgb kTunedColour = 0xffe69f00;
 
@@ -36,7 +36,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
   auto* label = new QLabel(symbol + parameterLabel(spec), this);
   label->setBuddy(number_);
-  slider_->setRange(0, kPositions);
+  slider_->setRange(0, kSliderSteps);
   slider_->setAccessibleName(parameterLabel(spec));
   number_->setAccessibleName(parameterLabel(spec));
   number_->setDecimals(spec.integer ? 0 : spec.unit != "m" || spec.defaultValue < 1e-3 ? 3 : 1);
@@ -115,7 +115,7 @@ bool ParameterSlider::isBeingEdited() const {
 }
 
 double ParameterSlider::fromPosition(int position) const {
-  const double share = static_cast<double>(position) / kPositions;
+  const double share = static_cast<double>(position) / kSliderSteps;
   const double value = logarithmic_ ? range_.minimum * std::pow(range_.maximum / range_.minimum, share)
                                     : range_.minimum + share * (range_.maximum - range_.minimum);
   return specOf(id_).integer ? std::round(value) : value;
@@ -124,7 +124,7 @@ double ParameterSlider::fromPosition(int position) const {
 int ParameterSlider::toPosition(double value) const {
   const double share = logarithmic_ ? std::log(value / range_.minimum) / std::log(range_.maximum / range_.minimum)
                                     : (value - range_.minimum) / (range_.maximum - range_.minimum);
-  return static_cast<int>(std::lround(share * kPositions));
+  return static_cast<int>(std::lround(share * kSliderSteps));
 }
 
 void ParameterSlider::sliderMoved(int position) {

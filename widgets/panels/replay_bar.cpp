@@ -4,13 +4,14 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glissade {
 namespace {
 
-constexpr int kPositions = 100000;
+constexpr int kReplaySteps = 100000;
 
-QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
+QString stepCount(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
 
 }  // namespace
 
@@ -37,7 +38,7 @@ ReplayBar::ReplayBar(const ActionCatalogue& actions, QWidget* parent)
   speed_->setToolTip(tr("Times the pace of the recorded run"));
   speed_->setAccessibleName(tr("Speed of the replay"));
   addWidget(speed_);
-  slider_->setRange(0, kPositions);
+  slider_->setRange(0, kReplaySteps);
   slider_->setMinimumWidth(120);
   slider_->setToolTip(tr("Step of the run"));
   slider_->setAccessibleName(tr("Step of the run"));
@@ -50,7 +51,7 @@ ReplayBar::ReplayBar(const ActionCatalogue& actions, QWidget* parent)
   addAction(actions[QLatin1String("replay.again")]);
   addAction(actions[QLatin1String("replay.close")]);
   connect(slider_, &QSlider::valueChanged, this, [this](int position) {
-    emit stepChosen(static_cast<quint64>(static_cast<double>(steps_) * position / kPositions + 0.5));
+    emit stepChosen(static_cast<quint64>(std::llround(static_cast<double>(steps_) * position / kReplaySteps)));
   });
 }
 
@@ -58,8 +59,9 @@ void ReplayBar::setPlace(std::uint64_t step, std::uint64_t steps, double seconds
   steps_ = steps;
   const QSignalBlocker block(slider_);
   const double share = static_cast<double>(step) / static_cast<double>(std::max<std::uint64_t>(steps, 1));
-  slider_->setValue(static_cast<int>(kPositions * share + 0.5));
-  place_->setText(QStringLiteral("%1 / %2   %3 s").arg(count(step), count(steps), QLocale().toString(seconds, 'f', 1)));
+  slider_->setValue(static_cast<int>(std::lround(kReplaySteps * share)));
+  place_->setText(
+      QStringLiteral("%1 / %2   %3 s").arg(stepCount(step), stepCount(steps), QLocale().toString(seconds, 'f', 1)));
 }
 
 void ReplayBar::setVerdict(const QString& verdict, const QString& tip, bool alarming) {

@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kIdRole = Qt::UserRole;       // of bodies
+constexpr int kBodyRole = Qt::UserRole;     // of bodies
 constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
 constexpr int kObstacleRole = Qt::UserRole + 2;
 
@@ -38,7 +38,7 @@ bool filterUnder(QTreeWidgetItem& item, const QString& text, bool matched) {
 
 /// The bodies of an item: its own, or all under an assembly.
 void collectBodies(const QTreeWidgetItem& item, QSet<QString>& bodies) {
-  const QVariant id = item.data(0, kIdRole);
+  const QVariant id = item.data(0, kBodyRole);
   if (id.isValid()) bodies.insert(id.toString());
   for (int i = 0; i < item.childCount(); ++i) collectBodies(*item.child(i), bodies);
 }
@@ -59,7 +59,7 @@ ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
   connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
     if (!isObstacle(item)) return;
-    emit bodyChecked(item->data(0, kIdRole).toString(), item->checkState(0) == Qt::Checked);
+    emit bodyChecked(item->data(0, kBodyRole).toString(), item->checkState(0) == Qt::Checked);
   });
   connect(this, &QTreeWidget::itemSelectionChanged, this, &ScenePanel::takeSelection);
 }
@@ -85,7 +85,7 @@ QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& bo
   item->setIcon(0, swatch(body.colour));
   item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   item->setToolTip(0, QString::fromStdString(body.id));
-  item->setData(0, kIdRole, QString::fromStdString(body.id));
+  item->setData(0, kBodyRole, QString::fromStdString(body.id));
   return item;
 }
 
@@ -142,7 +142,7 @@ void ScenePanel::setFilter(const QString& text) {
 /// How exactly the triangles of STEP parts stand for their surfaces.
 void ScenePanel::showDeflections(const LoadedScenario& scenario) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
-    const auto known = scenario.deflections.find((*item)->data(0, kIdRole).toString().toStdString());
+    const auto known = scenario.deflections.find((*item)->data(0, kBodyRole).toString().toStdString());
     if (known == scenario.deflections.end()) continue;
     const QString millimetres = QLocale().toString(1000.0 * known->second, 'g', 2);
     (*item)->setToolTip(2, tr("Within about %1 mm of the part's surface").arg(millimetres));
@@ -152,7 +152,7 @@ void ScenePanel::showDeflections(const LoadedScenario& scenario) {
 void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
   const QSignalBlocker block(this);
   for (QTreeWidgetItem* item : obstacleItems()) {
-    const bool hidden = bodyIds.count(item->data(0, kIdRole).toString().toStdString()) != 0;
+    const bool hidden = bodyIds.count(item->data(0, kBodyRole).toString().toStdString()) != 0;
     item->setCheckState(0, hidden ? Qt::Unchecked : Qt::Checked);
   }
   viewport()->update();
@@ -161,7 +161,7 @@ void ScenePanel::setHiddenBodies(const std::set<std::string>& bodyIds) {
 void ScenePanel::showSelection(const QSet<QString>& bodyIds, const std::optional<AssemblyItem>& chosen) {
   const QSignalBlocker block(this);
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
-    const QVariant id = (*item)->data(0, kIdRole);
+    const QVariant id = (*item)->data(0, kBodyRole);
     const QVariant end = (*item)->data(0, kEndRole);
     const bool isChosenEnd = end.isValid() && chosen && static_cast<int>(chosen->kind) == end.toInt();
     (*item)->setSelected(isChosenEnd || (id.isValid() && bodyIds.contains(id.toString())));

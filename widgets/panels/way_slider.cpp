@@ -8,7 +8,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kPositions = 2000;
+constexpr int kWaySteps = 2000;
 constexpr int kTickMilliseconds = 16;
 /// At speed 1 the whole way passes in this time.
 constexpr double kPlaySeconds = 12.0;
@@ -16,7 +16,7 @@ constexpr double kPlaySeconds = 12.0;
 }  // namespace
 
 WaySlider::WaySlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
-  setRange(0, kPositions);
+  setRange(0, kWaySteps);
   setEnabled(false);
   timer_.setInterval(kTickMilliseconds);
   connect(&timer_, &QTimer::timeout, this, &WaySlider::tick);
@@ -37,9 +37,9 @@ void WaySlider::setWay(std::vector<Pose> way, const Se3Metric& metric) {
 
 void WaySlider::setPlaying(bool playing) {
   if (playing && isEnabled()) {
-    const int end = playback_.backwards ? 0 : kPositions;
-    if (value() == end) setValue(kPositions - end);
-    played_ = static_cast<double>(value()) / kPositions;
+    const int end = playback_.backwards ? 0 : kWaySteps;
+    if (value() == end) setValue(kWaySteps - end);
+    played_ = static_cast<double>(value()) / kWaySteps;
     clock_.start();
     timer_.start();
   } else if (timer_.isActive()) {
@@ -50,11 +50,11 @@ void WaySlider::setPlaying(bool playing) {
 
 void WaySlider::tick() {
   const double passed = static_cast<double>(clock_.restart()) / 1000.0 * playback_.speed / kPlaySeconds;
-  if (std::lround(played_ * kPositions) != value()) played_ = static_cast<double>(value()) / kPositions;  // dragged
+  if (std::lround(played_ * kWaySteps) != value()) played_ = static_cast<double>(value()) / kWaySteps;  // dragged
   played_ += playback_.backwards ? -passed : passed;
   const bool atEnd = played_ < 0.0 || played_ > 1.0;
   played_ = playback_.loop ? played_ - std::floor(played_) : std::clamp(played_, 0.0, 1.0);
-  setValue(static_cast<int>(std::lround(played_ * kPositions)));
+  setValue(static_cast<int>(std::lround(played_ * kWaySteps)));
   if (atEnd && !playback_.loop) setPlaying(false);
 }
 
@@ -66,19 +66,19 @@ double WaySlider::shareAt(std::size_t configuration, double at) const {
 
 void WaySlider::showAt(double share) {
   setPlaying(false);
-  const int position = static_cast<int>(std::lround(share * kPositions));
+  const int position = static_cast<int>(std::lround(share * kWaySteps));
   if (position == value()) showPosition(position);  // the slider would say nothing
   setValue(position);
 }
 
 void WaySlider::showPosition(int position) {
   if (way_.size() < 2) return;
-  const double s = arrival_.back() * position / kPositions;
+  const double s = arrival_.back() * position / kWaySteps;
   const auto after = std::upper_bound(arrival_.begin() + 1, arrival_.end() - 1, s);
   const auto i = static_cast<std::size_t>(after - arrival_.begin());
   const double length = arrival_[i] - arrival_[i - 1];
   emit poseShown(interpolate(way_[i - 1], way_[i], length > 0.0 ? (s - arrival_[i - 1]) / length : 1.0),
-                 static_cast<double>(position) / kPositions);
+                 static_cast<double>(position) / kWaySteps);
 }
 
 }  // namespace glissade

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kFieldOfView = 35.0 * kPi / 180.0;
+constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180.0;
 /// Drag over the view's height turns by this much.
-constexpr double kTurnPerHeight = kPi;
+constexpr double kCameraTurnPerHeight = std::numbers::pi;
 
 /// The view frame that looks along -z_V with y_V up.
 Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
@@ -56,8 +56,8 @@ void CameraController::setStandardView(StandardView view) {
 void CameraController::orbit(double dx, double dy) {
   fitted_.reset();
   // About the world's vertical and the view's own horizontal: the horizon stays level.
-  const Quaternion yaw(Eigen::AngleAxisd(-dx * kTurnPerHeight, Vector3::UnitZ()));
-  const Quaternion pitch(Eigen::AngleAxisd(-dy * kTurnPerHeight, Vector3::UnitX()));
+  const Quaternion yaw(Eigen::AngleAxisd(-dx * kCameraTurnPerHeight, Vector3::UnitZ()));
+  const Quaternion pitch(Eigen::AngleAxisd(-dy * kCameraTurnPerHeight, Vector3::UnitX()));
   orientation_ = (yaw * orientation_ * pitch).normalized();
 }
 

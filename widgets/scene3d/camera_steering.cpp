@@ -1,6 +1,7 @@
 #include "widgets/scene3d/camera_steering.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "widgets/scene3d/camera_controller.h"
 
@@ -11,7 +12,6 @@ namespace {
 constexpr double kHeights = 0.6;
 constexpr double kZooms = 1.0;
 constexpr double kHalfTurns = 0.4;
-constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ void steerCamera(CameraController& camera, const Deflection& deflection, const O
   camera.pan(kHeights * shift.x(), -kHeights * shift.y());
   camera.zoom(std::exp(kZooms * shift.z()));
   camera.orbit(kHalfTurns * turn.y(), kHalfTurns * turn.x());
-  if (roll) camera.roll(-kHalfTurns * kPi * turn.z());
+  if (roll) camera.roll(-kHalfTurns * std::numbers::pi * turn.z());
 }
 
 }  // namespace glissade

@@ -12,14 +12,14 @@
 namespace glissade {
 namespace {
 
-constexpr double kLeastShown = 0.01;     ///< weaker forces are not shown
-constexpr double kRadiiAtFull = 3.0;     ///< length of the arrow at full strength
-constexpr double kShortest = 0.4;        ///< in radii, so that weak forces have a direction
-constexpr double kShaft = 0.05;          ///< in radii
-constexpr double kHeadRadius = 0.15;     ///< in radii
-constexpr double kHeadLength = 0.35;     ///< in radii
-constexpr float kStrongestTint = 0.75F;  ///< the object's own colour stays recognisable
-constexpr float kTints = 32.0F;          ///< so many are told apart: a new one is uploaded with the surface
+constexpr double kLeastForceShown = 0.01;  ///< weaker forces are not shown
+constexpr double kRadiiAtFull = 3.0;       ///< length of the arrow at full strength
+constexpr double kShortest = 0.4;          ///< in radii, so that weak forces have a direction
+constexpr double kShaft = 0.05;            ///< in radii
+constexpr double kHeadRadius = 0.15;       ///< in radii
+constexpr double kHeadLength = 0.35;       ///< in radii
+constexpr float kStrongestTint = 0.75F;    ///< the object's own colour stays recognisable
+constexpr float kTints = 32.0F;            ///< so many are told apart: a new one is uploaded with the surface
 constexpr std::uint32_t kSegments = 24;
 
 /// Points to +z from the origin.
@@ -51,7 +51,7 @@ osg::ref_ptr<osg::MatrixTransform> makeGuidance(const OperatorSample& device, do
                                                 const ScenePalette& palette) {
   const Vector3& force_W = device.guidance.force_W;
   const double strength = force_W.norm();
-  if (strength < kLeastShown) return nullptr;
+  if (strength < kLeastForceShown) return nullptr;
   const double length = std::max(kShortest, kRadiiAtFull * strength) * objectRadius;
   const Pose X_WA{device.q_device.position, Quaternion::FromTwoVectors(Vector3::UnitZ(), force_W)};
   osg::ref_ptr<osg::Geode> geode = new osg::Geode;

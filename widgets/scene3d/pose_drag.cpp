@@ -1,12 +1,13 @@
 #include "widgets/scene3d/pose_drag.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
 namespace {
 
 /// As the camera's orbit: half a turn over the height of the view.
-constexpr double kTurnPerHeight = 3.14159265358979323846;
+constexpr double kBodyTurnPerHeight = std::numbers::pi;
 
 }  // namespace
 
@@ -22,8 +23,8 @@ void PoseDrag::moveTo(const Ray& ray) {
 }
 
 void PoseDrag::turn(double dx, double dy) {
-  const Quaternion about_V = Quaternion(Eigen::AngleAxisd(dx * kTurnPerHeight, Vector3::UnitY())) *
-                             Quaternion(Eigen::AngleAxisd(dy * kTurnPerHeight, Vector3::UnitX()));
+  const Quaternion about_V = Quaternion(Eigen::AngleAxisd(dx * kBodyTurnPerHeight, Vector3::UnitY())) *
+                             Quaternion(Eigen::AngleAxisd(dy * kBodyTurnPerHeight, Vector3::UnitX()));
   X_WB_.orientation = (R_WV_ * about_V * R_WV_.conjugate() * X_WB_.orientation).normalized();
 }
 

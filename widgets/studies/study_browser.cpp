@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kSeedRole = Qt::UserRole;
 
-QString text(const std::string& words) { return QString::fromStdString(words); }
+QString shownText(const std::string& words) { return QString::fromStdString(words); }
 
 QTreeWidget* makeList(const QString& name, const QStringList& columns, QWidget* parent) {
   auto* list = new QTreeWidget(parent);
@@ -49,7 +49,8 @@ void fitColumns(QTreeWidget* list) {
 QString spread(const std::optional<CellValue>& value) {
   if (!value) return QStringLiteral("–");
   return QStringLiteral("%1  (%2 – %3)")
-      .arg(text(shortNumber(value->value)), text(shortNumber(value->low)), text(shortNumber(value->high)));
+      .arg(shownText(shortNumber(value->value)), shownText(shortNumber(value->low)),
+           shownText(shortNumber(value->high)));
 }
 
 QString verdictText(Verdict verdict) {
@@ -59,7 +60,7 @@ QString verdictText(Verdict verdict) {
 
 QString numberText(const RunResult& result, const char* column) {
   for (std::size_t i = 0; i < kResultColumnCount; ++i) {
-    if (resultColumns()[i].name == column && result.numbers[i]) return text(shortNumber(*result.numbers[i]));
+    if (resultColumns()[i].name == column && result.numbers[i]) return shownText(shortNumber(*result.numbers[i]));
   }
   return QStringLiteral("–");
 }
@@ -127,10 +128,10 @@ void StudyBrowser::show(const StudyFolder& folder, const StudyResults& results) 
   results_ = results;
   const Study& study = folder_->plan().study;
   summaries_ = summarise(study, results_);
-  setWindowTitle(tr("%1 — study").arg(text(study.heading.name)));
+  setWindowTitle(tr("%1 — study").arg(shownText(study.heading.name)));
   heading_->setText(QStringLiteral("<b>%1</b><br>%2")
-                        .arg(text(StudyWords(studyLanguage())(study.heading.title)).toHtmlEscaped(),
-                             text(study.heading.citation).toHtmlEscaped()));
+                        .arg(shownText(StudyWords(studyLanguage())(study.heading.title)).toHtmlEscaped(),
+                             shownText(study.heading.citation).toHtmlEscaped()));
   fillCells();
   fillPlots();
   fillFindings();
@@ -145,18 +146,18 @@ void StudyBrowser::fillCells() {
   const Study& study = folder_->plan().study;
   QStringList titles{tr("Row"), tr("Solved"), tr("Success, 95 %")};
   for (const PaperColumn& column : study.heading.paper) {
-    titles << tr("%1, paper").arg(text(words(column.title)));
-    if (column.quantity.measure != "success_rate") titles << tr("%1, ours").arg(text(words(column.title)));
+    titles << tr("%1, paper").arg(shownText(words(column.title)));
+    if (column.quantity.measure != "success_rate") titles << tr("%1, ours").arg(shownText(words(column.title)));
   }
   cells_->clear();
   cells_->setColumnCount(titles.size());
   cells_->setHeaderLabels(titles);
   for (std::size_t i = 0; i < study.cells.size(); ++i) {
     const CellSummary& summary = summaries_[i];
-    QStringList row{text(study.cells[i].label), tr("%1 of %2").arg(summary.solved()).arg(summary.runs),
-                    text(percent(summary.success.low) + " – " + percent(summary.success.high))};
+    QStringList row{shownText(study.cells[i].label), tr("%1 of %2").arg(summary.solved()).arg(summary.runs),
+                    shownText(percent(summary.success.low) + " – " + percent(summary.success.high))};
     for (const PaperColumn& column : study.heading.paper) {
-      row << text(paperText(study.cells[i], column));
+      row << shownText(paperText(study.cells[i], column));
       if (column.quantity.measure != "success_rate") row << spread(valueOf(summary, column.quantity));
     }
     addRow(cells_, row, 1);
@@ -175,7 +176,7 @@ void StudyBrowser::fillPlots() {
     connect(view, &PlotView::cellPicked, this, [this](int cell) { selectCell(cell); });
     connect(view, &PlotView::zoomChanged, this, &StudyBrowser::plotChanged);
     const int tab = plots_->addTab(view, QCoreApplication::translate("Plots", plot.y.title().c_str()));
-    plots_->setTabToolTip(tab, text(plot.title + ". " + plot.caption));
+    plots_->setTabToolTip(tab, shownText(plot.title + ". " + plot.caption));
   }
 }
 
@@ -186,9 +187,9 @@ void StudyBrowser::fillFindings() {
   for (const Finding& finding : study.heading.findings) {
     const CheckedFinding checked = check(finding, study, summaries_, words);
     html += QStringLiteral("<p>%1<br><b>%2</b>, %3. %4</p>")
-                .arg(text(words(finding.text)).toHtmlEscaped(), verdictText(checked.verdict),
+                .arg(shownText(words(finding.text)).toHtmlEscaped(), verdictText(checked.verdict),
                      tr("%1 of %2 pairs").arg(checked.agreeing).arg(checked.compared),
-                     text(checked.numbers).toHtmlEscaped());
+                     shownText(checked.numbers).toHtmlEscaped());
   }
   findings_->setHtml(html.isEmpty() ? tr("The study declares no findings.") : html);
   plots_->addTab(findings_, tr("Findings"));
@@ -200,7 +201,7 @@ void StudyBrowser::fillRuns(int cell) {
     if (static_cast<int>(run.cell) != cell) continue;
     const RunResult& result = outcome.result;
     addRow(runs_,
-           {QString::number(run.seed), text(StudyWords(studyLanguage())(name(result.status))),
+           {QString::number(run.seed), shownText(StudyWords(studyLanguage())(name(result.status))),
             numberText(result, "virtual_s"), numberText(result, "nodes"), numberText(result, "edges"),
             numberText(result, "random_configurations")},
            2);

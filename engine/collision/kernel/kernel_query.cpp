@@ -48,7 +48,7 @@ std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& object, double scale)
 }
 
 /// A float bound that rules nothing out that the double would keep.
-float roundedUp(double value) {
+float widenedBound(double value) {
   return value < std::numeric_limits<float>::max() ? static_cast<float>(value) * 1.000001F + 1e-37F
                                                    : std::numeric_limits<float>::infinity();
 }
@@ -187,7 +187,7 @@ void KernelQuery::decide(Best& best) {
   std::sort(triangles_.begin(), triangles_.end(),
             [](const TriangleCandidate& a, const TriangleCandidate& b) { return a.squared < b.squared; });
   std::array<TrianglePair, 4> pairs;
-  for (std::size_t i = 0; i < triangles_.size() && triangles_[i].squared <= roundedUp(best.squared);) {
+  for (std::size_t i = 0; i < triangles_.size() && triangles_[i].squared <= widenedBound(best.squared);) {
     std::size_t count = 0;
     for (; count < pairs.size() && i < triangles_.size(); ++i) pairs[count++] = triangles_[i].pair;
     const auto squared = traversal_.exactDistances(pairs.data(), count);
@@ -211,11 +211,11 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
     for (std::size_t i = 0; i < recentCount_; ++i) triangles_.push_back({recent_[i], 0.0F});
     decide(best);
   }
-  const float left = collect(roundedUp(best.squared), true);
+  const float left = collect(widenedBound(best.squared), true);
   decide(best);
-  if (roundedUp(best.squared) > left) {
+  if (widenedBound(best.squared) > left) {
     // Estimates are wrong for slivers: what was left out by them has to be looked at.
-    collect(roundedUp(best.squared), false);
+    collect(widenedBound(best.squared), false);
     decide(best);
   }
   if (best.pair.obstacle == kNone) return result;
@@ -233,7 +233,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
 /// Two leaves meet, or are at `bound` or nearer. Of triangles that pierce each other all edges may be far
 /// apart: distances do not see that they meet.
 bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
-  unsigned mask = traversal_.within(leaves, roundedUp(bound));
+  unsigned mask = traversal_.within(leaves, widenedBound(bound));
   if (mask == 0) return false;
   const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
@@ -283,7 +283,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double metres) {
     const BoxPair pair = stack_.back();
     stack_.pop_back();
     if (!traversal_.bothLeaves(pair)) {
-      pushWithin(traversal_.open(pair), roundedUp(bound));
+      pushWithin(traversal_.open(pair), widenedBound(bound));
     } else if (leavesWithin(pair, bound)) {
       return true;
     }

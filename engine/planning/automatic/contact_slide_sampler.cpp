@@ -14,7 +14,7 @@ constexpr double kReach = 0.5;
 constexpr double kLongestSlide = 2.0;
 constexpr double kStride = 0.1;
 constexpr int kBisections = 5;
-constexpr std::size_t kFaces = 12;
+constexpr std::size_t kSampledFaces = 12;
 /// Two planes are two if their normals' cosine is below this.
 constexpr double kSamePlane = 0.95;
 
@@ -30,7 +30,7 @@ ContactSlideSampler::ContactSlideSampler(const Problem& problem, std::uint64_t s
       gap_(gap),
       query_(problem.world->makeQuery()),
       eroded_(worlds.at(depth)->makeQuery()),
-      faces_B_(largestFaceNormals(problem.world->object(), kFaces)) {}
+      faces_B_(largestFaceNormals(problem.world->object(), kSampledFaces)) {}
 
 Pose ContactSlideSampler::draw() {
   const Pose q = uniform_.draw();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/planning/automatic/contact_faces.h"
 #include "engine/planning/path_certificate.h"
@@ -10,12 +11,11 @@
 namespace glissade {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr std::size_t kFaces = 6;
+constexpr std::size_t kSlideFaces = 6;
 /// How far an object is lifted before it crosses, in its radii.
 constexpr double kLifts[] = {0.5, 2.0};
 /// A screw's turn on the way out, and in how many straight motions.
-constexpr double kTurn = 2.0 * kPi;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kScrewPieces = 16;
 
 /// Axes of the world and normals of the object's large faces at the start, both ways, no two alike.
@@ -29,7 +29,7 @@ std::vector<Vector3> directionsOf(const Problem& problem) {
     add(Vector3::Unit(axis));
     add(-Vector3::Unit(axis));
   }
-  for (const Vector3& normal_B : largestFaceNormals(problem.world->object(), kFaces)) {
+  for (const Vector3& normal_B : largestFaceNormals(problem.world->object(), kSlideFaces)) {
     add(problem.start.orientation * normal_B);
     add(-(problem.start.orientation * normal_B));
   }

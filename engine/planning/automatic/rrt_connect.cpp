@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/base/tolerances.h"
 #include "engine/planning/goal_roots.h"
@@ -16,12 +17,12 @@ constexpr double kFinest = 0.125;
 /// What the domain of a node grows and shrinks by (Jaillet et al. 2005).
 constexpr double kDomainChange = 0.05;
 constexpr double kGoalBias = 0.05;
-constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
 double searchRange(const Problem& problem, double share, double turnWeight) {
-  return share * std::hypot(problem.bounds.diagonal().norm(), kPi * turnWeight * problem.world->objectRadius());
+  return share *
+         std::hypot(problem.bounds.diagonal().norm(), std::numbers::pi * turnWeight * problem.world->objectRadius());
 }
 
 RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,

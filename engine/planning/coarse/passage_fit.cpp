@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/collision/motion_certificate.h"
 #include "engine/planning/coarse/passage_probe.h"
@@ -10,7 +11,6 @@
 namespace glissade {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kMostDirections = 6;
 constexpr int kAngles = 36;
 constexpr int kLatticePoints = 64;
@@ -94,7 +94,7 @@ Placement bestPlacement(const PassageSection& section, const Opening& opening,
   std::vector<Placement> found;
   for (std::size_t i = 0; i < silhouettes.size(); ++i) {
     for (int k = 0; k < kAngles && !stop.stopRequested(); ++k) {
-      Placement start{0.0, 2.0 * kPi * k / kAngles, opening.widest, i};
+      Placement start{0.0, 2.0 * std::numbers::pi * k / kAngles, opening.widest, i};
       start.margin = marginAt(lattice, opening, silhouettes[i], start, -1e300);
       improve(lattice, opening, silhouettes[i], width / 8.0, width / 200.0, start);
       found.push_back(start);

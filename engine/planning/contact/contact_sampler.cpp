@@ -1,11 +1,10 @@
 #include "engine/planning/contact/contact_sampler.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace glissade {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// A unit vector orthogonal to n: Gram-Schmidt on the axis that n leans on least.
 Vector3 orthogonalTo(const Vector3& n) {
@@ -28,7 +27,7 @@ void ContactSampler::enter(const OperatorSample& operatorSample, double gap, dou
 
 Pose ContactSampler::sample() {
   const double radius = discRadius_ * std::sqrt(stream_.uniform());
-  const double angle = 2.0 * kPi * stream_.uniform();
+  const double angle = 2.0 * std::numbers::pi * stream_.uniform();
   Pose q = origin_;
   q.position += radius * (std::cos(angle) * t1_ + std::sin(angle) * t2_);
   return q;

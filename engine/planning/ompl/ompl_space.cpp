@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/planning/random_shooter.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 namespace ob = ompl::base;
 
-constexpr double kPi = 3.14159265358979323846;
-
 struct SerialState final : ob::SE3StateSpace::StateType {
   std::uint64_t serial = 0;
 };
@@ -21,7 +20,7 @@ struct SerialState final : ob::SE3StateSpace::StateType {
 /// `q` moved by a tangent vector: a translation and a rotation vector times the object's radius.
 Pose moved(const Pose& q, const std::array<double, 6>& tangent, double radius) {
   const Vector3 rotation = Vector3(tangent[3], tangent[4], tangent[5]) / radius;
-  const double angle = std::min(rotation.norm(), kPi);
+  const double angle = std::min(rotation.norm(), std::numbers::pi);
   Pose result = q;
   result.position += Vector3(tangent[0], tangent[1], tangent[2]);
   if (angle > 0.0) {
@@ -228,7 +227,9 @@ double OmplSpace::distance(const ob::State* a, const ob::State* b) const {
   return metric_.distance(poseOf(a), poseOf(b));
 }
 
-double OmplSpace::getMaximumExtent() const { return std::hypot(bounds_.diagonal().norm(), kPi * metric_.radius()); }
+double OmplSpace::getMaximumExtent() const {
+  return std::hypot(bounds_.diagonal().norm(), std::numbers::pi * metric_.radius());
+}
 
 void OmplSpace::interpolate(const ob::State* from, const ob::State* to, double t, ob::State* state) const {
   setPose(state, glissade::interpolate(poseOf(from), poseOf(to), t));

@@ -10,7 +10,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kRequired = 1e-5;
+constexpr double kCertified = 1e-5;
 
 class Certificate : public testing::Test {
  protected:
@@ -19,7 +19,7 @@ class Certificate : public testing::Test {
     world = CollisionWorld::build(std::move(obstacles), std::move(object));
     query = world->makeQuery();
   }
-  MotionCertificate certify(const Pose& from, const Pose& to, double required = kRequired) {
+  MotionCertificate certify(const Pose& from, const Pose& to, double required = kCertified) {
     return certifyMotion(*query, from, to, required);
   }
 
@@ -43,11 +43,11 @@ TEST_F(Certificate, WhatIsCertifiedIsFreeAtEveryConfigurationThatTheExactReferen
     if (certificate.status == CertificateStatus::Violated) {
       ++violated;
       const Pose at = interpolate(from, to, certificate.at);
-      EXPECT_LT(query->nearestObstacle(at).distance, kRequired * 1.01);
+      EXPECT_LT(query->nearestObstacle(at).distance, kCertified * 1.01);
       continue;
     }
     ++certified;
-    EXPECT_GE(certificate.provedClearance, kRequired);
+    EXPECT_GE(certificate.provedClearance, kCertified);
     for (int k = 0; k < 40; ++k) {
       const Pose q = interpolate(from, to, stream.uniform());
       ASSERT_FALSE(reference::collides(bodies, world->object(), q));
@@ -96,7 +96,7 @@ TEST_F(Certificate, AStopLeavesItUndecided) {
   StopSource source;
   source.requestStop();
   EXPECT_EQ(
-      certifyMotion(*query, Pose::translation({-1, 0, 1}), Pose::translation({1, 0, 1}), kRequired, source.token())
+      certifyMotion(*query, Pose::translation({-1, 0, 1}), Pose::translation({1, 0, 1}), kCertified, source.token())
           .status,
       CertificateStatus::Undecided);
 }
@@ -105,11 +105,11 @@ TEST_F(Certificate, APathReportsItsWorstEdge) {
   build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
   const std::vector<Pose> path{Pose::translation({0, 0, 2}), Pose::translation({1, 0, 0.5}),
                                Pose::translation({2, 0, 1})};
-  const MotionCertificate certificate = certifyPath(*query, path, kRequired);
+  const MotionCertificate certificate = certifyPath(*query, path, kCertified);
   EXPECT_EQ(certificate.status, CertificateStatus::Certified);
   EXPECT_NEAR(certificate.minClearance, 0.3, 1e-9);
   const std::vector<Pose> through{path[0], path[1], Pose::translation({2, 0, 0.1})};
-  const MotionCertificate broken = certifyPath(*query, through, kRequired);
+  const MotionCertificate broken = certifyPath(*query, through, kCertified);
   EXPECT_EQ(broken.status, CertificateStatus::Violated);
   EXPECT_EQ(broken.edge, 1U);
 }
@@ -118,7 +118,7 @@ TEST_F(Certificate, APathsClearanceIsBracketedFromFewDistances) {
   build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
   const double gap = 1e-3 * world->objectRadius();
   const std::vector<Pose> slide{Pose::translation({-3, 0, 0.2 + gap}), Pose::translation({3, 0.3, 0.2 + gap})};
-  const MotionCertificate sliding = certifyPath(*query, slide, kRequired);
+  const MotionCertificate sliding = certifyPath(*query, slide, kCertified);
   EXPECT_EQ(sliding.status, CertificateStatus::Certified);
   EXPECT_NEAR(sliding.minClearance, gap, 1e-9);
   EXPECT_NEAR(sliding.provedClearance, 0.9 * gap, 1e-9);
@@ -129,7 +129,7 @@ TEST_F(Certificate, ThePlaceBetweenTwoConfigurationsWhereAPathComesNearerIsMet) 
   build({boxBody("post", {0.2, 0.2, 4}, Pose::identity())},
         std::make_shared<const TriangleMesh>(makeBox({.2, .2, .2})));
   const MotionCertificate passing =
-      certifyPath(*query, {Pose::translation({-3, 0.3, 0}), Pose::translation({3, 0.3, 0})}, kRequired);
+      certifyPath(*query, {Pose::translation({-3, 0.3, 0}), Pose::translation({3, 0.3, 0})}, kCertified);
   EXPECT_EQ(passing.status, CertificateStatus::Certified);
   EXPECT_LE(passing.provedClearance, 0.1);
   EXPECT_GE(passing.minClearance, 0.1 * (1.0 - 1e-9));
@@ -145,14 +145,14 @@ TEST_F(Certificate, OfARefusedPathTheEdgesBeforeKeepTheirDemandsAndTheRefusedOne
   build({boxBody("plane", {20, 20, 0.2}, Pose::translation({0, 0, -0.1}))}, makeL());
   const std::vector<Pose> path{Pose::translation({0, 0, 2}), Pose::translation({1, 0, 0.5}),
                                Pose::translation({2, 0, -1}), Pose::translation({2, 0, 1})};
-  const MotionCertificate refused = certifyPath(*query, path, kRequired);
+  const MotionCertificate refused = certifyPath(*query, path, kCertified);
   ASSERT_EQ(refused.edges.size(), 2U);
   EXPECT_EQ(refused.edges[0].status, CertificateStatus::Certified);
-  EXPECT_EQ(refused.edges[0].provedClearance, kRequired);
+  EXPECT_EQ(refused.edges[0].provedClearance, kCertified);
   EXPECT_NEAR(refused.edges[0].minClearance, 0.3, 1e-9);
   EXPECT_EQ(refused.edges[1].status, CertificateStatus::Violated);
   EXPECT_EQ(refused.edges[1].provedClearance, 0.0);
-  EXPECT_LT(refused.edges[1].minClearance, kRequired);
+  EXPECT_LT(refused.edges[1].minClearance, kCertified);
 }
 
 TEST(MotionBound, BoundsEveryPointOfTheObject) {

@@ -7,10 +7,10 @@
 namespace glissade {
 namespace {
 
-const Vector3 kLeft(0.3, 0.5, 0.5);
-const Vector3 kHole(1.0, 0.5, 0.5);
-const Vector3 kInTheWall(0.95, 0.1, 0.1);
-const Vector3 kFarAway(5.0, 5.0, 5.0);
+using test::kFarAway;
+using test::kHole;
+using test::kInTheWall;
+using test::kLeft;
 
 EnvironmentModelPtr rooms(const char* identifier = "region-growing") {
   return test::environmentOf(test::wallWithAHole(), test::twoRooms(), {1.0 / 32, 16, 6, identifier});

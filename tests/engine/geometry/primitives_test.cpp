@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/base/random_stream.h"
 #include "engine/geometry/mesh_audit.h"
 
 namespace glissade {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void expectSolid(const TriangleMesh& mesh) {
   const MeshAudit result = audit(mesh);
@@ -38,15 +37,15 @@ TEST(Primitives, RoundOnesContainTheTrueShapeAndHardlyMore) {
   const TriangleMesh sphere = makeSphere(0.25);
   RandomStream stream(5, "surface");
   for (int i = 0; i < 200; ++i) {
-    const double angle = stream.uniform(0, 2 * kPi);
+    const double angle = stream.uniform(0, 2 * std::numbers::pi);
     const double inside = 0.25 * (1.0 - 1e-9);
     EXPECT_TRUE(
         containsPoint(cylinder, {inside * std::cos(angle), inside * std::sin(angle), stream.uniform(-1.9, 1.9)}));
     const Vector3 direction = Vector3(stream.normal(), stream.normal(), stream.normal()).normalized();
     EXPECT_TRUE(containsPoint(sphere, inside * direction));
   }
-  EXPECT_LT(audit(cylinder).volume, 1.01 * kPi * 0.0625 * 4.0);
-  EXPECT_LT(audit(sphere).volume, 1.03 * 4.0 / 3.0 * kPi * 0.015625);
+  EXPECT_LT(audit(cylinder).volume, 1.01 * std::numbers::pi * 0.0625 * 4.0);
+  EXPECT_LT(audit(sphere).volume, 1.03 * 4.0 / 3.0 * std::numbers::pi * 0.015625);
 }
 
 }  // namespace

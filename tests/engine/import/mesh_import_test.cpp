@@ -60,9 +60,9 @@ struct Format {
   const char* ending;
 };
 
-class MeshFormat : public testing::TestWithParam<Format> {};
+class ImportedFormat : public testing::TestWithParam<Format> {};
 
-TEST_P(MeshFormat, RoundTrips) {
+TEST_P(ImportedFormat, RoundTrips) {
   const TemporaryFolder folder;
   const std::string file = folder / ("box." + std::string(GetParam().ending));
   Assimp::Exporter exporter;
@@ -73,18 +73,18 @@ TEST_P(MeshFormat, RoundTrips) {
   expectIsTestBox(*imported);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MeshFormat,
+INSTANTIATE_TEST_SUITE_P(All, ImportedFormat,
                          testing::Values(Format{"stl", "stl"}, Format{"stlb", "stl"}, Format{"obj", "obj"},
                                          Format{"collada", "dae"}, Format{"glb2", "glb"}),
                          [](const auto& format) { return std::string(format.param.exporter); });
 
 /// A tetrahedron as OBJ; the material file must not matter.
-constexpr const char* kObj =
+constexpr const char* kTetrahedronObj =
     "mtllib ../../etc/passwd\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nusemtl steel\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
 TEST(MeshImport, MaterialFilesDoNotMatter) {
   const TemporaryFolder folder;
-  const Result<ImportedMesh> imported = importMesh(folder.write("tetrahedron.obj", kObj));
+  const Result<ImportedMesh> imported = importMesh(folder.write("tetrahedron.obj", kTetrahedronObj));
   ASSERT_TRUE(imported.ok()) << toString(imported.error());
   EXPECT_EQ(boundingBox(imported->mesh).max(), Vector3(1, 2, 3));
   EXPECT_EQ(welded(imported->mesh).vertices.size(), 4U);
@@ -92,7 +92,7 @@ TEST(MeshImport, MaterialFilesDoNotMatter) {
 
 TEST(MeshImport, AByteOrderMarkLosesNothing) {
   const TemporaryFolder folder;
-  const std::string text = std::string(kObj).substr(std::string(kObj).find('\n') + 1);
+  const std::string text = std::string(kTetrahedronObj).substr(std::string(kTetrahedronObj).find('\n') + 1);
   const Result<ImportedMesh> imported = importMesh(folder.write("bom.obj", "\xEF\xBB\xBF" + text));
   ASSERT_TRUE(imported.ok()) << toString(imported.error());
   EXPECT_EQ(boundingBox(imported->mesh).max(), Vector3(1, 2, 3));
@@ -101,7 +101,7 @@ TEST(MeshImport, AByteOrderMarkLosesNothing) {
 
 TEST(MeshImport, TheMeanCountsEveryImportedVertex) {
   const TemporaryFolder folder;
-  const Result<ImportedMesh> imported = importMesh(folder.write("tetrahedron.obj", kObj));
+  const Result<ImportedMesh> imported = importMesh(folder.write("tetrahedron.obj", kTetrahedronObj));
   ASSERT_TRUE(imported.ok());
   // Split by flat normals each corner comes three times; the mean is that of the four corners.
   EXPECT_TRUE(imported->vertexMean.isApprox(Vector3(0.25, 0.5, 0.75), 1e-6));
@@ -148,7 +148,7 @@ TEST(MeshImport, MirroredNodesStayOutward) {
 TEST(MeshImport, DoesNotDependOnTheLocale) {
   if (std::setlocale(LC_ALL, "fr_FR.UTF-8") == nullptr) GTEST_SKIP() << "the locale fr_FR.UTF-8 is not installed";
   const TemporaryFolder folder;
-  std::string half = kObj;
+  std::string half = kTetrahedronObj;
   half.replace(half.find("v 1 0 0"), 7, "v 1.5 0 0");
   const Result<ImportedMesh> imported = importMesh(folder.write("half.obj", half));
   std::setlocale(LC_ALL, "C");

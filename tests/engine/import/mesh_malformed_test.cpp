@@ -15,7 +15,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-struct Malformed {
+struct MalformedMeshFile {
   const char* name;  ///< of the file
   std::string content;
   const char* reason;  ///< what the message must say
@@ -29,8 +29,8 @@ std::string lyingStl() {
   return content;
 }
 
-const std::vector<Malformed>& table() {
-  static const std::vector<Malformed> kTable{
+const std::vector<MalformedMeshFile>& malformedMeshFiles() {
+  static const std::vector<MalformedMeshFile> kTable{
       {"lying.stl", lyingStl(), "claims 40000000 triangles"},
       {"nine_bytes.stl", "solid\nfac", "before 'endsolid'"},
       {"truncated.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n",
@@ -55,7 +55,7 @@ const std::vector<Malformed>& table() {
 }
 
 TEST(MalformedMesh, GivesOneClearMessage) {
-  for (const Malformed& row : table()) {
+  for (const MalformedMeshFile& row : malformedMeshFiles()) {
     SCOPED_TRACE(row.name);
     (void)test::placeOfRefusal(row.name, row.content, row.reason);
   }

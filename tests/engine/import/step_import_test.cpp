@@ -1,5 +1,7 @@
 #include "engine/import/step_import.h"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +18,6 @@ using test::stepText;
 using test::TemporaryFolder;
 using testing::ElementsAre;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kCubicMillimetre = 1e-9;
 
 std::vector<StepPart> partsOf(const std::string& name, double deflection = 0.0) {
@@ -43,12 +44,13 @@ Box3 boxInFile(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP)
 
 TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
   // Each with the volume of the true solid, mm³.
-  const double ball = 4.0 / 3.0 * kPi * 25 * 25 * 25;
-  const std::vector<std::pair<const char*, double>> solids{{"box.step", 100 * 50 * 20},
-                                                           {"cylinder.STP", kPi * 10 * 10 * 40},
-                                                           {"ball.stp", ball},
-                                                           {"plate.step", 100 * 60 * 10 - kPi * 8.5 * 8.5 * 10},
-                                                           {"boolean.step", 0.0}};
+  const double ball = 4.0 / 3.0 * std::numbers::pi * 25 * 25 * 25;
+  const std::vector<std::pair<const char*, double>> solids{
+      {"box.step", 100 * 50 * 20},
+      {"cylinder.STP", std::numbers::pi * 10 * 10 * 40},
+      {"ball.stp", ball},
+      {"plate.step", 100 * 60 * 10 - std::numbers::pi * 8.5 * 8.5 * 10},
+      {"boolean.step", 0.0}};
   for (const auto& [name, volume] : solids) {
     SCOPED_TRACE(name);
     const StepPart part = onePart(name);

@@ -27,7 +27,7 @@ std::string joint(const std::string& type, const std::string& child, const std::
          "\"/><axis xyz=\"0 0 1\"/><limit effort=\"1\" velocity=\"1\" lower=\"0\" upper=\"1\"/>" + origin + "</joint>";
 }
 const std::string kBox = "<box size=\"1 2 3\"/>";
-const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const std::string kPartObj = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
 Result<std::vector<UrdfLink>> import(const TemporaryFolder& folder, const std::string& text) {
   return importUrdf(folder.write("model.urdf", text), folder.path());
@@ -70,7 +70,7 @@ TEST(Urdf, VisualGeometryStandsInForMissingCollisionGeometry) {
 
 TEST(Urdf, MeshFilesAreFoundInsideTheFolder) {
   const TemporaryFolder folder;
-  folder.write("meshes/part.obj", kObj);
+  folder.write("meshes/part.obj", kPartObj);
   for (const std::string name : {"meshes/part.obj", "package://meshes/part.obj"}) {
     const auto model =
         import(folder, robot(link("root", collision("<mesh filename=\"" + name + "\" scale=\"2 1 1\"/>"))));
@@ -79,7 +79,7 @@ TEST(Urdf, MeshFilesAreFoundInsideTheFolder) {
   }
 }
 
-struct Malformed {
+struct MalformedRobot {
   const char* what;
   std::string text;
   const char* place;
@@ -117,7 +117,7 @@ std::string hiddenDepth() {
   return text;
 }
 
-std::vector<Malformed> table() {
+std::vector<MalformedRobot> malformedRobots() {
   std::string deep;
   for (int i = 0; i < 50'000; ++i) deep += "<a>";
   const auto joined = [](const std::string& parent, const std::string& child) {
@@ -174,7 +174,7 @@ TEST(Urdf, AChainOfAllLinksAllowedIsRead) {
 }
 
 TEST(Urdf, MalformedFilesGiveOneClearMessage) {
-  for (const Malformed& row : table()) {
+  for (const MalformedRobot& row : malformedRobots()) {
     SCOPED_TRACE(row.what);
     const TemporaryFolder folder;
     const Result<std::vector<UrdfLink>> model = import(folder, row.text);

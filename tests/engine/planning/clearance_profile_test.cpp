@@ -7,7 +7,7 @@
 namespace glissade {
 namespace {
 
-std::vector<Pose> throughTheWindow() {
+std::vector<Pose> wayThroughTheWindow() {
   return {Pose::translation({-1.5, 0.0, 0.0}),
           Pose::translation({-0.5, 0.1, 0.05}),
           {Vector3(0.5, -0.1, 0.0), Quaternion(Eigen::AngleAxisd(0.7, Vector3::UnitX()))},
@@ -18,7 +18,7 @@ TEST(ClearanceProfile, EveryDistanceIsThatOfItsPlace) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
   const auto reference = problem.world->withBackend(CollisionBackend::Fcl)->makeQuery();
-  const std::vector<Pose> way = throughTheWindow();
+  const std::vector<Pose> way = wayThroughTheWindow();
   const Se3Metric metric = problem.metric();
   const ClearanceProfile profile = clearanceProfile(*query, way, metric, 1000);
   ASSERT_GE(profile.samples.size(), 1000U);
@@ -42,7 +42,7 @@ TEST(ClearanceProfile, EveryDistanceIsThatOfItsPlace) {
 TEST(ClearanceProfile, TheTightestPlaceIsTheSmallestDistance) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
-  const ClearanceProfile profile = clearanceProfile(*query, throughTheWindow(), problem.metric(), 200);
+  const ClearanceProfile profile = clearanceProfile(*query, wayThroughTheWindow(), problem.metric(), 200);
   const auto tightest = profile.tightest();
   ASSERT_TRUE(tightest);
   for (const ClearanceSample& sample : profile.samples) {
@@ -55,7 +55,7 @@ TEST(ClearanceProfile, TheTightestPlaceIsTheSmallestDistance) {
 TEST(ClearanceProfile, SharesGrowFromZeroToOne) {
   const Problem problem = windowProblem();
   const auto query = problem.world->makeQuery();
-  const ClearanceProfile profile = clearanceProfile(*query, throughTheWindow(), problem.metric(), 50);
+  const ClearanceProfile profile = clearanceProfile(*query, wayThroughTheWindow(), problem.metric(), 50);
   EXPECT_EQ(profile.samples.front().share, 0.0);
   EXPECT_DOUBLE_EQ(profile.samples.back().share, 1.0);
   for (std::size_t i = 1; i < profile.samples.size(); ++i) {
@@ -69,7 +69,7 @@ TEST(ClearanceProfile, AStopLeavesAnIncompleteProfile) {
   StopSource stop;
   stop.requestStop();
   const ClearanceProfile profile =
-      clearanceProfile(*query, throughTheWindow(), problem.metric(), 50, WorkWatch(stop.token()));
+      clearanceProfile(*query, wayThroughTheWindow(), problem.metric(), 50, WorkWatch(stop.token()));
   EXPECT_FALSE(profile.complete);
   EXPECT_TRUE(profile.samples.empty());
 }

@@ -203,14 +203,14 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
   EXPECT_GE(problem.world->obstaclesBox().exteriorDistance(end), problem.world->objectRadius() - 1e-9);
 }
 
-std::string testName(const testing::TestParamInfo<Entry>& parameter) {
+std::string entryName(const testing::TestParamInfo<Entry>& parameter) {
   std::string name = parameter.param.name + "_" + parameter.param.id;
   if (parameter.param.lanes > 1) name += "_" + std::to_string(parameter.param.lanes) + "_lanes";
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registries, PlannerConformance, testing::ValuesIn(allEntries()), testName);
+INSTANTIATE_TEST_SUITE_P(Registries, PlannerConformance, testing::ValuesIn(allEntries()), entryName);
 
 }  // namespace
 }  // namespace glissade

@@ -11,7 +11,7 @@
 namespace glissade {
 namespace {
 
-constexpr double kRoom = 0.5;  ///< half width of where bodies are put, metres
+constexpr double kRegionsRoom = 0.5;  ///< half width of where bodies are put, metres
 
 TEST(SurfaceRegions, FindTheExactCylindersOfTurnedRingsHoweverCoarse) {
   RandomStream random(7, "rings");
@@ -20,7 +20,7 @@ TEST(SurfaceRegions, FindTheExactCylindersOfTurnedRingsHoweverCoarse) {
     const double outer = inner + 0.001 + 0.02 * random.uniform();
     const double length = 0.002 + 0.1 * random.uniform();
     const int segments = 12 + static_cast<int>(60.0 * random.uniform());
-    const Pose place = randomPose(random, kRoom);
+    const Pose place = randomPose(random, kRegionsRoom);
     const SurfaceRegions found = findSurfaceRegions(transformed(test::makeRing(inner, outer, length, segments), place));
     ASSERT_EQ(found.cylinders.size(), 2U) << "segments " << segments;
     EXPECT_EQ(found.planes.size(), 2U);

@@ -12,9 +12,9 @@
 namespace glissade {
 namespace {
 
-constexpr double kRoom = 0.1;  ///< half width, metres
+constexpr double kTreeRoom = 0.1;  ///< half width, metres
 
-Vector3 randomPoint(RandomStream& random) { return randomPose(random, kRoom).position; }
+Vector3 randomPoint(RandomStream& random) { return randomPose(random, kTreeRoom).position; }
 
 /// Nearest by trying barycentric coordinates, finer and finer about the best.
 double distanceByTrying(const Triangle& t, const Vector3& p) {
@@ -68,7 +68,7 @@ TEST(TriangleTree, VisitsEveryPairThatIsNear) {
   RandomStream random(5, "pairs");
   const TriangleTree a(makeSphere(0.05, 1));
   for (int round = 0; round < 20; ++round) {
-    const TriangleTree b(transformed(makeBox({0.05, 0.03, 0.08}), randomPose(random, kRoom)));
+    const TriangleTree b(transformed(makeBox({0.05, 0.03, 0.08}), randomPose(random, kTreeRoom)));
     const double distance = 0.02 * random.uniform();
     std::set<std::pair<std::uint32_t, std::uint32_t>> visited;
     a.visitPairs(b, distance, [&](std::uint32_t i, std::uint32_t k) { return visited.insert({i, k}).second; });

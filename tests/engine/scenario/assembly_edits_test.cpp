@@ -5,6 +5,7 @@
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"
+#include "tests/engine/support/loaded_scenario.h"
 #include "tests/engine/support/part_fixture.h"
 
 namespace glissade {
@@ -13,11 +14,8 @@ namespace {
 const AssemblyItem kStart{AssemblyItem::Kind::Start, {}};
 const AssemblyItem kGoal{AssemblyItem::Kind::Goal, {}};
 
-LoadedScenario realised(const Scenario& scenario) {
-  auto loaded = realiseScenario(scenario, ".", "");
-  EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
-  return std::move(*loaded);
-}
+using test::loadedFrom;
+using test::worldBox;
 
 void expectRefused(const Outcome& outcome, const std::string& reason) {
   ASSERT_FALSE(outcome.ok());
@@ -27,14 +25,6 @@ void expectRefused(const Outcome& outcome, const std::string& reason) {
 }
 
 /// The box about a rigid body, or the object at its start, in the world.
-Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
-  if (loaded.object.id == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
-  for (const RigidBody& body : loaded.obstacles) {
-    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
-  }
-  return {};
-}
-
 TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   Scenario scenario = test::boxScenario();
   const std::string id = scenario.bodies.front().id;
@@ -80,11 +70,11 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
   ASSERT_TRUE(scenario.ok());
   const Pose turned{Vector3(0.1, 0.2, 0.0), fromRollPitchYaw(0.0, 0.0, 0.5)};
   ASSERT_TRUE(place({AssemblyItem::Kind::Body, "tray"}, turned, *scenario).ok());
-  const LoadedScenario before = realised(*scenario);
+  const LoadedScenario before = loadedFrom(*scenario);
 
   Scenario other = before.scenario;
   ASSERT_TRUE(markMoving("tray", before, other).ok());
-  const LoadedScenario after = realised(other);
+  const LoadedScenario after = loadedFrom(other);
   EXPECT_EQ(after.object.id, "tray");
   ASSERT_EQ(after.obstacles.size(), 1U);
   EXPECT_EQ(after.obstacles.front().id, "block");
@@ -97,7 +87,7 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
 
   Scenario back = after.scenario;
   ASSERT_TRUE(markMoving("block", after, back).ok());
-  const LoadedScenario again = realised(back);
+  const LoadedScenario again = loadedFrom(back);
   EXPECT_LT((again.problem.start.position - before.problem.start.position).norm(), 1e-9);
   EXPECT_LT((worldBox(again, "tray").min() - worldBox(before, "tray").min()).norm(), 1e-9);
   expectRefused(markMoving("block", again, back), "no such body");

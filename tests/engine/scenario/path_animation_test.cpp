@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/engine/support/random_pose.h"
 
@@ -11,7 +12,6 @@ namespace glissade {
 namespace {
 
 constexpr double kSeconds = 10.0;
-const double kPi = std::acos(-1.0);
 
 double lengthOf(const std::vector<Pose>& path, const Se3Metric& metric) {
   double sum = 0.0;
@@ -91,7 +91,7 @@ TEST(PathAnimation, HoldsEveryConfiguration) {
 
 TEST(PathAnimation, ATurnByHalfACircleHasTheSenseOfThePath) {
   const Pose start;
-  const Pose half{{1, 0, 0}, Quaternion(Eigen::AngleAxisd(kPi, Vector3::UnitZ()))};
+  const Pose half{{1, 0, 0}, Quaternion(Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitZ()))};
   const std::vector<KeyFrame> frames = keyFramesOf({start, half}, Se3Metric(1.0), kSeconds);
   expectInOrder(frames);
   EXPECT_LT(angleBetween(played(frames, 5.0, true).orientation, interpolate(start, half, 0.5).orientation), 1e-6);

@@ -8,6 +8,7 @@
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
+#include "tests/engine/support/loaded_scenario.h"
 #include "tests/engine/support/step_files.h"
 #include "tests/engine/support/temporary_folder.h"
 
@@ -35,11 +36,8 @@ Scenario scenarioOf(const std::vector<PartFile>& parts) {
   return scenario ? std::move(*scenario) : Scenario();
 }
 
-LoadedScenario realised(const Scenario& scenario) {
-  auto loaded = realiseScenario(scenario, ".", "");
-  EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
-  return std::move(*loaded);
-}
+using test::loadedFrom;
+using test::worldBox;
 
 std::vector<std::string> idsOf(const LoadedScenario& loaded) {
   std::vector<std::string> ids;
@@ -47,17 +45,8 @@ std::vector<std::string> idsOf(const LoadedScenario& loaded) {
   return ids;
 }
 
-Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
-  if (loaded.object.id == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
-  for (const RigidBody& body : loaded.obstacles) {
-    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
-  }
-  ADD_FAILURE() << "no body " << id;
-  return {};
-}
-
 TEST(StepParts, OneMovesAndTheRestOfTheFileStaysWhereTheAssemblyHasIt) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  const LoadedScenario loaded = loadedFrom(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
   EXPECT_EQ(loaded.object.id, "pin");
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
   EXPECT_EQ(loaded.obstacles[3].name, "pump/Läufer");
@@ -73,7 +62,8 @@ TEST(StepParts, OneMovesAndTheRestOfTheFileStaysWhereTheAssemblyHasIt) {
 }
 
 TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
+  const LoadedScenario loaded =
+      loadedFrom(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
   EXPECT_EQ(loaded.object.name, "pump");
   EXPECT_EQ(audit(*loaded.object.mesh).components, 2U);
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin", "pin#2"));
@@ -82,10 +72,10 @@ TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
 }
 
 TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(stepFile("box.step")), still(stepFile("cylinder.STP"))}));
+  const LoadedScenario loaded = loadedFrom(scenarioOf({moving(stepFile("box.step")), still(stepFile("cylinder.STP"))}));
   EXPECT_EQ(loaded.object.id, "box");
   EXPECT_THAT(idsOf(loaded), ElementsAre("cylinder"));
-  const LoadedScenario whole = realised(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
+  const LoadedScenario whole = loadedFrom(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
   EXPECT_EQ(audit(*whole.object.mesh).components, 5U) << "the whole file moves as one";
 }
 
@@ -96,7 +86,7 @@ TEST(StepParts, SavedAndReadAgainItIsTheSame) {
   PartFile coarse = still(folder / "unit.step:plate");
   coarse.deflection = 1e-3;
   const Scenario scenario = scenarioOf({moving(folder / "unit.step:pin"), still(folder / "unit.step"), coarse});
-  const LoadedScenario before = realised(scenario);
+  const LoadedScenario before = loadedFrom(scenario);
   ASSERT_TRUE(saveScenario(scenario, file));
   const auto after = loadScenario(file);
   ASSERT_TRUE(after) << toString(after.error());
@@ -110,31 +100,31 @@ TEST(StepParts, SavedAndReadAgainItIsTheSame) {
 TEST(StepParts, AWholeFileInAScenarioIsABodyAPart) {
   Scenario scenario = scenarioOf({moving(stepFile("box.step")), still(stepFile("inch.step"))});
   scenario.assets[1].path = kUnit;
-  const LoadedScenario loaded = realised(scenario);
+  const LoadedScenario loaded = loadedFrom(scenario);
   EXPECT_THAT(idsOf(loaded),
               ElementsAre("inch/plate", "inch/pin", "inch/pin#2", "inch/pump/housing", "inch/pump/Läufer"));
   EXPECT_EQ(bodyIdOf(loaded.obstacles[4].id), "inch");
 }
 
 TEST(StepParts, AnyPartCanBeMadeTheOneThatMovesAndBack) {
-  const LoadedScenario first = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  const LoadedScenario first = loadedFrom(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
   Scenario scenario = first.scenario;
   ASSERT_TRUE(markMoving("pump.Läufer", first, scenario));
-  const LoadedScenario second = realised(scenario);
+  const LoadedScenario second = loadedFrom(scenario);
   EXPECT_EQ(second.object.id, "pump.Läufer");
   for (const char* id : {"pin", "plate", "pump.Läufer"}) {
     EXPECT_TRUE(worldBox(second, id).isApprox(worldBox(first, id), 1e-12)) << id;
   }
   EXPECT_NEAR(second.problem.world->objectRadius(), Vector3(0.005, 0, 0.015).norm(), 1e-4);
   ASSERT_TRUE(removeBody("pin#2", scenario));
-  EXPECT_EQ(realised(scenario).obstacles.size(), 3U);
+  EXPECT_EQ(loadedFrom(scenario).obstacles.size(), 3U);
 }
 
 TEST(StepParts, AddedLaterAFileBringsWhatIsNotThereYet) {
   const Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit + ":plate")});
   const auto more = withParts(scenario, "", {mobile(kUnit)});
   ASSERT_TRUE(more) << toString(more.error());
-  EXPECT_THAT(idsOf(realised(*more)), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
+  EXPECT_THAT(idsOf(loadedFrom(*more)), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
   const auto nothing = withParts(*more, "", {still(kUnit)});
   ASSERT_FALSE(nothing.ok());
   EXPECT_EQ(nothing.error().kind, ErrorKind::Usage);

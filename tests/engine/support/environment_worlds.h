@@ -47,6 +47,12 @@ inline std::vector<RigidBody> wallWithAHole() {
           between("above", {0.9375, 0.375, 0.625}, {1.0625, 0.625, 1})};
 }
 
+// Points of that world: in the left room, in the hole, in the wall, outside.
+inline const Vector3 kLeft(0.3, 0.5, 0.5);
+inline const Vector3 kHole(1.0, 0.5, 0.5);
+inline const Vector3 kInTheWall(0.95, 0.1, 0.1);
+inline const Vector3 kFarAway(5.0, 5.0, 5.0);
+
 /// An environment of box-shaped bodies in small cells; fails the test where it cannot be built.
 inline EnvironmentModelPtr environmentOf(const std::vector<RigidBody>& bodies, const Box3& workspace,
                                          EnvironmentOptions options) {

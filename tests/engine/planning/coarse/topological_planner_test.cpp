@@ -10,10 +10,10 @@
 namespace glissade {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kClosed = std::numeric_limits<double>::infinity();
 
 double stepCost(const TopologicalGraph& graph, int from, int to) {
-  double least = kInfinite;
+  double least = kClosed;
   for (const auto& edge : graph.edges) {
     if (edge.from == from && edge.to == to) least = std::min(least, edge.cost);
   }
@@ -23,10 +23,10 @@ double stepCost(const TopologicalGraph& graph, int from, int to) {
 /// The least cost of all ways that visit no node twice.
 double bruteForce(const TopologicalGraph& graph, int at, std::set<int>& visited) {
   if (at == TopologicalGraph::kGoal) return 0.0;
-  double least = kInfinite;
+  double least = kClosed;
   for (int to = 0; to < static_cast<int>(graph.nodes.size()); ++to) {
     const double cost = stepCost(graph, at, to);
-    if (cost == kInfinite || !visited.insert(to).second) continue;
+    if (cost == kClosed || !visited.insert(to).second) continue;
     least = std::min(least, cost + bruteForce(graph, to, visited));
     visited.erase(to);
   }
@@ -38,7 +38,7 @@ TopologicalGraph randomGraph(RandomStream& stream) {
   const int count = 2 + static_cast<int>(stream.uniform(0, 6));
   for (int i = 0; i < count; ++i) {
     const double cost = i < 2 ? 0.0 : std::floor(stream.uniform(0, 4));
-    graph.nodes.push_back({i - 2, Vector3::Zero(), stream.uniform() < 0.1 ? kInfinite : cost});
+    graph.nodes.push_back({i - 2, Vector3::Zero(), stream.uniform() < 0.1 ? kClosed : cost});
   }
   graph.nodes[0].cost = graph.nodes[1].cost = 0.0;
   const double density = stream.uniform(0.1, 0.9);
@@ -47,7 +47,7 @@ TopologicalGraph randomGraph(RandomStream& stream) {
       if (from == to) continue;
       for (int parallel = 0; parallel < 2; ++parallel) {
         if (stream.uniform() > density) continue;
-        const double cost = stream.uniform() < 0.1 ? kInfinite : std::floor(stream.uniform(0, 6));
+        const double cost = stream.uniform() < 0.1 ? kClosed : std::floor(stream.uniform(0, 6));
         graph.edges.push_back({from, to, parallel, 1.0, cost});
       }
     }
@@ -63,7 +63,7 @@ TEST(CheapestPath, CostsWhatTheBestOfAllPathsCosts) {
     std::set<int> visited{TopologicalGraph::kStart};
     const double least = bruteForce(graph, TopologicalGraph::kStart, visited);
     const std::vector<int> path = cheapestPath(graph);
-    if (least == kInfinite) {
+    if (least == kClosed) {
       EXPECT_TRUE(path.empty()) << "trial " << trial;
       ++without;
       continue;

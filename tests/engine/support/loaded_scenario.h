@@ -1,0 +1,30 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "engine/geometry/triangle_mesh.h"
+#include "engine/scenario/scenario_io.h"
+
+namespace glissade::test {
+
+/// The scenario with its bodies; fails the test where it cannot be loaded.
+inline LoadedScenario loadedFrom(const Scenario& scenario) {
+  auto loaded = realiseScenario(scenario, ".", "");
+  EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
+  return std::move(*loaded);
+}
+
+/// The bounding box of a body in world coordinates; fails the test where there is no such body.
+inline Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
+  if (loaded.object.id == id) return boundingBox(*loaded.object.mesh, loaded.problem.start);
+  for (const RigidBody& body : loaded.obstacles) {
+    if (body.id == id) return boundingBox(*body.mesh, body.X_WB);
+  }
+  ADD_FAILURE() << "no body " << id;
+  return {};
+}
+
+}  // namespace glissade::test
