@@ -8,7 +8,10 @@
 namespace glissade {
 namespace {
 
-enum Column { Kind, Amount, Allowance, Status, BodyA, BodyB, ColumnCount };
+enum Column { Kind, BodyA, BodyB, Amount, Allowance, Status, ColumnCount };
+
+/// Names are long: their columns show their ends.
+constexpr int kNameWidth = 100;
 
 constexpr int kIndexRole = Qt::UserRole;     // of the pair
 constexpr int kSortRole = Qt::UserRole + 1;  // of lengths: metres
@@ -76,7 +79,7 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   filter_->setClearButtonEnabled(true);
   table_->setColumnCount(ColumnCount);
   table_->setHeaderLabels(
-      {tr("Kind"), tr("Gap or overlap"), tr("Allowance"), tr("Status"), tr("Body A"), tr("Body B")});
+      {tr("Kind"), tr("Body A"), tr("Body B"), tr("Gap or overlap"), tr("Allowance"), tr("Status")});
   table_->setRootIsDecorated(false);
   table_->setUniformRowHeights(true);
   table_->setAlternatingRowColors(true);
@@ -88,10 +91,11 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
     table_->addAction(actions[QLatin1String(id)]);
   }
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(makeActionRow(actions, {"fits.find", "fits.isolate", "fits.accept"}, this));
+  layout->addLayout(makeActionRow(actions, {"fits.find"}, this));
   layout->addWidget(summary_);
   layout->addWidget(filter_);
   layout->addWidget(table_, 1);
+  layout->addLayout(makeActionRow(actions, {"fits.isolate", "fits.accept"}, this));
   connect(filter_, &QLineEdit::textChanged, this, &FitsPanel::filter);
   connect(table_, &QTreeWidget::currentItemChanged, this, &FitsPanel::chosenChanged);
   connect(table_, &QTreeWidget::itemActivated, this, &FitsPanel::activated);
@@ -104,7 +108,8 @@ void FitsPanel::setFits(const ProductFits& fits) {
   table_->clear();
   for (std::size_t i = 0; fits_ && i < fits_->size(); ++i) addRow(i);
   table_->setSortingEnabled(true);
-  for (int column = 0; fits_ && column < BodyA; ++column) table_->resizeColumnToContents(column);
+  for (const int column : {Kind, Amount, Allowance}) table_->resizeColumnToContents(column);
+  for (const int column : {BodyA, BodyB}) table_->setColumnWidth(column, kNameWidth);
   summary_->setText(summary());
   filter(filter_->text());
 }
