@@ -21,7 +21,7 @@ PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, b
 
 class FitsPanelTest : public ::testing::Test {
  protected:
-  FitsPanelTest() : panel(actions) {
+  FitsPanelTest() : actions(nullptr), panel(actions) {
     panel.setFits(std::make_shared<const std::vector<PairFit>>(
         std::vector<PairFit>{pairOf("nut", "bolt", ContactKind::Cylindrical, 0.0, false),
                              pairOf("screw", "plate", ContactKind::Thread, 4e-4, false),
