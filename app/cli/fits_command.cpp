@@ -8,8 +8,9 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
-#include "engine/product/fit_rules.h"
+#include "engine/product/product_fits.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
@@ -24,15 +25,6 @@ struct Product {
   FitSettings settings;
 };
 
-/// A contact as it is reported.
-struct Row {
-  Contact contact;
-  std::string a;
-  std::string b;
-  FitDecision decision;
-};
-using Rows = std::vector<Row>;
-
 Result<Product> productOfParts(const std::string& file, const StopToken& stop) {
   GeometryCache read;
   const auto geometry = readPart(usualPart(file), read, stop);
@@ -44,51 +36,16 @@ Result<Product> productOfParts(const std::string& file, const StopToken& stop) {
   return Product{std::move(bodies), {}};
 }
 
-/// The obstacles, and the object at its start.
 Result<Product> productOfScenario(const std::string& file, const StopToken& stop) {
   const auto loaded = loadScenario(file, stop);
   if (!loaded) return loaded.error();
   reportWarnings(loaded->warnings);
-  const auto deflectionOf = [&](const std::string& id) {
-    const auto known = loaded->deflections.find(id);
-    return known == loaded->deflections.end() ? 0.0 : known->second;
-  };
-  Bodies bodies;
-  for (const RigidBody& body : loaded->obstacles) {
-    bodies.push_back({body.id, body.mesh, body.X_WB, deflectionOf(body.id)});
-  }
-  bodies.push_back({loaded->object.id, loaded->object.mesh, loaded->object.X_WB, deflectionOf(loaded->object.id)});
-  return Product{std::move(bodies), loaded->scenario.fits};
-}
-
-Rows rowsOf(const ContactReport& report, const Product& product) {
-  constexpr double kGap = 1e-6;
-  Rows rows;
-  for (const Contact& contact : report.contacts) {
-    const std::string& a = product.bodies[contact.a].id;
-    const std::string& b = product.bodies[contact.b].id;
-    rows.push_back({contact, a, b, decideFit(contact, editOf(product.settings, a, b), product.settings, kGap)});
-  }
-  return rows;
-}
-
-double allowanceOf(const Row& row) { return row.decision.refused ? 0.0 : row.decision.allowance; }
-
-const char* statusOf(const Row& row) {
-  if (row.decision.kind == ContactKind::Clearance) return "clear";
-  if (row.decision.refused) return "clash";
-  return row.decision.kind == ContactKind::Clash ? "accepted" : "allowed";
-}
-
-std::map<std::string, int> countsOf(const Rows& rows) {
-  std::map<std::string, int> counts;
-  for (const Row& row : rows) ++counts[kindName(row.decision.kind)];
-  return counts;
+  return Product{contactBodiesOf(*loaded), loaded->scenario.fits};
 }
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-Json toJson(const Row& row) {
+Json toJson(const PairFit& row) {
   const Contact& contact = row.contact;
   Json json{{"a", row.a},
             {"b", row.b},
@@ -96,8 +53,8 @@ Json toJson(const Row& row) {
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},
             {"uncertainty_m", contact.uncertainty},
-            {"allowance_m", allowanceOf(row)},
-            {"status", statusOf(row)}};
+            {"allowance_m", row.allowance()},
+            {"status", statusName(row.status())}};
   if (contact.axis) {
     json["axis"] = {{"point", coordinates(contact.axis->point)},
                     {"direction", coordinates(contact.axis->direction)},
@@ -107,10 +64,10 @@ Json toJson(const Row& row) {
   return json;
 }
 
-void printJson(const Rows& rows) {
+void printJson(const std::vector<PairFit>& rows) {
   Json json{{"pairs", Json::array()}, {"counts", Json::object()}};
-  for (const Row& row : rows) json["pairs"].push_back(toJson(row));
-  for (const auto& [kind, count] : countsOf(rows)) json["counts"][kind] = count;
+  for (const PairFit& row : rows) json["pairs"].push_back(toJson(row));
+  for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
   // Names come from files.
   std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -121,21 +78,21 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-void printCsv(const Rows& rows) {
+void printCsv(const std::vector<PairFit>& rows) {
   std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status\n";
-  for (const Row& row : rows) {
+  for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
     std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(row.decision.kind) << ","
               << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(allowanceOf(row)) << "," << statusOf(row) << "\n";
+              << toText(row.allowance()) << "," << statusName(row.status()) << "\n";
   }
 }
 
-void printTable(const Rows& rows, std::size_t bodies) {
+void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
   std::size_t width = 1;
-  for (const Row& row : rows) width = std::max(width, row.a.size());
+  for (const PairFit& row : rows) width = std::max(width, row.a.size());
   std::cout << std::left << std::fixed << std::setprecision(3);
-  for (const Row& row : rows) {
+  for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
     const bool overlaps = contact.overlap > 0.0;
     std::cout << std::setw(12) << kindName(row.decision.kind) << (overlaps ? "overlap " : "gap     ") << std::right
@@ -149,7 +106,7 @@ void printTable(const Rows& rows, std::size_t bodies) {
   }
   std::cout << rows.size() << " pairs of " << bodies << " bodies";
   const char* separator = ": ";
-  for (const auto& [kind, count] : countsOf(rows)) {
+  for (const auto& [kind, count] : countsByKind(rows)) {
     std::cout << separator << count << " " << kind;
     separator = ", ";
   }
@@ -174,11 +131,11 @@ int runFits(const FitsOptions& options) {
   const auto product =
       parts ? productOfParts(options.file, interrupt.token()) : productOfScenario(options.file, interrupt.token());
   if (!product) return reportError(product.error(), options.format);
-  const ContactReport report = findContacts(product->bodies, options.limits, interrupt.token());
+  const std::vector<PairFit> rows =
+      findProductFits(product->bodies, product->settings, options.limits, interrupt.token());
   if (interrupt.requested()) {
     return reportError({ErrorKind::Interrupted, options.file, "", "was interrupted", "Start again."}, options.format);
   }
-  const Rows rows = rowsOf(report, *product);
   if (options.format == Format::Json) {
     printJson(rows);
   } else if (options.csv) {

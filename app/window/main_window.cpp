@@ -12,6 +12,7 @@
 #include "app/window/display_controller.h"
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
+#include "app/window/fits_controller.h"
 #include "app/window/help_pages.h"
 #include "app/window/icons.h"
 #include "app/window/keyboard_steering.h"
@@ -60,6 +61,7 @@ void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
   auto* sections = new SectionController(bench_);
+  auto* fits = new FitsController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);
@@ -81,6 +83,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
   docks_.add({tr("Semantics"), "semantics", environment->semanticsPanel(), DockPlace::UpperRight, "panel.semantics",
               Scrolling::Own});
+  docks_.add({tr("Fits"), "fits", fits->panel(), DockPlace::UpperRight, "panel.fits", Scrolling::Own});
   docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});

@@ -3,18 +3,22 @@
 #include <nlohmann/json.hpp>
 
 namespace glissade {
+namespace {
+
+double deflectionOf(const LoadedScenario& scenario, const std::string& id) {
+  const auto known = scenario.deflections.find(id);
+  return known == scenario.deflections.end() ? 0.0 : known->second;
+}
+
+}  // namespace
 
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
   scenario.fits = {};
   if (scenario.scenario.fits.on) {
-    const auto deflectionOf = [&](const std::string& id) {
-      const auto known = scenario.deflections.find(id);
-      return known == scenario.deflections.end() ? 0.0 : known->second;
-    };
     FitQuestion question{scenario.obstacles, scenario.object, {scenario.problem.start}, {}, scenario.scenario.fits};
     if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.ends.push_back(*goal);
-    for (const RigidBody& body : scenario.obstacles) question.deflections.push_back(deflectionOf(body.id));
-    question.deflections.push_back(deflectionOf(scenario.object.id));
+    for (const RigidBody& body : scenario.obstacles) question.deflections.push_back(deflectionOf(scenario, body.id));
+    question.deflections.push_back(deflectionOf(scenario, scenario.object.id));
     auto fits = findObjectFits(question, stop);
     if (!fits) {
       Diagnostic why = fits.error();
@@ -25,6 +29,16 @@ Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
   }
   scenario.problem.world = withFits(scenario.problem.world, scenario.fits.allowed);
   return Done{};
+}
+
+std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario) {
+  std::vector<ContactBody> bodies;
+  for (const RigidBody& body : scenario.obstacles) {
+    bodies.push_back({body.id, body.mesh, body.X_WB, deflectionOf(scenario, body.id)});
+  }
+  const RigidBody& object = scenario.object;
+  bodies.push_back({object.id, object.mesh, object.X_WB, deflectionOf(scenario, object.id)});
+  return bodies;
 }
 
 std::vector<std::string> allowancesInWords(const LoadedScenario& scenario) {

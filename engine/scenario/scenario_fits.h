@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/product/contact_report.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
@@ -13,6 +14,9 @@ namespace glissade {
 /// configuration, in the goal. Called by realiseScenario(); again where the settings were changed since.
 /// Errors: as of findObjectFits(), with the scenario's file.
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop = {});
+
+/// The bodies of the product: the obstacles in their order, then the object at its start.
+std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario);
 
 /// What a certificate of this scenario's object is about, for each fit in words: "nut taken 0.021 mm thinner on the
 /// shaft of bolt (cylindrical)". Empty where the whole object is meant.

@@ -931,6 +931,62 @@
         <source>Show the object at the first place where the path is blocked</source>
         <translation>Montrer l&apos;objet au premier endroit où le chemin est bloqué</translation>
     </message>
+    <message>
+        <source>Find f&amp;its</source>
+        <translation>Chercher les a&amp;justements</translation>
+    </message>
+    <message>
+        <source>List the pairs of bodies that touch or overlap, with their kind and allowance</source>
+        <translation>Lister les paires de corps qui se touchent ou se recouvrent, avec leur type et leur tolérance</translation>
+    </message>
+    <message>
+        <source>Is&amp;olate the pair</source>
+        <translation>&amp;Isoler la paire</translation>
+    </message>
+    <message>
+        <source>Draw the two bodies of the chosen fit and no other obstacles</source>
+        <translation>Dessiner les deux corps de l&apos;ajustement choisi et aucun autre obstacle</translation>
+    </message>
+    <message>
+        <source>Accept the &amp;clash</source>
+        <translation>Accepter la &amp;collision</translation>
+    </message>
+    <message>
+        <source>Allow the overlap of the chosen pair; results state it</source>
+        <translation>Tolérer le recouvrement de la paire choisie ; les résultats l&apos;indiquent</translation>
+    </message>
+    <message>
+        <source>Is a t&amp;hread</source>
+        <translation>Est un &amp;filetage</translation>
+    </message>
+    <message>
+        <source>The chosen pair is a thread that is drawn as cylinders</source>
+        <translation>La paire choisie est un filetage dessiné en cylindres</translation>
+    </message>
+    <message>
+        <source>Require c&amp;learance</source>
+        <translation>Exiger un &amp;jeu</translation>
+    </message>
+    <message>
+        <source>Allow nothing for the chosen pair: the whole bodies count</source>
+        <translation>Ne rien tolérer pour la paire choisie : les corps entiers comptent</translation>
+    </message>
+    <message>
+        <source>As m&amp;easured</source>
+        <translation>Comme &amp;mesuré</translation>
+    </message>
+    <message>
+        <source>Take back what was said about the chosen pair</source>
+        <translation>Annuler ce qui a été dit de la paire choisie</translation>
+    </message>
+    <message>
+        <source>Fits panel</source>
+        <translation>Panneau Ajustements</translation>
+    </message>
+    <message>
+        <source>Bring the table of fits to the front</source>
+        <translation>Mettre le tableau des ajustements au premier plan</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -2343,6 +2399,10 @@
         <source>This cannot be done</source>
         <translation>Cela ne peut pas se faire</translation>
     </message>
+    <message>
+        <source>Fits</source>
+        <translation>Ajustements</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ParameterSlider</name>
@@ -3475,6 +3535,136 @@
     <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FitsController</name>
+    <message>
+        <source>accept a clash</source>
+        <translation>accepter une collision</translation>
+    </message>
+    <message>
+        <source>mark a thread</source>
+        <translation>marquer un filetage</translation>
+    </message>
+    <message>
+        <source>require clearance</source>
+        <translation>exiger un jeu</translation>
+    </message>
+    <message>
+        <source>take a fit as measured</source>
+        <translation>prendre un ajustement comme mesuré</translation>
+    </message>
+    <message>
+        <source>Looking for fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>This cannot be said about the fit</source>
+        <translation>Ceci ne peut pas être dit de l&apos;ajustement</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FitsPanel</name>
+    <message>
+        <source>clear</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>toléré</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accepté</translation>
+    </message>
+    <message>
+        <source>clash</source>
+        <translation>collision</translation>
+    </message>
+    <message>
+        <source>%1 overlap</source>
+        <translation>recouvrement %1</translation>
+    </message>
+    <message>
+        <source>%1 gap</source>
+        <translation>jeu %1</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>se touchent</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>jeu</translation>
+    </message>
+    <message>
+        <source>planar</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>cylindrique</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
+        <source>press fit</source>
+        <translation>serrage</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>Filter by kind, status or body</source>
+        <translation>Filtrer par type, état ou corps</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Gap or overlap</source>
+        <translation>Jeu ou recouvrement</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Body A</source>
+        <translation>Corps A</translation>
+    </message>
+    <message>
+        <source>Body B</source>
+        <translation>Corps B</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>Ajustements</translation>
+    </message>
+    <message>
+        <source>Not analysed yet.</source>
+        <translation>Pas encore analysé.</translation>
+    </message>
+    <message>
+        <source>No two bodies touch.</source>
+        <translation>Aucun corps n&apos;en touche un autre.</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies: %1 (%2)</source>
+        <translation>Paires de corps : %1 (%2)</translation>
     </message>
 </context>
 </TS>

@@ -66,7 +66,7 @@ void ClearanceCurve::setPlace(double share) {
 }
 
 QRectF ClearanceCurve::plotArea() const {
-  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-4)) + 2.0 * kCurveGap;
+  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-5)) + 2.0 * kCurveGap;
   const double top = fontMetrics().height() + kCurveGap;
   return {left, top, std::max(1.0, width() - left - 1.0), std::max(1.0, height() - top - 2.0)};
 }

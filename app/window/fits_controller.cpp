@@ -1,0 +1,123 @@
+#include "app/window/fits_controller.h"
+
+#include <algorithm>
+
+#include "engine/scenario/scenario_fits.h"
+
+namespace glissade {
+namespace {
+
+bool isAbout(const FitEdit& edit, const PairFit& fit) {
+  return (edit.a == fit.a && edit.b == fit.b) || (edit.a == fit.b && edit.b == fit.a);
+}
+
+/// What is said about the pair; a new entry where nothing was.
+FitEdit& editOfPair(FitSettings& settings, const PairFit& fit) {
+  const auto found = std::find_if(settings.pairs.begin(), settings.pairs.end(),
+                                  [&fit](const FitEdit& edit) { return isAbout(edit, fit); });
+  if (found != settings.pairs.end()) return *found;
+  settings.pairs.push_back({fit.a, fit.b, std::nullopt, std::nullopt, false});
+  return settings.pairs.back();
+}
+
+bool saysNothing(const FitEdit& edit) { return !edit.kind && !edit.allowance && !edit.accepted; }
+
+}  // namespace
+
+FitsController::FitsController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), panel_(new FitsPanel(bench.actions, &bench.window)) {
+  bench.onAction("fits.find", this, [this] { find(); });
+  bench.onAction("fits.isolate", this, [this] { isolateChosen(); });
+  bench.onAction("fits.accept", this,
+                 [this] { editChosen(tr("accept a clash"), [](FitEdit& edit) { edit.accepted = true; }); });
+  bench.onAction("fits.thread", this,
+                 [this] { editChosen(tr("mark a thread"), [](FitEdit& edit) { edit.kind = ContactKind::Thread; }); });
+  bench.onAction("fits.require-clearance", this,
+                 [this] { editChosen(tr("require clearance"), [](FitEdit& edit) { edit.allowance = 0.0; }); });
+  bench.onAction("fits.as-measured", this, [this] {
+    editChosen(tr("take a fit as measured"), [](FitEdit& edit) { edit = {edit.a, edit.b, {}, {}, false}; });
+  });
+  connect(panel_, &FitsPanel::chosenChanged, this, &FitsController::showChosen);
+  connect(panel_, &FitsPanel::activated, this, &FitsController::isolateChosen);
+  connect(&bench.document, &WorkbenchDocument::changed, this, &FitsController::followDocument);
+  enableActions();
+  addCommands();
+}
+
+/// What was found holds for one arrangement; where it was shown, it is found again.
+void FitsController::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  const bool wasShown = panel_->fits() != nullptr;
+  panel_->setFits(nullptr);
+  enableActions();
+  if (wasShown && !(what & Change::Scenario)) find();
+}
+
+void FitsController::find() {
+  const ScenarioPtr scenario = bench_.document.scenario();
+  if (!scenario) return;
+  bench_.actions["panel.fits"]->trigger();
+  bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const auto fits = std::make_shared<const std::vector<PairFit>>(
+        findProductFits(contactBodiesOf(*scenario), scenario->scenario.fits, {}, watch.stop));
+    return [this, scenario, fits] {
+      if (bench_.document.scenario() != scenario) return;
+      panel_->setFits(fits);
+      enableActions();
+    };
+  });
+}
+
+/// Both bodies are selected, so that the view marks them.
+void FitsController::showChosen() {
+  enableActions();
+  const PairFit* fit = panel_->chosen();
+  if (fit == nullptr) return;
+  SemanticSelection selection;
+  selection.bodies = {QString::fromStdString(fit->a), QString::fromStdString(fit->b)};
+  bench_.document.semantics().select(selection);
+}
+
+void FitsController::isolateChosen() {
+  if (panel_->chosen() == nullptr) return;
+  showChosen();
+  if (bench_.actions["body.isolate"]->isEnabled()) bench_.actions["body.isolate"]->trigger();
+}
+
+void FitsController::editChosen(const QString& text, const std::function<void(FitEdit&)>& change) {
+  const PairFit* fit = panel_->chosen();
+  if (fit == nullptr) return;
+  Scenario after = bench_.document.current();
+  change(editOfPair(after.fits, *fit));
+  auto& pairs = after.fits.pairs;
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), saysNothing), pairs.end());
+  if (const Outcome edited = bench_.document.edit(text, after); !edited) {
+    bench_.messages.showError(tr("This cannot be said about the fit"), edited.error());
+  }
+}
+
+void FitsController::enableActions() {
+  const PairFit* fit = panel_->chosen();
+  const bool fitsCount = bench_.document.scenario() != nullptr;
+  bench_.enable("fits.find", fitsCount);
+  for (const char* id : {"fits.isolate", "fits.thread", "fits.require-clearance", "fits.as-measured"}) {
+    bench_.enable(id, fit != nullptr);
+  }
+  bench_.enable("fits.accept", fit != nullptr && fit->status() == FitStatus::Clash);
+}
+
+void FitsController::addCommands() {
+  bench_.scripts.add("select-fit", 2, [this](const ScriptCommands::Words& words) -> Outcome {
+    if (panel_->choose(QString::fromStdString(words[0]), QString::fromStdString(words[1]))) return Done{};
+    return wrongCommand("there is no fit of '" + words[0] + "' and '" + words[1] + "'", "Find the fits first.");
+  });
+  bench_.scripts.add("expect-fits", 2, [this](const ScriptCommands::Words& words) -> Outcome {
+    const auto counts = panel_->fits() ? countsByKind(*panel_->fits()) : std::map<std::string, int>();
+    const auto found = counts.find(words[0]);
+    const std::string number = std::to_string(found == counts.end() ? 0 : found->second);
+    if (number == words[1]) return Done{};
+    return unmetExpectation("there are " + number + " fits of the kind " + words[0] + ", not " + words[1]);
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "app/window/workbench.h"
+#include "widgets/panels/fits_panel.h"
+
+namespace glissade {
+
+/// The fits of the product that is open: found on demand in the background, shown in a panel, and edited by what a
+/// person says about a pair. Edits are undoable and kept by the scenario.
+class FitsController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FitsController(const Workbench& bench);
+
+  FitsPanel* panel() const { return panel_; }
+
+ private:
+  void followDocument(Changes what);
+  void find();
+  void showChosen();
+  void isolateChosen();
+  /// What a person says about the chosen pair, in place of what they said before.
+  void editChosen(const QString& text, const std::function<void(FitEdit&)>& change);
+  void enableActions();
+  void addCommands();
+
+  const Workbench& bench_;
+  FitsPanel* panel_;
+};
+
+}  // namespace glissade

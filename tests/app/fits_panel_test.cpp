@@ -1,0 +1,77 @@
+#include "widgets/panels/fits_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+namespace glissade {
+namespace {
+
+PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, bool refused) {
+  PairFit fit;
+  fit.a = a;
+  fit.b = b;
+  fit.contact.kind = kind;
+  fit.contact.overlap = overlap;
+  fit.decision.kind = kind;
+  fit.decision.allowance = overlap + 1e-6;
+  fit.decision.refused = refused;
+  return fit;
+}
+
+class FitsPanelTest : public ::testing::Test {
+ protected:
+  FitsPanelTest() : actions(nullptr), panel(actions) {
+    panel.setFits(std::make_shared<const std::vector<PairFit>>(
+        std::vector<PairFit>{pairOf("nut", "bolt", ContactKind::Cylindrical, 0.0, false),
+                             pairOf("screw", "plate", ContactKind::Thread, 4e-4, false),
+                             pairOf("arm", "plate", ContactKind::Clash, 2e-3, true)}));
+  }
+
+  QTreeWidget& table() { return *panel.findChild<QTreeWidget*>(); }
+  int shown() {
+    int count = 0;
+    for (int i = 0; i < table().topLevelItemCount(); ++i) count += table().topLevelItem(i)->isHidden() ? 0 : 1;
+    return count;
+  }
+
+  ActionCatalogue actions;
+  FitsPanel panel;
+};
+
+TEST_F(FitsPanelTest, AllPairsAreRowsAndTheFilterLeavesSome) {
+  EXPECT_EQ(shown(), 3);
+  auto* filter = panel.findChild<QLineEdit*>();
+  filter->setText(QStringLiteral("PLATE"));
+  EXPECT_EQ(shown(), 2);
+  filter->setText(QStringLiteral("clash"));
+  EXPECT_EQ(shown(), 1);
+  filter->clear();
+  EXPECT_EQ(shown(), 3);
+}
+
+TEST_F(FitsPanelTest, LengthsAreSortedByTheirValues) {
+  for (int column = 0; column < table().columnCount(); ++column) {
+    if (table().headerItem()->text(column) == QStringLiteral("Allowance"))
+      table().sortByColumn(column, Qt::AscendingOrder);
+  }
+  QStringList order;
+  for (int i = 0; i < 3; ++i) order << table().topLevelItem(i)->text(1);
+  EXPECT_EQ(order, (QStringList{QStringLiteral("arm"), QStringLiteral("nut"), QStringLiteral("screw")}));
+}
+
+TEST_F(FitsPanelTest, TheChosenPairIsThatOfTheRowHoweverItIsSorted) {
+  QSignalSpy changed(&panel, &FitsPanel::chosenChanged);
+  ASSERT_TRUE(panel.choose(QStringLiteral("plate"), QStringLiteral("screw")));
+  EXPECT_EQ(changed.size(), 1);
+  ASSERT_NE(panel.chosen(), nullptr);
+  EXPECT_EQ(panel.chosen()->decision.kind, ContactKind::Thread);
+  table().sortByColumn(0, Qt::DescendingOrder);
+  EXPECT_EQ(panel.chosen()->a, "screw");
+  EXPECT_FALSE(panel.choose(QStringLiteral("nut"), QStringLiteral("plate")));
+  panel.setFits(nullptr);
+  EXPECT_EQ(panel.chosen(), nullptr);
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,175 @@
+#include "widgets/panels/fits_panel.h"
+
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "widgets/commands/length_text.h"
+
+namespace glissade {
+namespace {
+
+enum Column { Kind, BodyA, BodyB, Amount, Allowance, Status, ColumnCount };
+
+/// Names are long: their columns show their ends.
+constexpr int kNameWidth = 100;
+
+constexpr int kIndexRole = Qt::UserRole;     // of the pair
+constexpr int kSortRole = Qt::UserRole + 1;  // of lengths: metres
+
+/// Sorts lengths by their metres and the rest as text.
+class FitItem final : public QTreeWidgetItem {
+ public:
+  using QTreeWidgetItem::QTreeWidgetItem;
+
+  bool operator<(const QTreeWidgetItem& other) const override {
+    const int column = treeWidget()->sortColumn();
+    const QVariant mine = data(column, kSortRole);
+    if (!mine.isValid()) return text(column).localeAwareCompare(other.text(column)) < 0;
+    return mine.toDouble() < other.data(column, kSortRole).toDouble();
+  }
+};
+
+QString statusText(FitStatus status) {
+  switch (status) {
+    case FitStatus::Clear: return FitsPanel::tr("clear");
+    case FitStatus::Allowed: return FitsPanel::tr("allowed");
+    case FitStatus::Accepted: return FitsPanel::tr("accepted");
+    case FitStatus::Clash: break;
+  }
+  return FitsPanel::tr("clash");
+}
+
+void setLength(QTreeWidgetItem& item, int column, double sortedBy, const QString& text) {
+  item.setText(column, text);
+  item.setData(column, kSortRole, sortedBy);
+  item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+/// An overlap sorts before a gap.
+double signedGap(const Contact& contact) { return contact.overlap > 0.0 ? -contact.overlap : contact.gap; }
+
+QString amountText(const Contact& contact) {
+  const QString amount = contact.overlap > 0.0 ? FitsPanel::tr("%1 overlap").arg(lengthText(contact.overlap))
+                         : contact.gap > 0.0   ? FitsPanel::tr("%1 gap").arg(lengthText(contact.gap))
+                                               : FitsPanel::tr("touches");
+  return contact.uncertainty > 0.0 ? amount + QStringLiteral(" ± ") + lengthText(contact.uncertainty) : amount;
+}
+
+}  // namespace
+
+QString contactKindText(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::Clearance: return FitsPanel::tr("clearance");
+    case ContactKind::Planar: return FitsPanel::tr("planar");
+    case ContactKind::Cylindrical: return FitsPanel::tr("cylindrical");
+    case ContactKind::Thread: return FitsPanel::tr("thread");
+    case ContactKind::Press: return FitsPanel::tr("press fit");
+    case ContactKind::Overlap: return FitsPanel::tr("overlap");
+    case ContactKind::Contact: return FitsPanel::tr("contact");
+    case ContactKind::Clash: break;
+  }
+  return FitsPanel::tr("clash");
+}
+
+FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
+    : QWidget(parent), summary_(new QLabel(this)), filter_(new QLineEdit(this)), table_(new QTreeWidget(this)) {
+  summary_->setWordWrap(true);
+  filter_->setPlaceholderText(tr("Filter by kind, status or body"));
+  filter_->setAccessibleName(filter_->placeholderText());
+  filter_->setClearButtonEnabled(true);
+  table_->setColumnCount(ColumnCount);
+  table_->setHeaderLabels(
+      {tr("Kind"), tr("Body A"), tr("Body B"), tr("Gap or overlap"), tr("Allowance"), tr("Status")});
+  table_->setRootIsDecorated(false);
+  table_->setUniformRowHeights(true);
+  table_->setAlternatingRowColors(true);
+  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setAccessibleName(tr("Fits"));
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  table_->header()->setSectionResizeMode(QHeaderView::Interactive);
+  for (const char* id : {"fits.isolate", "fits.accept", "fits.thread", "fits.require-clearance", "fits.as-measured"}) {
+    table_->addAction(actions[QLatin1String(id)]);
+  }
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(makeActionRow(actions, {"fits.find"}, this));
+  layout->addWidget(summary_);
+  layout->addWidget(filter_);
+  layout->addWidget(table_, 1);
+  layout->addLayout(makeActionRow(actions, {"fits.isolate", "fits.accept"}, this));
+  connect(filter_, &QLineEdit::textChanged, this, &FitsPanel::filter);
+  connect(table_, &QTreeWidget::currentItemChanged, this, &FitsPanel::chosenChanged);
+  connect(table_, &QTreeWidget::itemActivated, this, &FitsPanel::activated);
+  setFits(nullptr);
+}
+
+void FitsPanel::setFits(const ProductFits& fits) {
+  fits_ = fits;
+  table_->setSortingEnabled(false);
+  table_->clear();
+  for (std::size_t i = 0; fits_ && i < fits_->size(); ++i) addRow(i);
+  table_->setSortingEnabled(true);
+  for (const int column : {Kind, Amount, Allowance}) table_->resizeColumnToContents(column);
+  for (const int column : {BodyA, BodyB}) table_->setColumnWidth(column, kNameWidth);
+  summary_->setText(summary());
+  filter(filter_->text());
+}
+
+void FitsPanel::addRow(std::size_t index) {
+  const PairFit& fit = (*fits_)[index];
+  auto* row = new FitItem(table_);
+  row->setText(Kind, contactKindText(fit.decision.kind));
+  setLength(*row, Amount, signedGap(fit.contact), amountText(fit.contact));
+  setLength(*row, Allowance, fit.allowance(),
+            fit.allowance() > 0.0 ? lengthText(fit.allowance()) : QStringLiteral("–"));
+  row->setText(Status, statusText(fit.status()));
+  row->setText(BodyA, QString::fromStdString(fit.a));
+  row->setText(BodyB, QString::fromStdString(fit.b));
+  row->setToolTip(BodyA, row->text(BodyA));
+  row->setToolTip(BodyB, row->text(BodyB));
+  row->setData(Kind, kIndexRole, static_cast<qulonglong>(index));
+  if (fit.status() != FitStatus::Clash) return;
+  QFont bold = table_->font();
+  bold.setBold(true);
+  for (const int column : {Kind, Status}) row->setFont(column, bold);
+}
+
+QString FitsPanel::summary() const {
+  if (!fits_) return tr("Not analysed yet.");
+  if (fits_->empty()) return tr("No two bodies touch.");
+  QStringList kinds;
+  for (const auto& [name, count] : countsByKind(*fits_)) {
+    kinds << QStringLiteral("%1 %2").arg(count).arg(contactKindText(*kindByName(name)));
+  }
+  return tr("Pairs of bodies: %1 (%2)").arg(fits_->size()).arg(kinds.join(QStringLiteral(", ")));
+}
+
+void FitsPanel::filter(const QString& text) {
+  for (int i = 0; i < table_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = table_->topLevelItem(i);
+    bool matches = text.isEmpty();
+    for (const int column : {Kind, Status, BodyA, BodyB}) {
+      matches = matches || row->text(column).contains(text, Qt::CaseInsensitive);
+    }
+    row->setHidden(!matches);
+  }
+}
+
+const PairFit* FitsPanel::chosen() const {
+  const QTreeWidgetItem* row = table_->currentItem();
+  if (row == nullptr || !fits_) return nullptr;
+  return &(*fits_)[static_cast<std::size_t>(row->data(Kind, kIndexRole).toULongLong())];
+}
+
+bool FitsPanel::choose(const QString& a, const QString& b) {
+  for (int i = 0; i < table_->topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = table_->topLevelItem(i);
+    const bool found =
+        (row->text(BodyA) == a && row->text(BodyB) == b) || (row->text(BodyA) == b && row->text(BodyB) == a);
+    if (!found) continue;
+    table_->setCurrentItem(row);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace glissade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+#include "engine/product/product_fits.h"
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+using ProductFits = std::shared_ptr<const std::vector<PairFit>>;
+
+/// The pairs of bodies that touch or overlap as loaded: kind, gap or overlap, allowance, status. The table can be
+/// sorted by every column and filtered by a text.
+class FitsPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FitsPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
+
+  /// Null: not analysed yet, or not any more.
+  void setFits(const ProductFits& fits);
+  const ProductFits& fits() const { return fits_; }
+  /// The pair of the current row; null: none.
+  const PairFit* chosen() const;
+  /// Makes the row of this pair the current one. False: there is none.
+  bool choose(const QString& a, const QString& b);
+
+ signals:
+  void chosenChanged();
+  /// Double click or Enter on a row.
+  void activated();
+
+ private:
+  void addRow(std::size_t index);
+  void filter(const QString& text);
+  QString summary() const;
+
+  ProductFits fits_;
+  QLabel* summary_;
+  QLineEdit* filter_;
+  QTreeWidget* table_;
+};
+
+/// The kind of a contact in the user's language.
+QString contactKindText(ContactKind kind);
+
+}  // namespace glissade
