@@ -63,7 +63,7 @@ build_and_run() {
 build_and_run release ""
 # Sanitizers where they matter: what reads files, and what runs in threads.
 build_and_run asan "import_test scenario_test mutate_readers" -L 'import|scenario|fuzz'
-build_and_run tsan "session_test operator_test haptic_test lanes_test" -L 'session|operator|lanes'
+build_and_run tsan "session_test operator_test haptic_test slots_test" -L 'session|operator|slots'
 
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_file.h"
 
@@ -30,7 +30,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 /// Millimetres that the start has gone.
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
-  const auto clear = freed(loaded.problem.world, start, loaded.parameters[ParameterId::RequiredClearance]);
+  const auto clear = moveToClearance(loaded.problem.world, start, loaded.parameters[ParameterId::RequiredClearance]);
   if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();
@@ -42,7 +42,7 @@ int runNew(const NewOptions& options) {
   GeometryCache read;
   auto scenario = scenarioOfParts(partsOf(options), &read);
   if (!scenario) return reportError(scenario.error(), options.format);
-  const auto loaded = realiseScenario(*scenario, ".", "", read);
+  const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   if (options.clear) {

@@ -15,7 +15,7 @@ void Messages::showError(const QString& title, const Diagnostic& why) {
   QMessageBox box(QMessageBox::Warning, title, title, QMessageBox::Ok, &window_);
   QString text = QString::fromStdString(why.reason);
   if (!why.advice.empty()) text += QStringLiteral("\n\n") + QString::fromStdString(why.advice);
-  box.setInformativeText(QString::fromStdString(why.file + (why.place.empty() ? "" : "\n" + why.place)) +
+  box.setInformativeText(QString::fromStdString(why.file + (why.location.empty() ? "" : "\n" + why.location)) +
                          QStringLiteral("\n") + text);
   box.exec();
 }

@@ -105,6 +105,10 @@ class CollisionWorld {
   /// Another object among the same obstacles, which are not prepared again.
   std::shared_ptr<const CollisionWorld> withObject(MeshPtr object) const;
 
+  /// Other obstacles, or another object. Bodies with the same mesh (by pointer) at the same pose are not prepared
+  /// again, where that leaves every answer as build() would give it.
+  std::shared_ptr<const CollisionWorld> updated(std::vector<RigidBody> obstacles, MeshPtr object) const;
+
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;
 

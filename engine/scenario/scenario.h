@@ -10,6 +10,7 @@
 
 #include "engine/base/parameters.h"
 #include "engine/environment/rigid_body.h"
+#include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {
@@ -132,6 +133,7 @@ struct LoadedScenario {
   std::map<std::string, double> deflections;
   /// Metres that vertices may be off because their file holds 32-bit numbers, by rigid body's id.
   std::map<std::string, double> coordinateSpacings;
+  std::map<MeshPtr, bool> closed;  ///< whether a mesh of the bodies or the object is a closed surface
   Problem problem;
   ParameterValues parameters{1.0};
   Warnings warnings;

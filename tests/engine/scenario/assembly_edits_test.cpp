@@ -13,8 +13,8 @@ namespace {
 const AssemblyItem kStart{AssemblyItem::Kind::Start, {}};
 const AssemblyItem kGoal{AssemblyItem::Kind::Goal, {}};
 
-LoadedScenario realised(const Scenario& scenario) {
-  auto loaded = realiseScenario(scenario, ".", "");
+LoadedScenario loadedOf(const Scenario& scenario) {
+  auto loaded = loadGeometry(scenario, ".", "");
   EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
   return std::move(*loaded);
 }
@@ -80,11 +80,11 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
   ASSERT_TRUE(scenario.ok());
   const Pose turned{Vector3(0.1, 0.2, 0.0), fromRollPitchYaw(0.0, 0.0, 0.5)};
   ASSERT_TRUE(place({AssemblyItem::Kind::Body, "tray"}, turned, *scenario).ok());
-  const LoadedScenario before = realised(*scenario);
+  const LoadedScenario before = loadedOf(*scenario);
 
   Scenario other = before.scenario;
   ASSERT_TRUE(markMoving("tray", before, other).ok());
-  const LoadedScenario after = realised(other);
+  const LoadedScenario after = loadedOf(other);
   EXPECT_EQ(after.object.id, "tray");
   ASSERT_EQ(after.obstacles.size(), 1U);
   EXPECT_EQ(after.obstacles.front().id, "block");
@@ -97,7 +97,7 @@ TEST(AssemblyEdits, AnotherPartMovesAndNothingGoesElsewhere) {
 
   Scenario back = after.scenario;
   ASSERT_TRUE(markMoving("block", after, back).ok());
-  const LoadedScenario again = realised(back);
+  const LoadedScenario again = loadedOf(back);
   EXPECT_LT((again.problem.start.position - before.problem.start.position).norm(), 1e-9);
   EXPECT_LT((worldBox(again, "tray").min() - worldBox(before, "tray").min()).norm(), 1e-9);
   expectRefused(markMoving("block", again, back), "no such body");

@@ -35,8 +35,8 @@ Scenario scenarioOf(const std::vector<PartFile>& parts) {
   return scenario ? std::move(*scenario) : Scenario();
 }
 
-LoadedScenario realised(const Scenario& scenario) {
-  auto loaded = realiseScenario(scenario, ".", "");
+LoadedScenario loadedOf(const Scenario& scenario) {
+  auto loaded = loadGeometry(scenario, ".", "");
   EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
   return std::move(*loaded);
 }
@@ -57,7 +57,7 @@ Box3 worldBox(const LoadedScenario& loaded, const std::string& id) {
 }
 
 TEST(StepParts, OneMovesAndTheRestOfTheFileStaysWhereTheAssemblyHasIt) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  const LoadedScenario loaded = loadedOf(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
   EXPECT_EQ(loaded.object.id, "pin");
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
   EXPECT_EQ(loaded.obstacles[3].name, "pump/Läufer");
@@ -73,7 +73,7 @@ TEST(StepParts, OneMovesAndTheRestOfTheFileStaysWhereTheAssemblyHasIt) {
 }
 
 TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
+  const LoadedScenario loaded = loadedOf(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
   EXPECT_EQ(loaded.object.name, "pump");
   EXPECT_EQ(audit(*loaded.object.mesh).components, 2U);
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin", "pin#2"));
@@ -82,10 +82,10 @@ TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
 }
 
 TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {
-  const LoadedScenario loaded = realised(scenarioOf({moving(stepFile("box.step")), still(stepFile("cylinder.STP"))}));
+  const LoadedScenario loaded = loadedOf(scenarioOf({moving(stepFile("box.step")), still(stepFile("cylinder.STP"))}));
   EXPECT_EQ(loaded.object.id, "box");
   EXPECT_THAT(idsOf(loaded), ElementsAre("cylinder"));
-  const LoadedScenario whole = realised(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
+  const LoadedScenario whole = loadedOf(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
   EXPECT_EQ(audit(*whole.object.mesh).components, 5U) << "the whole file moves as one";
 }
 
@@ -96,7 +96,7 @@ TEST(StepParts, SavedAndReadAgainItIsTheSame) {
   PartFile coarse = still(folder / "unit.step:plate");
   coarse.deflection = 1e-3;
   const Scenario scenario = scenarioOf({moving(folder / "unit.step:pin"), still(folder / "unit.step"), coarse});
-  const LoadedScenario before = realised(scenario);
+  const LoadedScenario before = loadedOf(scenario);
   ASSERT_TRUE(saveScenario(scenario, file));
   const auto after = loadScenario(file);
   ASSERT_TRUE(after) << toString(after.error());
@@ -110,31 +110,31 @@ TEST(StepParts, SavedAndReadAgainItIsTheSame) {
 TEST(StepParts, AWholeFileInAScenarioIsABodyAPart) {
   Scenario scenario = scenarioOf({moving(stepFile("box.step")), still(stepFile("inch.step"))});
   scenario.assets[1].path = kUnit;
-  const LoadedScenario loaded = realised(scenario);
+  const LoadedScenario loaded = loadedOf(scenario);
   EXPECT_THAT(idsOf(loaded),
               ElementsAre("inch/plate", "inch/pin", "inch/pin#2", "inch/pump/housing", "inch/pump/Läufer"));
   EXPECT_EQ(bodyIdOf(loaded.obstacles[4].id), "inch");
 }
 
 TEST(StepParts, AnyPartCanBeMadeTheOneThatMovesAndBack) {
-  const LoadedScenario first = realised(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
+  const LoadedScenario first = loadedOf(scenarioOf({moving(kUnit + ":pin"), still(kUnit)}));
   Scenario scenario = first.scenario;
   ASSERT_TRUE(markMoving("pump.Läufer", first, scenario));
-  const LoadedScenario second = realised(scenario);
+  const LoadedScenario second = loadedOf(scenario);
   EXPECT_EQ(second.object.id, "pump.Läufer");
   for (const char* id : {"pin", "plate", "pump.Läufer"}) {
     EXPECT_TRUE(worldBox(second, id).isApprox(worldBox(first, id), 1e-12)) << id;
   }
   EXPECT_NEAR(second.problem.world->objectRadius(), Vector3(0.005, 0, 0.015).norm(), 1e-4);
   ASSERT_TRUE(removeBody("pin#2", scenario));
-  EXPECT_EQ(realised(scenario).obstacles.size(), 3U);
+  EXPECT_EQ(loadedOf(scenario).obstacles.size(), 3U);
 }
 
 TEST(StepParts, AddedLaterAFileBringsWhatIsNotThereYet) {
   const Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit + ":plate")});
   const auto more = withParts(scenario, "", {mobile(kUnit)});
   ASSERT_TRUE(more) << toString(more.error());
-  EXPECT_THAT(idsOf(realised(*more)), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
+  EXPECT_THAT(idsOf(loadedOf(*more)), ElementsAre("plate", "pin#2", "pump.housing", "pump.Läufer"));
   const auto nothing = withParts(*more, "", {still(kUnit)});
   ASSERT_FALSE(nothing.ok());
   EXPECT_EQ(nothing.error().kind, ErrorKind::Usage);
@@ -147,11 +147,11 @@ TEST(StepParts, ANameThatIsNotThereListsThoseThatAre) {
   const auto refused = scenarioOfParts({moving(kUnit + ":pim"), still(kUnit)});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().kind, ErrorKind::MalformedInput);
-  EXPECT_THAT(refused.error().place, HasSubstr("pim"));
+  EXPECT_THAT(refused.error().location, HasSubstr("pim"));
   EXPECT_THAT(refused.error().advice, HasSubstr("plate, pin, pin#2, pump/housing, pump/Läufer"));
   Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit)});
   scenario.bodies[0].geometry = StepGeometry{"unit", "lid"};
-  const auto loaded = realiseScenario(scenario, ".", "s.json");
+  const auto loaded = loadGeometry(scenario, ".", "s.json");
   ASSERT_FALSE(loaded.ok());
   EXPECT_THAT(loaded.error().file, HasSubstr("unit.step"));
   EXPECT_THAT(loaded.error().advice, HasSubstr("pin#2"));
@@ -201,7 +201,7 @@ TEST(StepParts, WhatWasReadIsNotReadAgain) {
   folder.write("unit.step", "gone");
   const auto scenario = scenarioOfParts({moving(file + ":pin"), still(file)}, &read);
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  EXPECT_TRUE(realiseScenario(*scenario, ".", "", read).ok());
+  EXPECT_TRUE(loadGeometry(*scenario, ".", "", read).ok());
 }
 
 }  // namespace

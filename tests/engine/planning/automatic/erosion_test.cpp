@@ -2,7 +2,7 @@
 
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/erodible_mesh.h"
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/planning/automatic/retraction.h"
 #include "tests/engine/support/test_worlds.h"
 
@@ -76,18 +76,18 @@ TEST(Freeing, PartsThatTouchOrOverlapALittleComeClearByAboutThat) {
   for (const double overlap : {-1e-6, 0.0, 1e-6, 1e-4, 1e-3}) {
     const Pose q = onTheFloor(overlap);
     ASSERT_FALSE(query->clearAbove(q, kClearance)) << overlap;
-    const auto clear = freed(problem.world, q, kClearance);
+    const auto clear = moveToClearance(problem.world, q, kClearance);
     ASSERT_TRUE(clear) << overlap;
     EXPECT_TRUE(query->clearAbove(*clear, kClearance)) << overlap;
     EXPECT_LT((clear->position - q.position).norm(), 2.5 * (std::abs(overlap) + 1e-4)) << overlap;
-    EXPECT_EQ(*freed(problem.world, q, kClearance), *clear) << "not the same again";
+    EXPECT_EQ(*moveToClearance(problem.world, q, kClearance), *clear) << "not the same again";
   }
 }
 
 TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUp) {
   const Problem problem = windowProblem();
-  EXPECT_EQ(*freed(problem.world, problem.start, 1e-6), problem.start);
-  EXPECT_FALSE(freed(problem.world, onTheFloor(0.2), 1e-6));
+  EXPECT_EQ(*moveToClearance(problem.world, problem.start, 1e-6), problem.start);
+  EXPECT_FALSE(moveToClearance(problem.world, onTheFloor(0.2), 1e-6));
 }
 
 }  // namespace

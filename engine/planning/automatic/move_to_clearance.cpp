@@ -1,4 +1,4 @@
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 
 #include <array>
 
@@ -15,7 +15,7 @@ constexpr std::array<double, 3> kDemands{1.05, 1.5, 2.0};
 
 }  // namespace
 
-Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required) {
+Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, double required, const StopToken& stop) {
   const double clearance = 2.0 * required;
   const auto query = world->makeQuery();
   if (query->clearAbove(q, clearance)) return q;
@@ -24,11 +24,12 @@ Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double require
     const double by = depth * world->objectRadius();
     const auto erodedQuery = eroded.at(by)->makeQuery();
     for (const double demand : kDemands) {
+      if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "it was stopped", ""};
       const auto found = retracted(*erodedQuery, q, demand * (by + clearance), world->objectRadius());
       if (found && query->clearAbove(*found, clearance)) return *found;
     }
   }
-  return Diagnostic{ErrorKind::InCollision, "", "", "there is no free place near by: the parts overlap too far",
+  return Diagnostic{ErrorKind::InCollision, "", "", "there is no free configuration near by: the parts overlap too far",
                     "Put the object elsewhere, or check the parts and their unit."};
 }
 

@@ -8,7 +8,8 @@ namespace glissade {
 /// begin: parts of an assembly touch where CAD puts
 /// them, and overlap by what rounding or a press fit leaves. The object is eroded until its contacts have
 /// directions, retracted (retraction.h), and asked as it is; the least erosion that leads there counts, up to
-/// a thirtieth of its radius. InCollision where none does. Deterministic.
-Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required);
+/// a thirtieth of its radius. InCollision where none does, Interrupted where it was stopped. Deterministic.
+Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, double required,
+                             const StopToken& stop = {});
 
 }  // namespace glissade
