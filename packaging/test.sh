@@ -65,7 +65,7 @@ build_and_run() {
 build_and_run release ""
 # Sanitizers where they matter: what reads files, and what runs in threads.
 build_and_run asan "import_test scenario_test mutate_readers" -L 'import|scenario|fuzz'
-build_and_run tsan "session_test operator_test haptic_test lanes_test" -L 'session|operator|lanes'
+build_and_run tsan "session_test operator_test haptic_test slots_test" -L 'session|operator|slots'
 
 # clang-tidy of some of what differs from main, on main of what the last commit changed. All files take an hour:
 # packaging/lint.sh --all. It compiles each file alone, which the builds above do not.

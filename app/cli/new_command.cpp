@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_file.h"
 
@@ -31,7 +31,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
   const auto clear =
-      freed(loaded.problem.world->withVariants({}), start, loaded.parameters[ParameterId::RequiredClearance]);
+      moveToClearance(loaded.problem.world->withVariants({}), start, loaded.parameters[ParameterId::RequiredClearance]);
   if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();
@@ -44,7 +44,7 @@ int runNew(const NewOptions& options) {
   auto scenario = scenarioOfParts(partsOf(options), &read);
   if (!scenario) return reportError(scenario.error(), options.format);
   scenario->fits = withOptions(scenario->fits, options.fits);
-  const auto loaded = realiseScenario(*scenario, ".", "", read);
+  const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   if (!options.clear) reportWarnings(loaded->fits.warnings);

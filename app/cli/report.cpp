@@ -32,7 +32,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json toJson(const Diagnostic& error) {
   return {{"file", printableLine(error.file)},
-          {"place", printableLine(error.place)},
+          {"place", printableLine(error.location)},
           {"reason", printableText(error.reason)},
           {"advice", printableText(error.advice)}};
 }

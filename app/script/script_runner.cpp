@@ -7,7 +7,7 @@ namespace glissade {
 namespace {
 
 Diagnostic atLine(const Diagnostic& why, const std::string& file, const ScriptLine& line) {
-  const std::string detail = why.place.empty() ? "" : why.place + ": ";
+  const std::string detail = why.location.empty() ? "" : why.location + ": ";
   return {why.kind, file, "line " + std::to_string(line.line), detail + why.reason, why.advice};
 }
 

@@ -41,7 +41,14 @@ std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, 
 ArrangeTool::ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent)
     : DragTool(scene, parent), document_(document) {
   connect(&document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & (Change::Scenario | Change::Arrangement)) inHand_.reset();
+    if (!inHand_ || !(what & (Change::Scenario | Change::Arrangement))) return;
+    const bool stays =
+        !(what & Change::Scenario) && poseOf(document_.scenario()->scenario, inHand_->item) == inHand_->before;
+    if (stays) {
+      draw(inHand_->drag.pose());
+    } else {
+      inHand_.reset();
+    }
   });
 }
 

@@ -33,7 +33,10 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   scenePanel_->setContextMenuPolicy(Qt::ActionsContextMenu);
 
   connect(&document_, &WorkbenchDocument::changed, this, &AssemblyController::followDocument);
-  connect(&document_, &WorkbenchDocument::undoFailed, this, [this](const Diagnostic& why) { showFailure(why); });
+  connect(&document_, &WorkbenchDocument::editFailed, this, [this](const std::optional<Diagnostic>& why) {
+    if (why) showFailure(*why);
+    followDocument(Change::Arrangement);
+  });
   connect(&bench.run, &ShownRun::changed, this, &AssemblyController::followRun);
   connect(&document_.semantics(), &SemanticDocument::selectionChanged, this, &AssemblyController::takeSelection);
   connect(scenePanel_, &ScenePanel::bodiesChosen, this, [this](const QSet<QString>& bodies) {
@@ -104,9 +107,7 @@ void AssemblyController::showFailure(const Outcome& outcome) {
 }
 
 void AssemblyController::editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change) {
-  Scenario after = document_.current();
-  const Outcome changed = change(after);
-  showFailure(changed ? document_.edit(text, std::move(after)) : changed);
+  showFailure(document_.edit(text, change));
 }
 
 /// Ids of the scenario's bodies, the object not among them.
@@ -139,10 +140,11 @@ void AssemblyController::markSelected() {
 /// In the background; an edit of the arrangement cancels it.
 void AssemblyController::moveEndsClear() {
   const double required = document_.settings().parameters[ParameterId::RequiredClearance];
-  bench_.work.run(tr("Moving the ends clear"),
-                  [this, scenario = document_.scenario(), required](const WorkWatch&) -> BackgroundTask::Delivery {
-                    return [this, moved = endsMovedClear(*scenario, required)] { takeMovedEnds(moved); };
-                  });
+  bench_.work.run(
+      tr("Moving the ends clear"),
+      [this, scenario = document_.scenario(), required](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        return [this, moved = endsMovedClear(*scenario, required, watch.stop)] { takeMovedEnds(moved); };
+      });
 }
 
 void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& moved) {
@@ -154,15 +156,17 @@ void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& move
     bench_.messages.showStatus(tr("Start and goal are clear of all bodies."));
     return;
   }
-  Scenario after = document_.current();
   QStringList texts;
   for (const MovedEnd& end : *moved) {
-    (void)place(end.item, end.X_WB, after);
     const QString by = QLocale().toString(1000.0 * end.distance, 'f', 3);
     texts << (end.item.kind == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by)
                                                          : tr("the goal went %1 mm").arg(by));
   }
-  const Outcome edited = document_.edit(tr("Clear start and goal"), std::move(after));
+  const auto change = [ends = *moved](Scenario& scenario) {
+    for (const MovedEnd& end : ends) (void)place(end.item, end.X_WB, scenario);
+    return Outcome(Done{});
+  };
+  const Outcome edited = document_.edit(tr("Clear start and goal"), change);
   showFailure(edited);
   if (edited) bench_.messages.showStatus(tr("Clear of all bodies: %1").arg(texts.join(QStringLiteral(", "))));
 }
@@ -202,6 +206,8 @@ void AssemblyController::takeSelection() {
 
 void AssemblyController::showPlacement() {
   if (!document_.scenario()) return;
+  if (placed_ == chosen_ && document_.isArranging()) return;  // what the user types is not there yet
+  placed_ = chosen_;
   QString name;
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Start) name = tr("the start");
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Goal) name = tr("the goal");

@@ -46,6 +46,7 @@ class AssemblyController final : public QObject {
   ScenePanel* scenePanel_;
   PlacementPanel* placement_;
   std::optional<AssemblyItem> chosen_;  ///< what the placement panel shows
+  std::optional<AssemblyItem> placed_;  ///< what it showed last
   bool editable_ = false;
 };
 

@@ -56,14 +56,15 @@ Outcome takePart(PartImport& parts, PartsDialog::Purpose purpose, PartRole role,
 
 Outcome setRule(WorkbenchDocument& document, const std::string& which, const std::string& expression) {
   if (!document.scenario()) return noScenario();
-  Scenario after = document.current();
-  StrategyRules rules = after.rules.value_or(presetRules("gts"));
+  StrategyRules rules = document.scenario()->scenario.rules.value_or(presetRules("gts"));
   (which == "node" ? rules.node : rules.edge) = expression;
   const auto& table = document.semantics().table();
   const auto parsed = parseRules(rules, table, idsOf(makeLocalPlannerRegistry()));
   if (!parsed) return parsed.error();
-  after.rules = std::move(rules);
-  return document.edit(QStringLiteral("rule"), std::move(after));
+  return document.edit(QStringLiteral("rule"), [rules](Scenario& scenario) {
+    scenario.rules = rules;
+    return Outcome(Done{});
+  });
 }
 
 Outcome place(WorkbenchDocument& document, const std::string& what, const std::string& position,

@@ -24,7 +24,7 @@ DifficultyController::DifficultyController(const Workbench& bench)
 }
 
 void DifficultyController::followRun() {
-  const bool failed = bench_.run.isLive() && searchedInVain(*bench_.run.snapshot());
+  const bool failed = bench_.run.isLive() && searchFailed(*bench_.run.snapshot());
   bench_.enable("difficulty.find", failed);
   if (difficulty_ && !failed) show(nullptr);
 }
@@ -38,7 +38,7 @@ void DifficultyController::find() {
                         scenario->problem, grown.nodes, grown.edges, end->parameters, end->seed, {}, watch));
                     return [this, difficulty, run = end->run] {
                       const SnapshotPtr& now = bench_.session.snapshot();
-                      if (now->run == run && searchedInVain(*now)) show(difficulty);
+                      if (now->run == run && searchFailed(*now)) show(difficulty);
                     };
                   });
 }

@@ -1,19 +1,19 @@
 #include "app/window/end_clearance.h"
 
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 
 namespace glissade {
 
-Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required) {
+Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required, const StopToken& stop) {
   std::vector<MovedEnd> moved;
   for (const AssemblyItem::Kind end : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
     const AssemblyItem item{end, {}};
     const auto before = poseOf(scenario.scenario, item);
     if (!before) continue;
-    const auto clear = freed(scenario.problem.world->withVariants({}), *before, required);
+    const auto clear = moveToClearance(scenario.problem.world->withVariants({}), *before, required, stop);
     if (!clear) {
       Diagnostic why = clear.error();
-      why.place = end == AssemblyItem::Kind::Start ? "start" : "goal";
+      why.location = end == AssemblyItem::Kind::Start ? "start" : "goal";
       return why;
     }
     if (*clear != *before) moved.push_back({item, *clear, (clear->position - before->position).norm()});

@@ -14,8 +14,9 @@ struct MovedEnd {
 };
 
 /// The ends that have to move so that the object keeps `required` (metres) from all bodies there; empty: none has to.
-/// Errors: InCollision, no clear position was found near an end, which the place names. Takes up to seconds; any
-/// thread.
-Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required);
+/// Errors: InCollision, no clear position was found near an end, which the location names; Interrupted. Takes up to
+/// seconds; any thread.
+Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, double required,
+                                             const StopToken& stop = {});
 
 }  // namespace glissade

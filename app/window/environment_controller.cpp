@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "app/window/coarse_preview.h"
 #include "app/window/environment_script.h"
 #include "app/window/scene_ray.h"
+#include "engine/planning/fine/coarse_preview.h"
 #include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
@@ -47,6 +47,7 @@ EnvironmentController::EnvironmentController(const Workbench& bench)
     semantics_->setBusy(false);
     if (why.kind != ErrorKind::Interrupted) showError(why);
   });
+  connect(&preview_, &BackgroundTask::failed, this, &EnvironmentController::showError);
   connect(&bench.document, &WorkbenchDocument::changed, this, &EnvironmentController::followDocument);
   connect(&bench.run, &ShownRun::changed, this, &EnvironmentController::followRun);
   connect(&document_, &SemanticDocument::selectionChanged, this, [this] {
@@ -176,20 +177,32 @@ void EnvironmentController::followRun(const SnapshotPtr& snapshot) {
   if (newPlan) showPlan();
 }
 
-/// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview.
+/// The plan of the run while it goes on, and as long as planning again would begin with it; else a preview, which is
+/// made in the background.
 void EnvironmentController::showPlan() {
   if (!snapshot_) return;
-  const Problem& problem = bench_.document.scenario()->problem;
-  const CoarsePlanPtr run = snapshot_->coarsePlan;
-  const bool ofRun = run && (isRunning(*snapshot_) ? isAboutPlaces(*run, document_)
-                                                   : isUpToDate(*run, document_, problem, snapshot_->plannerId));
-  QString whyNone;
-  shownPlan_ = ofRun ? run : nullptr;
-  if (!ofRun) {
-    auto preview = previewPlan(document_, problem, snapshot_->plannerId, run);
-    if (preview) shownPlan_ = *preview;
-    if (!preview) whyNone = QString::fromStdString(toString(preview.error()));
+  const PreviewQuestion question{bench_.document.scenario()->problem, snapshot_->plannerId, document_.knowledge(),
+                                 bench_.document.edits(), snapshot_->coarsePlan};
+  const CoarsePlanPtr& run = question.run;
+  const bool ofRun =
+      run && (isRunning(*snapshot_) ? isAboutPlaces(*run, question.knowledge) : isUpToDate(*run, question));
+  if (ofRun) {
+    preview_.cancel();
+    takePlan(run);
+    return;
   }
+  if (shownPlan_ && !isAboutPlaces(*shownPlan_, question.knowledge)) takePlan(nullptr);
+  const bool quick = !question.knowledge || !isMultiLayer(question.strategy);
+  const auto work = [this, question](const WorkWatch&) -> BackgroundTask::Delivery {
+    return [this, plan = previewPlan(question)] {
+      takePlan(plan ? *plan : nullptr, plan ? QString() : QString::fromStdString(toString(plan.error())));
+    };
+  };
+  preview_.start("planning coarsely", work, quick || bench_.session.clock() == SessionClock::Lockstep);
+}
+
+void EnvironmentController::takePlan(const CoarsePlanPtr& plan, const QString& whyNone) {
+  shownPlan_ = plan;
   plan_->setPlan(shownPlan_, whyNone);
   milestones_.setPlan(shownPlan_);
   bench_.scene.view().setShownStep(plan_->currentStep());

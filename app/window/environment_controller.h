@@ -49,6 +49,7 @@ class EnvironmentController final : public QObject {
   void pick(const QPointF& position, bool add);
   void showEnvironment();
   void showPlan();
+  void takePlan(const CoarsePlanPtr& plan, const QString& whyNone = {});
   void drawPlan();
   void showStep();
   void leaveStep();
@@ -72,6 +73,7 @@ class EnvironmentController final : public QObject {
   SnapshotPtr snapshot_;  ///< shown last
   CoarsePlanPtr shownPlan_;
   QPointF pressed_;
+  BackgroundTask preview_;  ///< the last member: it waits for its threads before the others end
 };
 
 }  // namespace glissade

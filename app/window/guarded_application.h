@@ -17,7 +17,7 @@ class GuardedApplication final : public QApplication {
 
   using QApplication::QApplication;
 
-  /// Is told of exceptions that leave an event handler. While it is at work (a dialog handles events, too) further
+  /// Receives exceptions that leave an event handler. While it is at work (a dialog handles events, too) further
   /// ones go to standard error. None: exceptions leave notify().
   void setFailureHandler(FailureHandler handler) { handler_ = std::move(handler); }
 

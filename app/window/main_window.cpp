@@ -96,8 +96,8 @@ void MainWindow::addParts() {
 
 void MainWindow::connectActions() {
   QUndoStack& undo = document_->undoStack();
-  bench_.onAction("edit.undo", &undo, [&undo] { undo.undo(); });
-  bench_.onAction("edit.redo", &undo, [&undo] { undo.redo(); });
+  bench_.onAction("edit.undo", this, [this] { document_->undo(); });
+  bench_.onAction("edit.redo", this, [this] { document_->redo(); });
   connect(&undo, &QUndoStack::canUndoChanged, actions_["edit.undo"], &QAction::setEnabled);
   connect(&undo, &QUndoStack::canRedoChanged, actions_["edit.redo"], &QAction::setEnabled);
   for (const char* id : {"edit.undo", "edit.redo"}) bench_.enable(id, false);
@@ -109,6 +109,7 @@ void MainWindow::connectActions() {
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
           [this](const Diagnostic& why) { messages_.showError(tr("This cannot be done"), why); });
+  bench_.work.show(document_->arranging(), tr("Arranging the product"), [this] { document_->cancelEdits(); });
   connect(document_, &WorkbenchDocument::changedForSession, &bench_.work, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) bench_.work.cancel();
   });
@@ -130,6 +131,7 @@ void MainWindow::setTheme(Theme theme) {
 void MainWindow::setBatch(bool batch) {
   messages_.setQuiet(batch);
   bench_.work.setAtOnce(batch);
+  document_->setAtOnce(batch || session_->clock() == SessionClock::Lockstep);
 }
 
 void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {

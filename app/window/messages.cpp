@@ -14,7 +14,7 @@ constexpr int kStatusMilliseconds = 10000;
 void Messages::showError(const QString& title, const Diagnostic& why) {
   if (quiet_) return;
   QString details;
-  for (const std::string& part : {why.file, why.place, why.reason}) {
+  for (const std::string& part : {why.file, why.location, why.reason}) {
     if (!part.empty()) details += (details.isEmpty() ? "" : "\n") + QString::fromStdString(part);
   }
   if (!why.advice.empty()) details += QStringLiteral("\n\n") + QString::fromStdString(why.advice);

@@ -38,7 +38,7 @@ BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& p
                                                   const StopToken& stop) {
   auto scenario = scenarioOfParts(parts, &read, stop);
   if (!scenario) return [this, why = scenario.error()] { emit importFailed(why); };
-  auto loaded = realiseScenario(std::move(*scenario), ".", "", read, stop);
+  auto loaded = loadGeometry(std::move(*scenario), ".", "", read, stop);
   if (!loaded) return [this, why = loaded.error()] { emit importFailed(why); };
   const ScenarioPtr made = std::make_shared<LoadedScenario>(std::move(*loaded));
   return [this, made] { emit scenarioMade(made); };
@@ -46,10 +46,14 @@ BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& p
 
 /// To the scenario as it is now: it may have been edited while the files were read.
 void PartImport::add(const std::vector<PartFile>& parts, const GeometryCache& read) {
-  GeometryCache known = read;
   bench_.document.addGeometry(read);
-  auto more = withParts(bench_.document.current(), bench_.document.scenario()->file, parts, &known);
-  const Outcome added = more ? bench_.document.edit(tr("Add parts"), std::move(*more)) : Outcome(more.error());
+  const auto addParts = [this, parts, known = read](Scenario& scenario) mutable -> Outcome {
+    auto more = withParts(scenario, bench_.document.scenario()->file, parts, &known);
+    if (!more) return more.error();
+    scenario = std::move(*more);
+    return Done{};
+  };
+  const Outcome added = bench_.document.edit(tr("Add parts"), addParts);
   if (!added) emit importFailed(added.error());
 }
 

@@ -41,8 +41,10 @@ RunController::RunController(const Workbench& bench)
 
 void RunController::connectActions() {
   bench_.onAction("run.start", this, [this] {
-    bench_.session.post(command::Stop{});  // smoothing that may still go on
-    bench_.session.post(command::Start{});
+    bench_.document.whenArranged([this] {
+      bench_.session.post(command::Stop{});  // smoothing that may still go on
+      bench_.session.post(command::Start{});
+    });
   });
   bench_.onAction("run.pause", this, [this](bool pause) {
     bench_.session.post(pause ? Command(command::Pause{}) : Command(command::Resume{}));
@@ -103,24 +105,29 @@ void RunController::enableActions(const SessionSnapshot* snapshot) {
 }
 
 void RunController::restart(std::uint64_t seed) {
-  bench_.session.post(command::Stop{});
-  bench_.session.post(command::SetSeed{seed});
-  bench_.session.post(command::Start{});
+  bench_.document.whenArranged([this, seed] {
+    bench_.session.post(command::Stop{});
+    bench_.session.post(command::SetSeed{seed});
+    bench_.session.post(command::Start{});
+  });
 }
 
 void RunController::editRules() {
-  Scenario after = bench_.document.current();
+  const std::optional<StrategyRules>& own = bench_.document.scenario()->scenario.rules;
   const std::string& strategy = bench_.document.settings().strategy;
   const bool preset = strategy == "gt" || strategy == "gts1" || strategy == "gts2";
-  RulesDialog dialog(preset        ? presetRules(strategy)
-                     : after.rules ? *after.rules
-                                   : presetRules("gts"),
+  RulesDialog dialog(preset ? presetRules(strategy)
+                     : own  ? *own
+                            : presetRules("gts"),
                      bench_.document.semantics().table(), &bench_.window);
   if (dialog.exec() != QDialog::Accepted) return;
-  after.rules = dialog.rules();
-  const Outcome changed = bench_.document.edit(tr("Change the rules"), std::move(after));
+  const auto change = [rules = dialog.rules()](Scenario& scenario) {
+    scenario.rules = rules;
+    return Outcome(Done{});
+  };
+  const Outcome changed = bench_.document.edit(tr("Change the rules"), change);
   if (!changed) bench_.messages.showError(tr("The rules cannot be changed"), changed.error());
-  bench_.session.post(command::SetPlanner{"own"});
+  bench_.document.whenArranged([this] { bench_.session.post(command::SetPlanner{"own"}); });
 }
 
 }  // namespace glissade

@@ -81,7 +81,7 @@ void SaveController::openVersion(const QString& versionFile) {
 }
 
 bool SaveController::openAs(Scenario scenario, const std::string& file) {
-  auto loaded = realiseScenario(std::move(scenario), folderOf(file), file);
+  auto loaded = loadGeometry(std::move(scenario), folderOf(file), file);
   if (loaded) {
     host_.openModified(std::make_shared<const LoadedScenario>(std::move(*loaded)));
     return true;

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 
-#include "app/window/coarse_preview.h"
+#include "engine/planning/fine/coarse_preview.h"
 
 namespace glissade {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// Opens edits in the window. False: that cannot be done, and the user was told.
+/// Opens edits in the window. False: that cannot be done, and the user has seen why.
 using OpenEdits = std::function<bool(const UnsavedEdits&)>;
 
 /// Asks about each set of edits that a killed program has left in the folder: open them, discard them, or be asked

@@ -14,6 +14,8 @@ ViewController::ViewController(const Workbench& bench)
   showWelcome();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
+  // A body that was dragged goes back.
+  connect(&bench.document, &WorkbenchDocument::editFailed, this, [this] { updateView(Change::Arrangement); });
   connect(&bench.run, &ShownRun::changed, this, [this](const SnapshotPtr& snapshot) {
     bench_.scene.view().setSnapshot(snapshot);
     bench_.scene.refresh();

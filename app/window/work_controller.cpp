@@ -43,6 +43,22 @@ void WorkController::run(const Job& job) {
   }
 }
 
+void WorkController::show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel) {
+  connect(&task, &BackgroundTask::started, this, [this, what, cancel] {
+    cancelOther_ = cancel;
+    if (!task_.isBusy()) busy_->begin(what);
+    enable();
+  });
+  connect(&task, &BackgroundTask::progressed, this, [this](double share) {
+    if (!task_.isBusy()) busy_->setShare(share);
+  });
+  connect(&task, &BackgroundTask::ended, this, [this] {
+    cancelOther_ = nullptr;
+    if (!task_.isBusy()) busy_->end();
+    enable();
+  });
+}
+
 void WorkController::begin(const Job& job) {
   reportedFailure_.clear();
   task_.start(inSentence(job.what), job.work, atOnce_);
@@ -82,11 +98,13 @@ void WorkController::reportFailure(const Diagnostic& why) {
 void WorkController::cancelAll() {
   if (task_.isBusy()) {
     task_.cancel();
+  } else if (cancelOther_) {
+    std::function<void()>(cancelOther_)();
   } else {
     bridge_.post(command::Stop{});
   }
 }
 
-void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || pathWork_); }
+void WorkController::enable() { cancel_->setEnabled(task_.isBusy() || cancelOther_ || pathWork_); }
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <QStatusBar>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +29,8 @@ class WorkController final : public QObject {
   void run(const QString& what, const BackgroundTask::Work& work) { run({what, work, false}); }
   /// Only the user ends it early.
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
+  /// Shows another task in the status bar, too, while none of its own is under way.
+  void show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel);
   /// Ends what need not be finished.
   void cancel();
 
@@ -63,6 +66,7 @@ class WorkController final : public QObject {
   bool pathWork_ = false;
   bool toTheEnd_ = false;  ///< what is under way
   std::optional<Job> waiting_;
+  std::function<void()> cancelOther_;  ///< the task of another that is under way; empty: none
   std::optional<Diagnostic> failure_;  ///< the last one that nobody has taken
   std::string reportedFailure_;        ///< the last one
 };

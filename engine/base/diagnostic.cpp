@@ -19,7 +19,7 @@ int exitCode(ErrorKind kind) {
 
 std::string toString(const Diagnostic& diagnostic) {
   std::string text;
-  for (const std::string* part : {&diagnostic.file, &diagnostic.place}) {
+  for (const std::string* part : {&diagnostic.file, &diagnostic.location}) {
     if (!part->empty()) text += printableLine(*part) + ": ";
   }
   text += printableText(diagnostic.reason);

@@ -21,16 +21,16 @@ enum class ErrorKind {
 int exitCode(ErrorKind kind);
 
 /// One error or warning about something the user gave us. Every part is a sentence fragment in
-/// plain English; `file` and `place` may be empty where there is none.
+/// plain English; `file` and `location` may be empty where there is none.
 struct Diagnostic {
   ErrorKind kind = ErrorKind::Internal;
-  std::string file;    ///< path as the user wrote it
-  std::string place;   ///< line, JSON pointer, link name, ... inside the file
-  std::string reason;  ///< what is wrong
-  std::string advice;  ///< what to do about it
+  std::string file;      ///< path as the user wrote it
+  std::string location;  ///< line, JSON pointer, link name, ... inside the file
+  std::string reason;    ///< what is wrong
+  std::string advice;    ///< what to do about it
 };
 
-/// "file: place: reason. advice" with the empty parts left out.
+/// "file: location: reason. advice" with the empty parts left out.
 std::string toString(const Diagnostic& diagnostic);
 
 /// Warnings gathered beside a successful result.

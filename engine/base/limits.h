@@ -4,7 +4,7 @@
 #include <cstddef>
 
 /// The largest and smallest numbers that are accepted from files, the command line and the window, with their reason.
-/// Values beyond them are refused where they enter, with file, place, limit and advice.
+/// Values beyond them are refused where they enter, with file, location, limit and advice.
 namespace glissade::limits {
 
 /// Metres; of a coordinate's magnitude, and of a size. Neighbouring doubles are 1.2e-7 m apart there. The collision

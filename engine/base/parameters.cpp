@@ -65,7 +65,7 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
      "The planners that are OMPL as it is look at an edge every so often, as a share of the space's extent."},
     {Id::Tuning, "tuning", "--tuning", "", "Automatic tuning", "", 0.0, 7.0, 0.0, Scale::Absolute, true, true,
      "What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three."},
-    {Id::Lanes, "lanes", "--lanes", "", "Planners side by side", "", 1.0, 32.0, 4.0, Scale::Absolute, true, false,
+    {Id::Slots, "lanes", "--lanes", "", "Planners side by side", "", 1.0, 32.0, 4.0, Scale::Absolute, true, false,
      "Planners of strategy auto that work at the same time, on as many of the machine's cores. Another number is "
      "another search; the cores do not change it."},
 }};

@@ -34,7 +34,7 @@ enum class ParameterId : std::size_t {
   OmplRange,
   OmplResolution,
   Tuning,
-  Lanes,
+  Slots,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);
@@ -85,9 +85,7 @@ class ParameterValues {
   /// not a whole number where one is asked for.
   Outcome set(ParameterId id, double value);
 
-  friend bool operator==(const ParameterValues& a, const ParameterValues& b) {
-    return a.radius_ == b.radius_ && a.values_ == b.values_;
-  }
+  friend bool operator==(const ParameterValues&, const ParameterValues&) = default;
 
  private:
   double radius_;

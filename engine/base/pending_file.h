@@ -9,7 +9,7 @@
 
 namespace glissade {
 
-/// A new file under a temporary name, which a rename makes the file that is wanted. Removed where that does
+/// A new file under a temporary name, which a rename makes the file that is needed. Removed where that does
 /// not happen. Private to the functions that write files.
 class PendingFile {
  public:

@@ -9,7 +9,7 @@ namespace glissade {
 /// A seeded stream of random numbers that is the same on every machine and library: xoshiro256**
 /// (Blackman and Vigna 2018) with our own conversions, because the standard distributions differ
 /// between implementations. Each use of randomness has a stream of its own, by name, so that
-/// drawing more in one place does not shift the numbers of another.
+/// drawing more for one use does not shift the numbers of another.
 class RandomStream {
  public:
   RandomStream(std::uint64_t seed, std::string_view name);

@@ -120,6 +120,10 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   std::shared_ptr<const CollisionWorld> withVariants(std::vector<ObjectVariant> variants) const;
   const std::vector<ObjectVariant>& variants() const;
 
+  /// Other obstacles, or another object. Bodies with the same mesh (by pointer) at the same pose are not prepared
+  /// again, where that leaves every answer as build() would give it.
+  std::shared_ptr<const CollisionWorld> updated(std::vector<RigidBody> obstacles, MeshPtr object) const;
+
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;
 

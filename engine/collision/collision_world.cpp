@@ -96,22 +96,30 @@ class SolidQuery final : public CollisionQuery {
   QueryCounts counts_;
 };
 
+/// With what depends on the obstacles.
+std::unique_ptr<CollisionWorld::Impl> prepared(std::vector<RigidBody> obstacles, const TriangleMesh& object,
+                                               CollisionBackend backend, std::shared_ptr<const Solids> solids) {
+  auto impl = std::make_unique<CollisionWorld::Impl>();
+  impl->backend = backend;
+  for (const RigidBody& body : obstacles) impl->obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
+  impl->solids = std::move(solids);
+  if (backend == CollisionBackend::Kernel) {
+    impl->kernel = std::make_shared<const KernelGeometry>(obstacles, object);
+  } else {
+    impl->fcl = makeFclGeometry(obstacles, object);
+  }
+  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  return impl;
+}
+
 }  // namespace
 
 CollisionWorld::CollisionWorld(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 CollisionWorld::~CollisionWorld() = default;
 
 CollisionWorldPtr CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object, CollisionBackend backend) {
-  auto impl = std::make_unique<Impl>();
-  impl->backend = backend;
-  for (const RigidBody& body : obstacles) impl->obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
-  impl->solids = std::make_shared<const Solids>(obstacles, *object);
-  if (backend == CollisionBackend::Kernel) {
-    impl->kernel = std::make_shared<const KernelGeometry>(obstacles, *object);
-  } else {
-    impl->fcl = makeFclGeometry(obstacles, *object);
-  }
-  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  auto solids = std::make_shared<const Solids>(obstacles, *object);
+  auto impl = prepared(std::move(obstacles), *object, backend, std::move(solids));
   return finished(std::move(impl), std::move(object));
 }
 
@@ -159,6 +167,23 @@ CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> varian
   }
   impl->variants = std::move(variants);
   return finished(std::move(impl), impl_->object);
+}
+
+CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, MeshPtr object) const {
+  if (!impl_->solids) return build(std::move(obstacles), std::move(object), impl_->backend);
+  const auto isSame = [](const RigidBody& a, const RigidBody& b) { return a.mesh == b.mesh && a.X_WB == b.X_WB; };
+  const std::vector<RigidBody>& before = *impl_->obstacles;
+  const bool sameObject = object == impl_->object;
+  if (!std::equal(before.begin(), before.end(), obstacles.begin(), obstacles.end(), isSame)) {
+    auto solids =
+        std::make_shared<const Solids>(*impl_->solids, before, obstacles, sameObject ? nullptr : object.get());
+    auto impl = prepared(std::move(obstacles), *object, impl_->backend, std::move(solids));
+    return finished(std::move(impl), std::move(object));
+  }
+  // Names, colours and mobility may have changed.
+  auto impl = std::make_unique<Impl>(sameObject ? *impl_ : *withObject(object)->impl_);
+  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {

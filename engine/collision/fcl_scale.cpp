@@ -37,8 +37,8 @@ double fclScale(const std::vector<RigidBody>& obstacles, const TriangleMesh& obj
     extremes.largestCoordinate = std::max(extremes.largestCoordinate, body.X_WB.position.cwiseAbs().maxCoeff());
   }
   if (!std::isfinite(extremes.smallestArea)) return 1.0;
-  const int wanted = -static_cast<int>(std::floor(0.5 * std::ilogb(extremes.smallestArea)));
-  return std::ldexp(1.0, std::min(wanted, kLargestExponent - std::ilogb(extremes.largestCoordinate)));
+  const int exponent = -static_cast<int>(std::floor(0.5 * std::ilogb(extremes.smallestArea)));
+  return std::ldexp(1.0, std::min(exponent, kLargestExponent - std::ilogb(extremes.largestCoordinate)));
 }
 
 }  // namespace glissade

@@ -87,7 +87,7 @@ const Pose& endOfEdge(const std::vector<Pose>& path, std::size_t edge) {
 }
 
 /// Brackets the clearance of a path's edges, from the distances at its configurations and, where an edge
-/// comes nearer than half of them, at the places where it does. Motion checks do the proving: they do
+/// comes nearer than half of them, at the configurations where it does. Motion checks do the proving: they do
 /// without the distances on the way.
 class PathCertifier {
  public:

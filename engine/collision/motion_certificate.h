@@ -34,7 +34,7 @@ struct MotionCertificate {
   double provedClearance = 0.0;  ///< lower bound on the clearance over the whole motion; >= tolerance if certified
   std::size_t edge = 0;          ///< edge of the path on which the smallest distance was met (0 for one motion)
   double at = 0.0;               ///< where on that edge, in [0, 1]; where the violation is if Violated
-  NearestObstacle nearest;       ///< the pair at that place
+  NearestObstacle nearest;       ///< the pair at that configuration
   std::uint64_t distanceQueries = 0;
   std::vector<EdgeCertificate> edges;  ///< of a path, up to the first that is not certified; empty for one motion
 

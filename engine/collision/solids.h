@@ -16,6 +16,10 @@ class Solids {
   Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
   /// Another object among the same obstacles.
   Solids(const Solids& other, const TriangleMesh& object);
+  /// Other obstacles, of which those that were among `before` (the obstacles of `other`) with the same mesh and pose
+  /// are not prepared again. `object` null: the same.
+  Solids(const Solids& other, const std::vector<RigidBody>& before, const std::vector<RigidBody>& obstacles,
+         const TriangleMesh* object);
 
   /// The lowest obstacle that contains the object, or that the object contains; nothing where none
   /// does. Precondition: the surfaces do not touch.
@@ -32,7 +36,7 @@ class Solids {
     std::optional<SolidInterior> interior;  ///< of a closed mesh
     std::vector<Component> components;
   };
-  using SolidsPtr = std::shared_ptr<const std::vector<Solid>>;
+  using SolidPtr = std::shared_ptr<const Solid>;
   /// A component that may lie in some solids.
   struct Guest {
     Vector3 point;
@@ -44,15 +48,17 @@ class Solids {
     std::size_t obstacle;
   };
 
-  Solids(SolidsPtr obstacles, Solid object);
-  static Solid makeSolid(const TriangleMesh& mesh);
-  static SolidsPtr makeSolids(const std::vector<RigidBody>& bodies);
+  Solids(std::vector<SolidPtr> obstacles, SolidPtr object);
+  static SolidPtr makeSolid(const TriangleMesh& mesh);
+  static std::vector<SolidPtr> makeSolids(const std::vector<RigidBody>& bodies);
+  static std::vector<SolidPtr> makeSolids(const std::vector<RigidBody>& bodies, const std::vector<RigidBody>& before,
+                                          const std::vector<SolidPtr>& known);
   /// The lowest obstacle, if it is below `limit`; else that.
   std::size_t aroundObject(const Pose& X_WB, std::size_t limit) const;
   std::size_t insideObject(const Pose& X_WB, std::size_t limit) const;
 
-  SolidsPtr obstacles_;
-  Solid object_;
+  std::vector<SolidPtr> obstacles_;
+  SolidPtr object_;
   double squaredReach_ = 0.0;  ///< of the object's box from its reference point
   std::vector<Guest> guests_;  ///< components of the object
   std::vector<Core> cores_;    ///< the lowest obstacle first

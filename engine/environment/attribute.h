@@ -35,11 +35,7 @@ struct AttributeDefinition {
   AttributeValue initial = std::string();  ///< where nothing was computed or edited
   bool builtIn = false;                    ///< cannot be renamed or removed
 
-  friend bool operator==(const AttributeDefinition& a, const AttributeDefinition& b) {
-    return a.name == b.name && a.label == b.label && a.type == b.type && a.owner == b.owner && a.unit == b.unit &&
-           a.minimum == b.minimum && a.maximum == b.maximum && a.choices == b.choices &&
-           a.description == b.description && a.initial == b.initial && a.builtIn == b.builtIn;
-  }
+  friend bool operator==(const AttributeDefinition&, const AttributeDefinition&) = default;
 };
 
 /// "bool", "integer", "number", "text", "choice".
@@ -77,9 +73,7 @@ struct PlaceEdit {
   std::string name;              ///< a name of the user's; empty: the computed one
   Attributes attributes;
 
-  friend bool operator==(const PlaceEdit& a, const PlaceEdit& b) {
-    return a.at == b.at && a.name == b.name && a.attributes == b.attributes;
-  }
+  friend bool operator==(const PlaceEdit&, const PlaceEdit&) = default;
 };
 
 /// A milestone that a user has put into a border (paper 2, section 4.1), instead of a random one.
@@ -87,7 +81,7 @@ struct MilestoneEdit {
   Vector3 at = Vector3::Zero();  ///< a point inside the border's overlap, world
   Pose q;                        ///< the configuration to pass through
 
-  friend bool operator==(const MilestoneEdit& a, const MilestoneEdit& b) { return a.at == b.at && a.q == b.q; }
+  friend bool operator==(const MilestoneEdit&, const MilestoneEdit&) = default;
 };
 
 /// Everything that a user has said about the scene, over what was computed.
@@ -97,10 +91,7 @@ struct SemanticEdits {
   std::map<std::string, Attributes> bodies;  ///< by body id; the object's, too
   std::vector<MilestoneEdit> milestones;
 
-  friend bool operator==(const SemanticEdits& a, const SemanticEdits& b) {
-    return a.definitions == b.definitions && a.places == b.places && a.bodies == b.bodies &&
-           a.milestones == b.milestones;
-  }
+  friend bool operator==(const SemanticEdits&, const SemanticEdits&) = default;
 };
 
 /// The built-in attributes with the user's. Definitions that clash are an error naming the attribute.

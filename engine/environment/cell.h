@@ -12,7 +12,7 @@ struct Cell {
   int level = 0;
   std::array<std::uint32_t, 3> index{0, 0, 0};  ///< along x, y, z
 
-  friend bool operator==(const Cell& a, const Cell& b) { return a.level == b.level && a.index == b.index; }
+  friend bool operator==(const Cell&, const Cell&) = default;
 };
 
 /// The root cube of an octree and what follows from it: where cells lie, in world coordinates, metres.

@@ -14,7 +14,7 @@ struct CellRun {
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 
-  friend bool operator==(const CellRun& a, const CellRun& b) { return a.begin == b.begin && a.end == b.end; }
+  friend bool operator==(const CellRun&, const CellRun&) = default;
 };
 /// Ascending, disjoint, not adjacent: equal sets of cells are equal lists.
 using CellRuns = std::vector<CellRun>;

@@ -15,10 +15,7 @@ struct EnvironmentOptions {
   int topologyLevel = 7;                      ///< level of the cells that places consist of, at most the octree's depth
   std::string identifier = "region-growing";  ///< id in the place identifier registry
 
-  friend bool operator==(const EnvironmentOptions& a, const EnvironmentOptions& b) {
-    return a.cellSize == b.cellSize && a.memory == b.memory && a.topologyLevel == b.topologyLevel &&
-           a.identifier == b.identifier;
-  }
+  friend bool operator==(const EnvironmentOptions&, const EnvironmentOptions&) = default;
 };
 
 /// The geometrical and topological layers of paper 2 for one placement of the bodies. Immutable,

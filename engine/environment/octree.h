@@ -25,9 +25,7 @@ struct Clutter {
     if (!staticBodies.empty()) return CellKind::Static;
     return mobileBodies.empty() ? CellKind::Free : CellKind::Mobile;
   }
-  friend bool operator==(const Clutter& a, const Clutter& b) {
-    return a.staticBodies == b.staticBodies && a.mobileBodies == b.mobileBodies;
-  }
+  friend bool operator==(const Clutter&, const Clutter&) = default;
 };
 
 /// How fine an octree is made: by the size of its finest cells, or by the memory that it may take.

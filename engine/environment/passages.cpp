@@ -12,7 +12,7 @@ constexpr double kLeastContraction = 2.0;
 constexpr double kTightContraction = 8.0;
 /// Slices belong to the doorway while their section is below this multiple of the narrowest.
 constexpr double kSameSection = 1.5;
-/// Less than this many cells in section cannot be told from the roughness of the cells.
+/// Less than this many cells in section cannot be distinguished from the roughness of the cells.
 constexpr int kLeastSection = 4;
 constexpr int kMostRounds = 12;
 

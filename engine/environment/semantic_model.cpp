@@ -74,7 +74,7 @@ Outcome checkAttributes(const AttributeTable& table, AttributeOwner owner, const
     const Outcome sound = checkValue(*definition, value);
     if (sound) continue;
     Diagnostic why = sound.error();
-    why.place = pointer + "/" + name;
+    why.location = pointer + "/" + name;
     return why;
   }
   return Done{};
@@ -86,7 +86,7 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& b
   const auto table = attributeTableOf(edits);
   if (!table) {
     Diagnostic why = table.error();
-    why.place = "/attributes";
+    why.location = "/attributes";
     return why;
   }
   for (std::size_t i = 0; i < edits.places.size(); ++i) {

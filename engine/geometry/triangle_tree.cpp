@@ -1,14 +1,19 @@
 #include "engine/geometry/triangle_tree.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace glissade {
 namespace {
 
-constexpr std::uint32_t kTreeLeafSize = 4;
+constexpr std::uint32_t kMostInALeaf = 4;
+/// Rays meet boxes that are this share of their sizes wider, because triangles are hit with some rounding.
+constexpr double kRayMargin = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
   std::vector<Triangle> triangles;
@@ -21,6 +26,39 @@ std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
 
 bool areNear(const Box3& a, const Box3& b, double distance) {
   return ((a.min().array() - distance <= b.max().array()) && (b.min().array() - distance <= a.max().array())).all();
+}
+
+/// (T. Moller, B. Trumbore, "Fast, minimum storage ray/triangle intersection", 1997)
+double hit(const Vector3& origin, const Vector3& direction, const Triangle& triangle) {
+  const Vector3 e1 = triangle[1] - triangle[0];
+  const Vector3 e2 = triangle[2] - triangle[0];
+  const Vector3 p = direction.cross(e2);
+  const double determinant = e1.dot(p);
+  if (determinant == 0.0) return kInfinity;
+  const Vector3 s = origin - triangle[0];
+  const double u = s.dot(p) / determinant;
+  const Vector3 q = s.cross(e1);
+  const double v = direction.dot(q) / determinant;
+  return u < 0.0 || v < 0.0 || u + v > 1.0 ? kInfinity : e2.dot(q) / determinant;
+}
+
+/// The ray is in the widened box at some t of [0, most].
+bool mayHit(const Vector3& origin, const Vector3& direction, const Box3& box, double most) {
+  double from = 0.0;
+  const double margin = kRayMargin * box.sizes().sum();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = box.min()[axis] - margin - origin[axis];
+    const double high = box.max()[axis] + margin - origin[axis];
+    if (direction[axis] == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    const double a = low / direction[axis];
+    const double b = high / direction[axis];
+    from = std::max(from, std::min(a, b));
+    most = std::min(most, std::max(a, b));
+  }
+  return from <= most;
 }
 
 Vector3 nearestOnSegment(const Vector3& a, const Vector3& b, const Vector3& p) {
@@ -73,7 +111,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
     nodes_[index].box.extend(boxes_[order_[i]]);
     middles.extend(boxes_[order_[i]].center());
   }
-  if (last - first <= kTreeLeafSize) {
+  if (last - first <= kMostInALeaf) {
     nodes_[index].first = first;
     nodes_[index].count = last - first;
     return;
@@ -116,22 +154,40 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit) cons
   return {std::sqrt(least), found};
 }
 
-void TriangleTree::visit(const Box3& box, const std::function<bool(std::uint32_t)>& take) const {
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::uint32_t index = open.back();
-    open.pop_back();
+/// Every triangle of the leaves whose boxes, and the boxes around them, `enters` lets in; until `take` returns false.
+template <class Enters, class Take>
+void TriangleTree::walk(const Enters& enters, const Take& take) const {
+  std::array<std::uint32_t, 64> open;  // halving leaves no more levels than an index has bits
+  std::size_t count = 0;
+  if (!nodes_.empty()) open[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t index = open[--count];
     const Node& node = nodes_[index];
-    if (!node.box.intersects(box)) continue;
+    if (!enters(node.box)) continue;
     if (node.count == 0) {
-      open.push_back(node.first);
-      open.push_back(index + 1);
+      open[count++] = node.first;
+      open[count++] = index + 1;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (boxes_[order_[i]].intersects(box) && !take(order_[i])) return;
+      if (!take(order_[i])) return;
     }
   }
+}
+
+void TriangleTree::visit(const Box3& box, const std::function<bool(std::uint32_t)>& take) const {
+  walk([&](const Box3& node) { return node.intersects(box); },
+       [&](std::uint32_t triangle) { return !boxes_[triangle].intersects(box) || take(triangle); });
+}
+
+double TriangleTree::firstHit(const Vector3& origin, const Vector3& direction, double after) const {
+  double least = kInfinity;
+  walk([&](const Box3& node) { return mayHit(origin, direction, node, least); },
+       [&](std::uint32_t triangle) {
+         const double t = hit(origin, direction, triangles_[triangle]);
+         if (t > after) least = std::min(least, t);
+         return true;
+       });
+  return least;
 }
 
 void TriangleTree::visitPairs(const TriangleTree& other, double distance,

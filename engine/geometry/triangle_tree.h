@@ -12,8 +12,8 @@ namespace glissade {
 /// Point of a triangle that is nearest to `p`. Degenerate triangles are the segment or point that they are.
 Vector3 nearestPoint(const Triangle& triangle, const Vector3& p);
 
-/// Triangles in a hierarchy of boxes, for nearest points and for pairs that are near. Triangles keep the indices that
-/// they are given with. Immutable, shared by threads.
+/// Triangles in a hierarchy of boxes, for nearest points, for rays and for pairs that are near. Triangles keep the
+/// indices that they are given with. Immutable, shared by threads.
 class TriangleTree {
  public:
   explicit TriangleTree(std::vector<Triangle> triangles);
@@ -28,6 +28,10 @@ class TriangleTree {
   };
   /// The triangle nearest to `p`; `limit` as the distance where there is none nearer.
   Nearest nearest(const Vector3& p, double limit) const;
+
+  /// The least t > `after` at which origin + t * direction lies on a triangle, borders included as far as
+  /// rounding allows; infinity where there is none.
+  double firstHit(const Vector3& origin, const Vector3& direction, double after) const;
 
   /// Every triangle whose box meets the given one, until `take` returns false.
   void visit(const Box3& box, const std::function<bool(std::uint32_t)>& take) const;
@@ -45,6 +49,8 @@ class TriangleTree {
   };
 
   void build(std::uint32_t first, std::uint32_t last);
+  template <class Enters, class Take>
+  void walk(const Enters& enters, const Take& take) const;
 
   std::vector<Triangle> triangles_;
   std::vector<Box3> boxes_;  ///< around each

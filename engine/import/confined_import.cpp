@@ -63,7 +63,7 @@ int confinedImport(const std::string& ending) {
   try {
     return import(ending, output);
   } catch (const FormatError& error) {
-    return output.fail(error.reason, error.place);
+    return output.fail(error.reason, error.location);
   } catch (const std::bad_alloc&) {
     return output.fail("needs more than the " + std::to_string(memory.rlim_cur >> 20) +
                        " MiB of memory that a file of its size may take on this machine");

@@ -95,14 +95,14 @@ void ImportOutput::write(const void* data, std::size_t size) const {
   }
 }
 
-int ImportOutput::fail(const std::string& reason, const std::string& place) const {
-  return writeText(protocol::kError, place, reason);
+int ImportOutput::fail(const std::string& reason, const std::string& location) const {
+  return writeText(protocol::kError, location, reason);
 }
 
 int ImportOutput::refuse(const Diagnostic& why) const { return writeText(protocol::kNotConfined, "", why.reason); }
 
-int ImportOutput::writeText(std::uint32_t kind, const std::string& place, const std::string& reason) const {
-  const std::string text = place + "\n" + reason;
+int ImportOutput::writeText(std::uint32_t kind, const std::string& location, const std::string& reason) const {
+  const std::string text = location + "\n" + reason;
   protocol::Header header;
   header.kind = kind;
   header.vertices = static_cast<std::uint32_t>(text.size());

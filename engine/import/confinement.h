@@ -31,13 +31,13 @@ class ImportOutput {
   void write(const std::vector<T>& values) const {
     write(values.data(), values.size() * sizeof(T));
   }
-  /// The message that the file cannot be read, and the exit code that goes with it. `place` is in the file.
-  int fail(const std::string& reason, const std::string& place = {}) const;
+  /// The message that the file cannot be read, and the exit code that goes with it. `location` is in the file.
+  int fail(const std::string& reason, const std::string& location = {}) const;
   /// The message that this process cannot confine itself, and the exit code that goes with it.
   int refuse(const Diagnostic& why) const;
 
  private:
-  int writeText(std::uint32_t kind, const std::string& place, const std::string& reason) const;
+  int writeText(std::uint32_t kind, const std::string& location, const std::string& reason) const;
 };
 
 }  // namespace glissade

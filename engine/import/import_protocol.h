@@ -12,7 +12,7 @@ namespace glissade::import_protocol {
 // triangles x 3 indices; every part as a Part, the bytes of its path (UTF-8); the bytes of its losses (a line each,
 // "entity in the file, tab, what is missing");
 // for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and
-// has read nothing) `vertices` bytes of text: the place in the file (may be empty), a line feed, the reason.
+// has read nothing) `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
 inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;

@@ -23,9 +23,9 @@ std::string besideThisProgram(const std::string& name) {
   return (self.parent_path() / name).string();
 }
 
-/// What a process says that reads nothing: the place, a line feed, the reason.
+/// What a process says that reads nothing: the location, a line feed, the reason.
 struct ImporterRefusal {
-  std::string place;
+  std::string location;
   std::string reason;
 };
 ImporterRefusal refusalIn(const std::string& text) {
@@ -41,8 +41,8 @@ bool hasCrashed(const ChildEnd& end) {
 
 }  // namespace
 
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& place) {
-  return {ErrorKind::MalformedInput, call.file, place, reason, call.advice};
+Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location) {
+  return {ErrorKind::MalformedInput, call.file, location, reason, call.advice};
 }
 
 Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop) {
@@ -86,7 +86,7 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
         "was not read: the importing process cannot give up its rights (" + why.reason + ")",
         "Files are read only where the kernel permits seccomp filters: use another machine or container."};
   }
-  if (header.kind == protocol::kError) return refusalOf(call, why.reason, why.place);
+  if (header.kind == protocol::kError) return refusalOf(call, why.reason, why.location);
   if (header.vertices > protocol::kMostElements || header.triangles > protocol::kMostElements) {
     return refusalOf(call, "holds " + std::to_string(header.vertices) + " vertices and " +
                                std::to_string(header.triangles) + " triangles; at most " +

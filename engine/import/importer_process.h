@@ -53,7 +53,7 @@ struct ImporterAnswer {
 Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view content, const StopToken& stop = {});
 
 /// That the file, or what the program made of it, is not what it should be.
-Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& place = {});
+Diagnostic refusalOf(const ImporterCall& call, const std::string& reason, const std::string& location = {});
 
 /// What is wrong with a mesh that a program wrote: a number or an index out of all measure.
 std::optional<std::string> faultOf(const TriangleMesh& mesh);

@@ -16,8 +16,8 @@ constexpr std::size_t kMostConfigBytes = 1U << 20;
 
 using Keys = std::map<std::string, std::string>;
 
-Diagnostic malformedConfig(const std::string& file, const std::string& place, const std::string& reason) {
-  return {ErrorKind::MalformedInput, file, place, reason, "Correct the OMPL.app problem file."};
+Diagnostic malformedConfig(const std::string& file, const std::string& location, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, location, reason, "Correct the OMPL.app problem file."};
 }
 
 std::string trimmed(const std::string& text) {

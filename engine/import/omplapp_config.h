@@ -17,7 +17,7 @@ struct OmplAppConfig {
   Box3 volume;  ///< grown to contain start and goal, as OMPL.app does
 };
 
-/// Reads a .cfg file; errors are MalformedInput with the line or key as place.
+/// Reads a .cfg file; errors are MalformedInput with the line or key as location.
 Result<OmplAppConfig> readOmplAppConfig(const std::string& file);
 
 }  // namespace glissade

@@ -8,11 +8,11 @@
 namespace glissade {
 
 /// The file `name` (relative, '/' separated) below `folder`. Refuses absolute names and names that
-/// leave the folder, also through symbolic links. `file` and `place` are used in the message.
+/// leave the folder, also through symbolic links. `file` and `location` are used in the message.
 inline Result<std::string> resolveBelow(const std::string& folder, const std::string& name, const std::string& file,
-                                        const std::string& place) {
+                                        const std::string& location) {
   namespace fs = std::filesystem;
-  const Diagnostic refused{ErrorKind::MalformedInput, file, place, "the file name '" + name + "' leaves the folder",
+  const Diagnostic refused{ErrorKind::MalformedInput, file, location, "the file name '" + name + "' leaves the folder",
                            "Put the file beside the scenario or below it and name it relative to it."};
   const fs::path relative(name);
   if (name.empty() || relative.is_absolute()) return refused;

@@ -25,8 +25,8 @@ constexpr std::size_t kMostLinks = 4000;
 /// Of all shapes together.
 constexpr std::size_t kMostTriangles = 8U << 20;
 
-Diagnostic malformedUrdf(const std::string& file, const std::string& place, const std::string& reason) {
-  return {ErrorKind::MalformedInput, file, place, reason, "Correct the URDF file."};
+Diagnostic malformedUrdf(const std::string& file, const std::string& location, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, location, reason, "Correct the URDF file."};
 }
 
 /// Collects what urdfdom says of a file while this object lives.
@@ -108,11 +108,11 @@ class LinkBuilder {
     TriangleMesh mesh;
     const auto add = [&](const auto& shapes) -> Outcome {
       for (const auto& shape : shapes) {
-        const std::string place = "link '" + link.name + "'";
-        auto part = meshOf(*shape->geometry, place);
+        const std::string location = "link '" + link.name + "'";
+        auto part = meshOf(*shape->geometry, location);
         if (!part) return part.error();
         const Pose X_LS = toPose(shape->origin);
-        if (!isSound(X_LS)) return malformedUrdf(file_, place, kFarOrigin);
+        if (!isSound(X_LS)) return malformedUrdf(file_, location, kFarOrigin);
         append(mesh, transformed(*part, X_LS));
       }
       return Done{};
@@ -122,12 +122,12 @@ class LinkBuilder {
     return mesh;
   }
 
-  Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& place) {
+  Result<TriangleMesh> meshOf(const urdf::Geometry& geometry, const std::string& location) {
     const auto sized = [](std::initializer_list<double> sizes) {
       return std::all_of(sizes.begin(), sizes.end(), limits::isSize);
     };
     const Diagnostic badSize =
-        malformedUrdf(file_, place, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
+        malformedUrdf(file_, location, "has a shape whose size is not a positive number from 1e-12 m to 1e9 m");
     switch (geometry.type) {
       case urdf::Geometry::BOX: {
         const auto& box = static_cast<const urdf::Box&>(geometry);
@@ -144,20 +144,20 @@ class LinkBuilder {
         if (!sized({sphere.radius})) return badSize;
         return makeSphere(sphere.radius);
       }
-      case urdf::Geometry::MESH: return meshOf(static_cast<const urdf::Mesh&>(geometry), place);
+      case urdf::Geometry::MESH: return meshOf(static_cast<const urdf::Mesh&>(geometry), location);
     }
-    return malformedUrdf(file_, place, "has an unknown shape");
+    return malformedUrdf(file_, location, "has an unknown shape");
   }
 
-  Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& place) {
+  Result<TriangleMesh> meshOf(const urdf::Mesh& mesh, const std::string& location) {
     constexpr const char* kPackage = "package://";
     const Vector3 scale(mesh.scale.x, mesh.scale.y, mesh.scale.z);
     if (!limits::isSize(scale.cwiseAbs().minCoeff()) || !limits::isSize(scale.cwiseAbs().maxCoeff())) {
-      return malformedUrdf(file_, place, "has a mesh whose scale is not a number from 1e-12 to 1e9");
+      return malformedUrdf(file_, location, "has a mesh whose scale is not a number from 1e-12 to 1e9");
     }
     std::string name = mesh.filename;
     if (name.rfind(kPackage, 0) == 0) name.erase(0, std::string(kPackage).size());
-    const auto path = resolveBelow(packageFolder_, name, file_, place);
+    const auto path = resolveBelow(packageFolder_, name, file_, location);
     if (!path) return path.error();
     auto known = meshes_.find(*path);
     if (known == meshes_.end()) {

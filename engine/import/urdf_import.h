@@ -25,7 +25,7 @@ struct UrdfLink {
 /// link has any, its visual shapes otherwise; fixed joints only. Round shapes are circumscribed.
 /// `package://` names and relative names are looked up below `packageFolder` and may not leave it.
 ///
-/// Errors are MalformedInput with link or joint as place: whatever urdfdom would drop in silence (a
+/// Errors are MalformedInput with link or joint as location: whatever urdfdom would drop in silence (a
 /// bad number, an unknown shape) is an error here.
 Result<std::vector<UrdfLink>> importUrdf(const FileContent& content, const std::string& packageFolder,
                                          const StopToken& stop = {});

@@ -8,10 +8,10 @@ namespace {
 /// Seconds from rest to full deflection of a key.
 constexpr double kRampUp = 0.3;
 
-double ramp(double actual, double wanted, double dt) {
-  if (wanted == 0.0 || actual * wanted < 0.0) actual = 0.0;
+double ramp(double actual, double target, double dt) {
+  if (target == 0.0 || actual * target < 0.0) actual = 0.0;
   const double step = dt / kRampUp;
-  return actual + std::clamp(wanted - actual, -step, step);
+  return actual + std::clamp(target - actual, -step, step);
 }
 
 }  // namespace

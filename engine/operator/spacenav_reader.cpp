@@ -63,18 +63,18 @@ bool accepts(const char* path) {
 
 /// spnav_open() leaks when it fails and waits for ever where nobody accepts: is there a daemon at all?
 bool daemonListens() {
-  if (const char* wanted = std::getenv("SPNAV_SOCKET")) return accepts(wanted);
+  if (const char* configured = std::getenv("SPNAV_SOCKET")) return accepts(configured);
   return accepts(kDefaultSocket) || ::access(kConfiguration, R_OK) == 0;
 }
 
 /// libspnav falls through to other sockets when the one in SPNAV_SOCKET fails: did we reach it?
 bool reachedTheRightSocket() {
-  const char* wanted = std::getenv("SPNAV_SOCKET");
-  if (wanted == nullptr) return true;
+  const char* configured = std::getenv("SPNAV_SOCKET");
+  if (configured == nullptr) return true;
   sockaddr_un peer{};
   socklen_t size = sizeof peer;
   if (getpeername(spnav_fd(), reinterpret_cast<sockaddr*>(&peer), &size) != 0) return false;
-  return std::string(peer.sun_path) == wanted;
+  return std::string(peer.sun_path) == configured;
 }
 
 /// libspnav loops on an interrupted call after the daemon's death.

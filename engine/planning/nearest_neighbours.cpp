@@ -57,10 +57,10 @@ struct NearestNeighbours::Search {
     return chord * (1.0F + x * (1.0F / 3.0F + x * (8.0F / 45.0F))) + way;
   }
 
-  void consider(std::size_t place, double away) {
+  void consider(std::size_t entry, double away) {
     const double awaySquared = away * away;
-    if (awaySquared > squared || (awaySquared == squared && place > best)) return;
-    best = place;
+    if (awaySquared > squared || (awaySquared == squared && entry > best)) return;
+    best = entry;
     squared = awaySquared;
     distance = away;
     const double reach = away * (1.0 + kRounding) + kRounding * scale;
@@ -82,7 +82,7 @@ void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
     origin_ = q.position;
     nodes_.emplace_back();
   }
-  const auto place = static_cast<std::uint32_t>(poses_.size());
+  const auto entry = static_cast<std::uint32_t>(poses_.size());
   poses_.push_back(q);
   indices_.push_back(index);
   const Point point = pointOf(q);
@@ -96,11 +96,11 @@ void NearestNeighbours::add(std::uint32_t index, const Pose& q) {
     }
     node = inner.children + (point[inner.axis] < inner.split ? 0U : 1U);
   }
-  addToLeaf(node, place, point);
+  addToLeaf(node, entry, point);
   if (nodes_[node].count > kMostInALeaf) splitLeaf(node);
 }
 
-void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t place, const Point& point) {
+void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t entry, const Point& point) {
   Node& leaf = nodes_[node];
   const std::size_t lane = leaf.count % kLanes;
   if (lane == 0) {
@@ -113,7 +113,7 @@ void NearestNeighbours::addToLeaf(std::uint32_t node, std::uint32_t place, const
     leaf.low[axis] = std::min(leaf.low[axis], point[axis]);
     leaf.high[axis] = std::max(leaf.high[axis], point[axis]);
   }
-  packet.place[lane] = place;
+  packet.entry[lane] = entry;
   ++leaf.count;
 }
 
@@ -139,7 +139,7 @@ void NearestNeighbours::splitLeaf(std::uint32_t node) {
     const Packet& packet = packets[i / kLanes];
     Point point{};
     for (std::size_t a = 0; a < kAxes; ++a) point[a] = packet.at[a][i % kLanes];
-    addToLeaf(children + (point[axis] < split ? 0U : 1U), packet.place[i % kLanes], point);
+    addToLeaf(children + (point[axis] < split ? 0U : 1U), packet.entry[i % kLanes], point);
   }
 }
 
@@ -157,8 +157,8 @@ void NearestNeighbours::look(const Packet& packet, Search& search) const {
   std::array<float, kLanes> bound;
   for (std::size_t lane = 0; lane < kLanes; ++lane) bound[lane] = search.bound(chord[lane], way[lane]);
   const auto consider = [&](std::size_t lane) {
-    const std::uint32_t place = packet.place[lane];
-    search.consider(place, metric_.distance(poses_[place], search.q));
+    const std::uint32_t entry = packet.entry[lane];
+    search.consider(entry, metric_.distance(poses_[entry], search.q));
   };
   // The one that looks nearest first: then hardly another has to be decided.
   const auto first = static_cast<std::size_t>(std::min_element(bound.begin(), bound.end()) - bound.begin());

@@ -43,7 +43,7 @@ class NearestNeighbours {
   /// Up to eight configurations, axis by axis; lanes without one lie infinitely far away.
   struct Packet {
     std::array<std::array<float, kLanes>, kAxes> at;
-    std::array<std::uint32_t, kLanes> place;
+    std::array<std::uint32_t, kLanes> entry;
   };
   struct Node {
     Point low = everywhere(std::numeric_limits<float>::infinity());
@@ -57,7 +57,7 @@ class NearestNeighbours {
   struct Search;
 
   Point pointOf(const Pose& q) const;
-  void addToLeaf(std::uint32_t node, std::uint32_t place, const Point& point);
+  void addToLeaf(std::uint32_t node, std::uint32_t entry, const Point& point);
   void splitLeaf(std::uint32_t node);
   void visit(std::uint32_t node, Search& search) const;
   void look(const Packet& packet, Search& search) const;

@@ -10,8 +10,6 @@
 
 #include "engine/base/parameters.h"
 #include "engine/base/stop_token.h"
-#include "engine/planning/coarse/coarse_plan.h"
-#include "engine/planning/contact/interaction_settings.h"
 #include "engine/planning/operator_sample.h"
 #include "engine/planning/path.h"
 #include "engine/planning/problem.h"
@@ -53,6 +51,8 @@ class PlannerHost {
 
 /// A growing, single-threaded planner. Created for one problem and seed; `solve` runs until solved
 /// or until the host ends it, and may be called again to go on.
+/// What single algorithms report besides (operator, coarse plan, stages, members) are interfaces that a planner may
+/// implement, too; reportOf() asks for them.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -71,24 +71,15 @@ class Planner {
   /// Brings nodes() and edges() up to date where a planner does so now and then only. Called when the
   /// run ends, so that what a run grows does not depend on when somebody looks at it.
   virtual void completeRoadmap() {}
-  /// Whose configuration was tried last; planners that know no operator leave these two as they are.
-  virtual Author authority() const { return Author::Computer; }
-  /// Contact mode is on: contact samples are being shot.
-  virtual bool inContactMode() const { return false; }
   /// Why going on is pointless; nothing while it is not. No path can come after it.
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
-  /// What the coarse planning decided; null for planners without one.
-  virtual CoarsePlanPtr coarsePlan() const { return nullptr; }
-  /// How many of its stages it has done, where it works in stages: in a portfolio one that gets on has
-  /// more of the time.
-  virtual std::size_t stagesDone() const { return 0; }
-  /// Of a portfolio: the members that have the turn, or the one that found the path; empty otherwise.
-  virtual std::string member() const { return {}; }
-  /// What threads of its own, beside the one that calls solve(), have had of the processor.
-  virtual double helpersCpuSeconds() const { return 0.0; }
-  /// What its tuner has set; nothing where nothing sets itself.
-  virtual std::optional<TuningReport> tuning() const { return std::nullopt; }
 };
+
+/// The planner as another interface that it may implement; null where it does not.
+template <class Report>
+const Report* reportOf(const Planner& planner) {
+  return dynamic_cast<const Report*>(&planner);
+}
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).
 struct PlannerEntry {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <string>
 #include <variant>
 
 #include "engine/collision/collision_query.h"
 #include "engine/environment/semantic_model.h"
 #include "engine/geometry/se3_metric.h"
-#include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/sampling_region.h"
 
 namespace glissade {
@@ -15,7 +16,8 @@ struct GoalOut {};
 using Goal = std::variant<Pose, GoalOut>;
 
 using SemanticEditsPtr = std::shared_ptr<const SemanticEdits>;
-struct SceneKnowledge;
+struct SceneKnowledge;  ///< planning/coarse/scene_knowledge.h
+struct StrategyRules;   ///< planning/coarse/strategy_rules.h
 
 /// What the multi-layer planners know beyond geometry. Immutable; shared by threads.
 struct SceneDescription {

@@ -36,7 +36,7 @@ struct Contact {
   double overlap = 0.0;      ///< metres, see engine/product/README.md; 0 where they do not overlap
   double uncertainty = 0.0;  ///< metres that tessellation may have falsified gap and overlap by
   double deviation = 0.0;    ///< metres that the triangles near each other may be off the surfaces, of both bodies
-  double thickness = 0.0;    ///< of the thicker of the two at the deepest place, metres; 0 where nothing overlaps
+  double thickness = 0.0;    ///< of the thicker of the two at the deepest point, metres; 0 where nothing overlaps
   std::optional<ContactAxis> axis;
 };
 

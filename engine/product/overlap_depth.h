@@ -3,7 +3,6 @@
 #include <functional>
 #include <optional>
 
-#include "engine/geometry/ray_tree.h"
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 
@@ -23,7 +22,7 @@ class SolidDepth {
   SolidDepth(const TriangleMesh& mesh_W, bool oriented, double sense);
 
   SolidInterior interior_;
-  RayTree rays_;
+  TriangleTree rays_;
   double sense_;  ///< 1 where triangles run counter-clockwise seen from outside, else -1
   double beyond_;
 };

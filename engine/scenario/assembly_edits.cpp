@@ -9,8 +9,8 @@
 namespace glissade {
 namespace {
 
-Diagnostic refusal(const std::string& place, const std::string& reason, const std::string& advice) {
-  return {ErrorKind::Usage, "", place, reason, advice};
+Diagnostic refusal(const std::string& location, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Usage, "", location, reason, advice};
 }
 
 Diagnostic noSuchBody(const std::string& id) {
@@ -23,10 +23,8 @@ std::vector<BodyDescription>::iterator findBody(const std::string& id, Scenario&
 }
 
 bool uses(const Geometry& geometry, const Asset& asset) {
-  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return mesh->asset == asset.id;
-  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return urdf->asset == asset.id;
-  if (const auto* step = std::get_if<StepGeometry>(&geometry)) return step->asset == asset.id;
-  return false;
+  const std::string* id = assetOf(geometry);
+  return id != nullptr && *id == asset.id;
 }
 
 void dropUnusedAssets(Scenario& scenario) {

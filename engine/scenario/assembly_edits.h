@@ -14,9 +14,7 @@ struct AssemblyItem {
   Kind kind = Kind::Body;
   std::string bodyId;  ///< of the scenario's body; empty for the ends
 
-  friend bool operator==(const AssemblyItem& a, const AssemblyItem& b) {
-    return a.kind == b.kind && a.bodyId == b.bodyId;
-  }
+  friend bool operator==(const AssemblyItem&, const AssemblyItem&) = default;
 };
 
 /// Nothing where there is no such body, or the goal is "out".

@@ -8,8 +8,8 @@
 namespace glissade {
 namespace {
 
-Diagnostic refused(const std::string& file, const std::string& place, const std::string& reason) {
-  return {ErrorKind::MalformedInput, file, place, reason, "Check its pose, its size and the unit of its file."};
+Diagnostic refused(const std::string& file, const std::string& location, const std::string& reason) {
+  return {ErrorKind::MalformedInput, file, location, reason, "Check its pose, its size and the unit of its file."};
 }
 
 Outcome checkReach(const RigidBody& body, const std::string& file) {

@@ -12,7 +12,7 @@ Outcome checkNumberOfBodies(const LoadedScenario& loaded, const std::string& fil
 
 /// Refuses a scenario whose bodies or object, as they are placed, reach beyond limits::kLargestLength, whose object is
 /// smaller than limits::kSmallestSize, or whose workspace is more than limits::kLargestRatio times the object's radius.
-/// Errors are MalformedInput with the body as place.
+/// Errors are MalformedInput with the body as location.
 Outcome checkExtents(const LoadedScenario& loaded, const Box3& workspace, const std::string& file);
 
 }  // namespace glissade

@@ -6,6 +6,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
+#include "engine/base/overloaded.h"
 #include "engine/geometry/primitives.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
@@ -30,13 +31,21 @@ std::string withoutLinks(const std::string& path) {
   return found.empty() ? path : found.string();
 }
 
-/// The id of the asset that a geometry is read from; null for primitives.
+}  // namespace
+
 const std::string* assetOf(const Geometry& geometry) {
-  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return &mesh->asset;
-  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return &urdf->asset;
-  if (const auto* step = std::get_if<StepGeometry>(&geometry)) return &step->asset;
-  return nullptr;
+  return std::visit(
+      [](const auto& of) -> const std::string* {
+        if constexpr (requires { of.asset; }) {
+          return &of.asset;
+        } else {
+          return nullptr;
+        }
+      },
+      geometry);
 }
+
+namespace {
 
 const Asset& assetById(const std::string& id, const Scenario& scenario) {
   return *std::find_if(scenario.assets.begin(), scenario.assets.end(), [&](const Asset& a) { return a.id == id; });
@@ -50,19 +59,22 @@ std::string geometryKey(const Geometry& geometry, const Scenario& scenario, cons
     return kind + " " + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
            withoutLinks(assetFile(asset, folder));
   };
-  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return ofAsset("mesh", mesh->asset);
-  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return ofAsset("urdf", urdf->asset);
-  if (const auto* step = std::get_if<StepGeometry>(&geometry)) {
-    const double deflection = assetById(step->asset, scenario).deflection;
-    return ofAsset("step " + toText(deflection), step->asset) + (step->part.empty() ? "" : " : " + step->part);
-  }
-  if (const auto* box = std::get_if<BoxGeometry>(&geometry)) {
-    return "box " + toText(box->size.x()) + " " + toText(box->size.y()) + " " + toText(box->size.z());
-  }
-  if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
-    return "cylinder " + toText(cylinder->radius) + " " + toText(cylinder->length);
-  }
-  return "sphere " + toText(std::get<SphereGeometry>(geometry).radius);
+  return std::visit(Overloaded{[&](const MeshGeometry& mesh) { return ofAsset("mesh", mesh.asset); },
+                               [&](const UrdfGeometry& urdf) { return ofAsset("urdf", urdf.asset); },
+                               [&](const StepGeometry& step) {
+                                 const double deflection = assetById(step.asset, scenario).deflection;
+                                 return ofAsset("step " + toText(deflection), step.asset) +
+                                        (step.part.empty() ? "" : " : " + step.part);
+                               },
+                               [](const BoxGeometry& box) {
+                                 return "box " + toText(box.size.x()) + " " + toText(box.size.y()) + " " +
+                                        toText(box.size.z());
+                               },
+                               [](const CylinderGeometry& cylinder) {
+                                 return "cylinder " + toText(cylinder.radius) + " " + toText(cylinder.length);
+                               },
+                               [](const SphereGeometry& sphere) { return "sphere " + toText(sphere.radius); }},
+                    geometry);
 }
 
 GeometryLoader::GeometryLoader(const Scenario& scenario, std::string folder, std::string file, GeometryCache known,
@@ -94,16 +106,19 @@ void GeometryLoader::noteHashes(Scenario& scenario) const {
 }
 
 Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
-  if (const auto* mesh = std::get_if<MeshGeometry>(&geometry)) return readMesh(assetById(mesh->asset, scenario_));
-  if (const auto* urdf = std::get_if<UrdfGeometry>(&geometry)) return readUrdf(assetById(urdf->asset, scenario_));
-  if (const auto* step = std::get_if<StepGeometry>(&geometry)) {
-    return step->part.empty() ? readStep(assetById(step->asset, scenario_)) : partOf(*step);
-  }
-  if (const auto* box = std::get_if<BoxGeometry>(&geometry)) return single(makeBox(box->size));
-  if (const auto* cylinder = std::get_if<CylinderGeometry>(&geometry)) {
-    return single(makeCylinder(cylinder->radius, cylinder->length));
-  }
-  return single(makeSphere(std::get<SphereGeometry>(geometry).radius));
+  using Read = Result<LoadedGeometry>;
+  return std::visit(
+      Overloaded{[this](const MeshGeometry& mesh) -> Read { return readMesh(assetById(mesh.asset, scenario_)); },
+                 [this](const UrdfGeometry& urdf) -> Read { return readUrdf(assetById(urdf.asset, scenario_)); },
+                 [this](const StepGeometry& step) -> Read {
+                   return step.part.empty() ? readStep(assetById(step.asset, scenario_)) : partOf(step);
+                 },
+                 [](const BoxGeometry& box) -> Read { return single(makeBox(box.size)); },
+                 [](const CylinderGeometry& cylinder) -> Read {
+                   return single(makeCylinder(cylinder.radius, cylinder.length));
+                 },
+                 [](const SphereGeometry& sphere) -> Read { return single(makeSphere(sphere.radius)); }},
+      geometry);
 }
 
 /// Reads the file of an asset, once; warns where it is not the one that the scenario was saved with.

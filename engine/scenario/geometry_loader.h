@@ -9,6 +9,9 @@
 
 namespace glissade {
 
+/// The id of the asset that a geometry is read from; null for primitives.
+const std::string* assetOf(const Geometry& geometry);
+
 /// What a geometry of this scenario is found under in a GeometryCache: equal where the same would be read.
 std::string geometryKey(const Geometry& geometry, const Scenario& scenario, const std::string& folder);
 

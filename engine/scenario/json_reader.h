@@ -13,7 +13,7 @@
 namespace glissade {
 
 /// A value inside a JSON document together with where it is: every getter either gives what was asked
-/// for or throws JsonError naming file and place. Private to the readers of files (rooms scenario and study).
+/// for or throws JsonError naming file and location. Private to the readers of files (rooms scenario and study).
 class JsonCursor {
  public:
   using Json = nlohmann::ordered_json;

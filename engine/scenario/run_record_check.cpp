@@ -77,7 +77,7 @@ Result<RunLog> replayLog(const RunRecord& record, const LoadedScenario& scenario
                       "Replay it with the Glissade that recorded it: " + record.program + "."};
   }
   // Records of earlier versions do not know it: the automatic planner had one.
-  if (record.parameters.count(ParameterId::Lanes) == 0) (void)log.start.parameters.set(ParameterId::Lanes, 1.0);
+  if (record.parameters.count(ParameterId::Slots) == 0) (void)log.start.parameters.set(ParameterId::Slots, 1.0);
   const Outcome parameters = checkParameters(record, log.start.parameters);
   if (!parameters) return refuse(parameters.error());
   const Outcome semantics = checkSemantics(log, scenario);

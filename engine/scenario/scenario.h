@@ -10,6 +10,7 @@
 
 #include "engine/base/parameters.h"
 #include "engine/environment/rigid_body.h"
+#include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
 #include "engine/product/object_fits.h"
 
@@ -134,8 +135,9 @@ struct LoadedScenario {
   std::map<std::string, double> deflections;
   /// Metres that vertices may be off because their file holds 32-bit numbers, by rigid body's id.
   std::map<std::string, double> coordinateSpacings;
-  ObjectFits fits;  ///< empty where the scenario's fits are off
-  Problem problem;  ///< its world has the object thinned as the fits allow
+  ObjectFits fits;                 ///< empty where the scenario's fits are off
+  std::map<MeshPtr, bool> closed;  ///< whether a mesh of the bodies or the object is a closed surface
+  Problem problem;                 ///< its world has the object thinned as the fits allow
   ParameterValues parameters{1.0};
   Warnings warnings;
 };

@@ -11,7 +11,7 @@ namespace glissade {
 
 /// Finds the fits of the object as `scenario.scenario.fits` asks, and thins the object in the problem's world by what
 /// they allow; fits that there were are replaced. The product is taken as assembled in the start and, where it is a
-/// configuration, in the goal. Called by realiseScenario(); again where the settings were changed since.
+/// configuration, in the goal. Called by loadGeometry(); again where the settings were changed since.
 /// Errors: as of findObjectFits(), with the scenario's file.
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop = {});
 

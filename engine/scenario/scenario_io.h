@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// Parses scenario JSON (any version; migrated) without touching assets. Errors are MalformedInput
-/// with the JSON pointer as place; unknown keys are errors. `file` is used in messages only.
+/// with the JSON pointer as location; unknown keys are errors. `file` is used in messages only.
 Result<Scenario> parseScenario(const std::string& text, const std::string& file);
 
 /// Canonical JSON (fixed key order, shortest round-trip numbers, two-space indent, final newline):
@@ -20,10 +20,12 @@ std::string writeScenario(const Scenario& scenario);
 /// Takes its time where a STEP file is read; Interrupted is the error where it was stopped.
 Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop = {});
 
-/// Loads geometry for a scenario value whose assets are relative to `folder`; what is in `known` (of a scenario
-/// loaded before) is not read again.
-Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
-                                       const GeometryCache& known = {}, const StopToken& stop = {});
+/// Loads the geometry of a scenario value whose assets are relative to `folder`. What is in `known` (of a scenario
+/// loaded before) is not read again. What `before` (null: none) has prepared for collision queries is not prepared
+/// again.
+Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder, const std::string& file,
+                                    const GeometryCache& known = {}, const StopToken& stop = {},
+                                    const LoadedScenario* before = nullptr);
 
 /// SHA-256 of what was loaded as the asset; of its file as it is now where nothing was. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);

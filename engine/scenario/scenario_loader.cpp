@@ -24,10 +24,20 @@ constexpr Colour kObjectColour{0.93, 0.90, 0.80};
 
 Pose normalized(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
 
-void warnIfOpen(const RigidBody& body, const std::string& file, Warnings& warnings) {
-  if (audit(*body.mesh).closed()) return;
-  warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
-                      "Being inside it is not seen as a collision; close its surface."});
+void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScenario* before, LoadedScenario& loaded) {
+  auto found = loaded.closed.find(body.mesh);
+  if (found == loaded.closed.end()) {
+    const bool known = before != nullptr && before->closed.count(body.mesh) > 0;
+    const bool closed = known ? before->closed.at(body.mesh) : audit(*body.mesh).closed();
+    found = loaded.closed.emplace(body.mesh, closed).first;
+  }
+  if (found->second) return;
+  loaded.warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
+                             "Being inside it is not seen as a collision; close its surface."});
+}
+
+bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
+  return a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
 /// What an edit of the attribute says goes before the body's own.
@@ -120,7 +130,7 @@ Outcome applyParameters(const Scenario& scenario, const std::string& file, Param
     Diagnostic why = outcome.error();
     why.kind = ErrorKind::MalformedInput;
     why.file = file;
-    why.place = "/parameters/" + why.place;
+    why.location = "/parameters/" + why.location;
     return why;
   }
   return Done{};
@@ -190,14 +200,14 @@ Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& st
 Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop) {
   auto read = readScenario(file);
   if (!read) return read.error();
-  auto loaded = realiseScenario(std::move(read->scenario), folderOf(file), file, {}, stop);
+  auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop);
   if (!loaded) return loaded.error();
   loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
   return ScenarioFile{std::move(*loaded), std::move(read->sha256)};
 }
 
-Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& folder, const std::string& file,
-                                       const GeometryCache& known, const StopToken& stop) {
+Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder, const std::string& file,
+                                    const GeometryCache& known, const StopToken& stop, const LoadedScenario* before) {
   LoadedScenario loaded;
   loaded.file = file;
   GeometryLoader loader(scenario, folder, file, known, stop);
@@ -216,11 +226,15 @@ Result<LoadedScenario> realiseScenario(Scenario scenario, const std::string& fol
   loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());
-  for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, loaded.warnings);
-  warnIfOpen(loaded.object, file, loaded.warnings);
+  if (before != nullptr && isSameMesh(*before->object.mesh, *loaded.object.mesh)) {
+    loaded.object.mesh = before->object.mesh;  // prepared already
+  }
+  for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, before, loaded);
+  warnIfOpen(loaded.object, file, before, loaded);
 
   if (const Outcome sound = checkExtents(loaded, scenario.workspace, file); !sound) return sound.error();
-  loaded.problem.world = CollisionWorld::build(loaded.obstacles, loaded.object.mesh);
+  loaded.problem.world = before != nullptr ? before->problem.world->updated(loaded.obstacles, loaded.object.mesh)
+                                           : CollisionWorld::build(loaded.obstacles, loaded.object.mesh);
   // Files may be off by kQuaternionNorm; a rotation that stretches would falsify every distance.
   loaded.problem.start = normalized(scenario.start);
   loaded.problem.goal = scenario.goal;

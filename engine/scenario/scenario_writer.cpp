@@ -1,3 +1,4 @@
+#include "engine/base/overloaded.h"
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
@@ -8,13 +9,6 @@ namespace glissade {
 namespace {
 
 using Json = JsonCursor::Json;
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-template <class... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 Json toJson(const Asset& asset) {
   Json json;

@@ -130,12 +130,13 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     // In the file a body is known by its number.
     for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
       const std::string byId = "/bodies/" + scenario.bodies[i].id + "/attributes/";
-      if (why.place.rfind(byId, 0) == 0) {
-        why.place = "/bodies/" + std::to_string(i) + "/attributes/" + why.place.substr(byId.size());
+      if (why.location.rfind(byId, 0) == 0) {
+        why.location = "/bodies/" + std::to_string(i) + "/attributes/" + why.location.substr(byId.size());
       }
     }
     const std::string byObject = "/bodies/" + scenario.object.id + "/attributes/";
-    if (why.place.rfind(byObject, 0) == 0) why.place = "/object/attributes/" + why.place.substr(byObject.size());
+    if (why.location.rfind(byObject, 0) == 0)
+      why.location = "/object/attributes/" + why.location.substr(byObject.size());
     refuse(why);
   }
   if (!scenario.rules) return;

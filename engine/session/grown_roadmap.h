@@ -14,7 +14,7 @@ struct GrownRoadmap {
 GrownRoadmap grownRoadmap(const SessionSnapshot& snapshot);
 
 /// A search was made and has ended, or was ended, without a path: it can be asked why.
-inline bool searchedInVain(const SessionSnapshot& snapshot) {
+inline bool searchFailed(const SessionSnapshot& snapshot) {
   if (snapshot.run == 0 || snapshot.path) return false;
   if (snapshot.state == SessionState::Stopped) return true;
   if (snapshot.state != SessionState::Failed || !snapshot.problem) return false;

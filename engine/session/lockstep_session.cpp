@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/planning/coarse/coarse_plan_report.h"
 #include "engine/session/guidance_target.h"
 #include "engine/session/operator_hand.h"
 #include "engine/session/session_core.h"
@@ -78,7 +79,7 @@ class Lockstep final : public LockstepSession {
 
   Guidance guidance() {
     const Planner* planner = core_.planner();
-    const CoarsePlanPtr plan = planner != nullptr ? planner->coarsePlan() : nullptr;
+    const CoarsePlanPtr plan = planner != nullptr ? coarsePlanOf(*planner) : nullptr;
     return guidanceOf(core_.parameters(),
                       guidanceTarget(core_.path(), plan.get(), hand_.q_device(), core_.problem().metric()));
   }

@@ -29,7 +29,7 @@ Diagnostic OperatorHand::giveUp(Diagnostic why) {
   device_.reset();
   // Where memory does not even suffice for these words, the diagnostic stays as it is.
   (void)guarded(kWork, [&] {
-    why.place = "device";
+    why.location = "device";
     why.advice = "Choose a device again.";
   });
   return why;

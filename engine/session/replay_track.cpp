@@ -21,14 +21,14 @@ void ReplayTrack::add(std::uint64_t step, const Planner& planner) {
     if (step % stride_ != 0) return;
   }
   rows_.push_back({step, planner.nodes().size(), planner.edges().size(), planner.droppedEdges().size(),
-                   planner.counts(), planner.authority(), planner.inContactMode(), planner.coarsePlan(),
-                   planner.tuning()});
+                   planner.counts(), authorityOf(planner), contactModeOf(planner), coarsePlanOf(planner),
+                   tuningOf(planner)});
 }
 
 ReplayTrack::Row ReplayTrack::at(std::uint64_t step) const {
   const std::lock_guard lock(mutex_);
   const auto after = std::upper_bound(rows_.begin(), rows_.end(), step,
-                                      [](std::uint64_t wanted, const Row& row) { return wanted < row.step; });
+                                      [](std::uint64_t at, const Row& row) { return at < row.step; });
   return after == rows_.begin() ? Row() : *std::prev(after);
 }
 

@@ -3,7 +3,8 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/planning/planner.h"
+#include "engine/planning/coarse/coarse_plan_report.h"
+#include "engine/planning/contact/interaction_report.h"
 
 namespace glissade {
 

@@ -78,7 +78,7 @@ SnapshotPtr ReplayView::at(std::uint64_t step, const SessionSnapshot& latest, bo
 void ReplayView::placeHand(std::uint64_t step, SessionSnapshot& snapshot) const {
   const auto& stream = log_->operatorStream;
   auto entry = std::upper_bound(stream.begin(), stream.end(), step,
-                                [](std::uint64_t wanted, const RunLog::HandPose& pose) { return wanted < pose.step; });
+                                [](std::uint64_t at, const RunLog::HandPose& pose) { return at < pose.step; });
   // Where somebody let the object go it stays.
   while (entry != stream.begin() && !std::prev(entry)->q_device) --entry;
   snapshot.device.q_device = entry == stream.begin() ? start_ : *std::prev(entry)->q_device;

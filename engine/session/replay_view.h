@@ -12,7 +12,7 @@ RoadmapChunks roadmapPrefix(const RoadmapChunks& chunks, std::size_t nodes, std:
 /// may still be replaying.
 class ReplayView {
  public:
-  /// `number`: of this replay, so that its snapshots are told from those of other replays.
+  /// `number`: of this replay, so that its snapshots differ from those of other replays.
   ReplayView(const Problem& problem, std::shared_ptr<const RunLog> log, std::shared_ptr<const ReplayTrack> track,
              std::uint64_t number);
 

@@ -9,7 +9,7 @@ namespace {
 RunCheckpoint reached(const RunLog& replayed, std::uint64_t step) {
   const auto found =
       std::lower_bound(replayed.checkpoints.begin(), replayed.checkpoints.end(), step,
-                       [](const RunCheckpoint& checkpoint, std::uint64_t wanted) { return checkpoint.step < wanted; });
+                       [](const RunCheckpoint& checkpoint, std::uint64_t at) { return checkpoint.step < at; });
   if (found != replayed.checkpoints.end() && found->step == step) return *found;
   return replayed.end.value_or(RunCheckpoint{});
 }

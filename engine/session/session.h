@@ -9,6 +9,8 @@
 
 #include "engine/operator/operator_input.h"
 #include "engine/operator/run_log.h"
+#include "engine/planning/coarse/coarse_plan.h"
+#include "engine/planning/contact/interaction_settings.h"
 #include "engine/planning/path_examination.h"
 #include "engine/planning/planner.h"
 

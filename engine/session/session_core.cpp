@@ -4,7 +4,11 @@
 #include <utility>
 
 #include "engine/base/cpu_time.h"
+#include "engine/base/overloaded.h"
+#include "engine/planning/automatic/portfolio_report.h"
+#include "engine/planning/coarse/coarse_plan_report.h"
 #include "engine/planning/coarse/scene_knowledge.h"
+#include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/session/start_check.h"
 
@@ -23,7 +27,7 @@ std::string grouped(std::uint64_t count) {
 }
 
 /// What planning has cost so far on this thread and on the planner's own.
-double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + planner.helpersCpuSeconds(); }
+double cpuSeconds(const Planner& planner) { return threadCpuSeconds() + helpersCpuSecondsOf(planner); }
 
 }  // namespace
 
@@ -85,7 +89,7 @@ void SessionCore::endAfterException(Diagnostic why) {
   if (state_ != SessionState::Planning && state_ != SessionState::Paused) return;
   state_ = path_ ? SessionState::Solved : SessionState::Failed;
   const auto second = guarded("completing the roadmap", [this] {
-    trouble_->place = plannerId_ + ", seed " + std::to_string(seed_);
+    trouble_->location = plannerId_ + ", seed " + std::to_string(seed_);
     if (planner_) planner_->completeRoadmap();
   });
   if (second) setPlannerAside();
@@ -95,34 +99,37 @@ void SessionCore::setPlannerAside() {
   if (planner_) plannerAside_ = std::move(planner_);
 }
 
-void SessionCore::carryOut(const Command& wanted, const WorkWatch& watch) {
+void SessionCore::carryOut(const Command& command, const WorkWatch& watch) {
   const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
-  if (std::holds_alternative<command::Start>(wanted)) {
-    if (!running) startRun();
-  } else if (std::holds_alternative<command::Pause>(wanted)) {
-    if (state_ == SessionState::Planning) state_ = SessionState::Paused;
-  } else if (std::holds_alternative<command::Resume>(wanted)) {
-    if (state_ == SessionState::Paused) state_ = SessionState::Planning;
-  } else if (std::holds_alternative<command::Stop>(wanted)) {
-    if (running) endRun(SessionState::Stopped);
-  } else if (const auto* seed = std::get_if<command::SetSeed>(&wanted)) {
-    seed_ = seed->seed;
-  } else if (const auto* planner = std::get_if<command::SetPlanner>(&wanted)) {
-    setPlanner(planner->id);
-  } else if (const auto* parameter = std::get_if<command::SetParameter>(&wanted)) {
-    setParameter(parameter->id, parameter->value);
-  } else if (const auto* semantics = std::get_if<command::SetSemantics>(&wanted)) {
-    problem_.scene.edits = semantics->edits;
-    if (running) logger_.note(semantics->edits);
-  } else if (const auto* known = std::get_if<command::SetKnowledge>(&wanted)) {
-    problem_.scene.knowledge = known->knowledge;
-  } else if (const auto* smooth = std::get_if<command::SmoothPath>(&wanted)) {
-    if (state_ != SessionState::Solved) return;
-    trouble_.reset();
-    smoothPath(smooth->attempts, watch);
-  } else if (const auto* given = std::get_if<command::ExaminePath>(&wanted)) {
-    if (run_ == 0) examine(*given, watch);
-  }
+  const auto replaceState = [this](SessionState from, SessionState to) {
+    if (state_ == from) state_ = to;
+  };
+  std::visit(Overloaded{[&](const command::Start&) {
+                          if (!running) startRun();
+                        },
+                        [&](const command::Pause&) { replaceState(SessionState::Planning, SessionState::Paused); },
+                        [&](const command::Resume&) { replaceState(SessionState::Paused, SessionState::Planning); },
+                        [&](const command::Stop&) {
+                          if (running) endRun(SessionState::Stopped);
+                        },
+                        [&](const command::SetSeed& seed) { seed_ = seed.seed; },
+                        [&](const command::SetPlanner& planner) { setPlanner(planner.id); },
+                        [&](const command::SetParameter& parameter) { setParameter(parameter.id, parameter.value); },
+                        [&](const command::SetSemantics& semantics) {
+                          problem_.scene.edits = semantics.edits;
+                          if (running) logger_.note(semantics.edits);
+                        },
+                        [&](const command::SetKnowledge& known) { problem_.scene.knowledge = known.knowledge; },
+                        [](const command::SetDevicePose&) {},  // the session's hand takes it
+                        [&](const command::SmoothPath& smooth) {
+                          if (state_ != SessionState::Solved) return;
+                          trouble_.reset();
+                          smoothPath(smooth.attempts, watch);
+                        },
+                        [&](const command::ExaminePath& given) {
+                          if (run_ == 0) examine(given, watch);
+                        }},
+             command);
 }
 
 void SessionCore::setPlanner(const std::string& id) {
@@ -287,11 +294,11 @@ void SessionCore::describe(SessionSnapshot& snapshot) {
   if (planner_) {
     roadmap_.update(*planner_);
     snapshot.counts = planner_->counts();
-    snapshot.authority = planner_->authority();
-    snapshot.contactMode = planner_->inContactMode();
-    snapshot.coarsePlan = planner_->coarsePlan();
-    snapshot.member = planner_->member();
-    snapshot.tuning = planner_->tuning();
+    snapshot.authority = authorityOf(*planner_);
+    snapshot.contactMode = contactModeOf(*planner_);
+    snapshot.coarsePlan = coarsePlanOf(*planner_);
+    snapshot.member = memberOf(*planner_);
+    snapshot.tuning = tuningOf(*planner_);
   }
   snapshot.roadmap = roadmap_.chunks();
   snapshot.nodesByAuthor = roadmap_.nodesByAuthor();

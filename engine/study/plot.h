@@ -41,7 +41,7 @@ struct Plot {
   std::vector<PlotSeries> series;
 };
 
-/// Okabe and Ito's colours in an order that keeps neighbours apart, as "#0072B2": told apart with any
+/// Okabe and Ito's colours in an order that keeps neighbours apart, as "#0072B2": distinguishable with any
 /// colour blindness, on light and on dark ground.
 inline constexpr std::size_t kPlotStyleCount = 6;
 inline constexpr const char* kPlotColours[kPlotStyleCount] = {"#0072B2", "#D55E00", "#009E73",

@@ -45,7 +45,7 @@ struct StudyCell {
   std::uint64_t memoryLimitMb = 0;           ///< of the run's process; 0 is no limit
   std::vector<std::uint64_t> seeds;          ///< ascending
   std::map<std::string, PaperValue> paper;   ///< by key of a PaperColumn, and perhaps "note"
-  std::string place;                         ///< in the study file, for messages
+  std::string location;                      ///< in the study file, for messages
 };
 
 /// A study file as a value: every cell spelled out, in the order of the file.

@@ -43,7 +43,7 @@ StudyCell cellOf(const StudyRow& row, const std::string& scenario, const std::st
   cell.memoryLimitMb = axes.memoryLimitMb;
   cell.seeds = axes.seeds;
   cell.paper = row.paper;
-  cell.place = row.place;
+  cell.location = row.location;
   return cell;
 }
 

@@ -24,7 +24,7 @@ struct StudyRow {
   std::string label;
   StudyAxes axes;  ///< with the row's own words already in force
   std::map<std::string, PaperValue> paper;
-  std::string place;
+  std::string location;
 };
 
 /// Cells of a row: scenarios x strategies x operators x grid, the last varying fastest. Labels name

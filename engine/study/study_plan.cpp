@@ -32,8 +32,8 @@ Outcome resolve(StudyCell& cell, const KnownScenario& known, const std::string& 
   for (const auto& [id, value] : cell.settings) {
     const Outcome set = values.set(id, value);
     if (!set) {
-      const std::string place = (cell.place.empty() ? "/" : cell.place) + ": " + set.error().place;
-      return Diagnostic{ErrorKind::MalformedInput, studyFile, place, set.error().reason, set.error().advice};
+      const std::string location = (cell.location.empty() ? "/" : cell.location) + ": " + set.error().location;
+      return Diagnostic{ErrorKind::MalformedInput, studyFile, location, set.error().reason, set.error().advice};
     }
   }
   for (const ParameterSpec& spec : parameterTable()) cell.parameters[spec.id] = values[spec.id];

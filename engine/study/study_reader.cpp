@@ -190,7 +190,7 @@ class Reader {
     rows_ = readList(*list, [&](const JsonCursor& at) {
       StudyRow row = readRow(at, axes);
       if (!labels.insert(row.label).second) at.at("label").fail("is there a second time", "Labels name rows.");
-      row.place = "/rows/" + std::to_string(labels.size() - 1);
+      row.location = "/rows/" + std::to_string(labels.size() - 1);
       return row;
     });
   }
@@ -256,10 +256,10 @@ class Reader {
   }
 
   /// Read also where it is not asked for, so that a fault in it is found.
-  void applyQuick(bool wanted) {
+  void applyQuick(bool applies) {
     const auto quick = root_.find("quick");
     if (!quick) {
-      if (wanted) root_.at("quick");
+      if (applies) root_.at("quick");
       return;
     }
     quick->allowOnly({"seeds", "rows", "operators", "limits"});
@@ -270,7 +270,7 @@ class Reader {
       countSeeds(row, *quick);
       kept.push_back(std::move(row));
     }
-    if (wanted) rows_ = std::move(kept);
+    if (applies) rows_ = std::move(kept);
   }
 
   std::vector<StudyRow> quickRows(const JsonCursor& quick) const {
@@ -297,7 +297,7 @@ class Reader {
       cells += cellCount(row);
       runs += cellCount(row) * static_cast<double>(row.axes.seeds.size());
       if (cells > kMostCells || runs > kMostRuns)
-        placeOf(row).fail("makes too many runs", "Vary less, or less finely.");
+        locationOf(row).fail("makes too many runs", "Vary less, or less finely.");
       for (StudyCell& cell : cellsOf(row)) study_.cells.push_back(std::move(cell));
     }
   }
@@ -307,15 +307,15 @@ class Reader {
       const auto found = row.axes.settings.find(id);
       return found != row.axes.settings.end() && found->second > 0.0;
     };
-    if (row.axes.scenarios.empty()) placeOf(row).fail("has no scenario", "Add \"scenarios\".");
-    if (row.axes.strategies.empty()) placeOf(row).fail("has no strategy", "Add \"strategies\".");
-    if (row.axes.seeds.empty()) placeOf(row).fail("has no seeds", "Add \"seeds\".");
+    if (row.axes.scenarios.empty()) locationOf(row).fail("has no scenario", "Add \"scenarios\".");
+    if (row.axes.strategies.empty()) locationOf(row).fail("has no strategy", "Add \"strategies\".");
+    if (row.axes.seeds.empty()) locationOf(row).fail("has no seeds", "Add \"seeds\".");
     if (!limited(ParameterId::TimeLimit) && !limited(ParameterId::MaxSteps) && !limited(ParameterId::MaxSamples)) {
-      placeOf(row).fail("may run for ever", "Give time_limit, max_steps or max_samples under \"limits\".");
+      locationOf(row).fail("may run for ever", "Give time_limit, max_steps or max_samples under \"limits\".");
     }
   }
 
-  JsonCursor placeOf(const StudyRow& row) const { return {root_.json(), root_.file(), row.place}; }
+  JsonCursor locationOf(const StudyRow& row) const { return {root_.json(), root_.file(), row.location}; }
 
   const JsonCursor& root_;
   std::vector<std::string> strategies_;

@@ -2368,6 +2368,10 @@
         <translation>Coupe</translation>
     </message>
     <message>
+        <source>Arranging the product</source>
+        <translation>Disposition du produit</translation>
+    </message>
+    <message>
         <source>Interaction</source>
         <translation>Interaction</translation>
     </message>

@@ -106,7 +106,7 @@ TEST_F(SemanticDocumentTest, AnEditStaysWhereABodyComesToStandAndIsAsked) {
   }
   ASSERT_EQ(forbidden.size(), 1U);
   ASSERT_EQ(document.warnings().size(), 1U);
-  EXPECT_EQ(document.warnings().front().place, "/places/0");
+  EXPECT_EQ(document.warnings().front().location, "/places/0");
   // Edited once more it is bound to the place that it counts for.
   ASSERT_TRUE(document.setAttribute(places({forbidden[0]}), "preference", AttributeValue(2.0)).ok());
   EXPECT_EQ(document.edits().places.size(), 1U);

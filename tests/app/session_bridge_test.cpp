@@ -51,14 +51,14 @@ TEST_P(Bridge, WhoAsksWhileHeIsToldTakesNoNewsFromTheOthers) {
   SessionBridge bridge(GetParam());
   bridge.open(sample("environment-2"));
   bridge.post(command::SetParameter{ParameterId::MaxSteps, 3000});
-  int told = 0;
+  int notified = 0;
   QObject::connect(&bridge, &SessionBridge::snapshotChanged, [&](const SnapshotPtr& snapshot) {
-    QThread::msleep(told++ < 5 ? 20 : 0);  // longer than it takes to publish the next one
+    QThread::msleep(notified++ < 5 ? 20 : 0);  // longer than it takes to publish the next one
     EXPECT_EQ(bridge.snapshot(), snapshot);
   });
   bridge.post(command::Start{});
   ASSERT_TRUE(reach(bridge, SessionState::Failed));
-  EXPECT_GT(told, 0);
+  EXPECT_GT(notified, 0);
 }
 
 TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
@@ -75,7 +75,7 @@ TEST_P(Bridge, ARearrangedScenarioKeepsWhatTheUserHasSet) {
   Scenario other = before->scenario;
   other.object.geometry = BoxGeometry{{1.0, 1.0, 1.0}};
   other.start.position.z() += 1.0;
-  auto loaded = realiseScenario(other, ".", before->file, before->geometry);
+  auto loaded = loadGeometry(other, ".", before->file, before->geometry);
   ASSERT_TRUE(loaded.ok());
   const double larger = loaded->problem.world->objectRadius() / before->problem.world->objectRadius();
   bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*loaded)));
@@ -94,7 +94,7 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
   const auto rearranged = [&](const Vector3& move) {
     Scenario scenario = before->scenario;
     scenario.bodies.front().pose.position += move;
-    auto loaded = realiseScenario(scenario, folderOf(before->file), before->file, before->geometry);
+    auto loaded = loadGeometry(scenario, folderOf(before->file), before->file, before->geometry);
     return std::make_shared<const LoadedScenario>(std::move(*loaded));
   };
   const auto settled = [](const SessionSnapshot& now) { return now.path || now.refused; };
@@ -119,7 +119,7 @@ TEST_P(Bridge, APathThatWasFoundGoesAlongAsFarAsItHolds) {
 
   Scenario other = before->scenario;
   other.object.id = "another";
-  auto another = realiseScenario(other, folderOf(before->file), before->file, before->geometry);
+  auto another = loadGeometry(other, folderOf(before->file), before->file, before->geometry);
   bridge.rearrange(std::make_shared<const LoadedScenario>(std::move(*another)));
   bridge.post(command::SetSeed{5});
   ASSERT_TRUE(reach(bridge, [](const SessionSnapshot& now) { return now.seed == 5; }));

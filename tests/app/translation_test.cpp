@@ -2,6 +2,7 @@
 
 #include <QFile>
 
+#include "engine/environment/attribute.h"
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
 #include "engine/scenario/path_exporter.h"
@@ -47,6 +48,11 @@ TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) 
   }
   const PlannerRegistry planners = makePlannerRegistry();
   for (const PlannerEntry& entry : planners.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+  const AttributeTable attributes;
+  for (const AttributeDefinition& definition : attributes.definitions()) {
+    EXPECT_TRUE(listed(definition.label)) << definition.label;
+    EXPECT_TRUE(listed(definition.description)) << definition.description;
+  }
   const PathExporterRegistry exporters = makePathExporterRegistry();
   for (const PathExporter& exporter : exporters.entries()) EXPECT_TRUE(listed(exporter.label)) << exporter.label;
   const DeviceRegistry devices = makeDeviceRegistry();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
+#include <QtTest/QTest>
 
 #include <algorithm>
 
@@ -12,6 +13,13 @@
 namespace glissade {
 namespace {
 
+WorkbenchDocument::ScenarioChange becomes(const Scenario& after) {
+  return [after](Scenario& scenario) {
+    scenario = after;
+    return Outcome(Done{});
+  };
+}
+
 class WorkbenchDocumentTest : public testing::Test {
  protected:
   WorkbenchDocumentTest() {
@@ -19,6 +27,13 @@ class WorkbenchDocumentTest : public testing::Test {
     const auto scenario = std::make_shared<const LoadedScenario>(std::move(*loaded));
     document.open(scenario);
   }
+
+  /// Until all edits are made.
+  ::testing::AssertionResult arranged() {
+    return QTest::qWaitFor([this] { return !document.isArranging(); }, 20'000) ? ::testing::AssertionSuccess()
+                                                                               : ::testing::AssertionFailure();
+  }
+  Vector3 wallAt() const { return document.scenario()->obstacles.front().X_WB.position; }
 
   std::string text() const { return writeScenario(document.current()); }
 
@@ -63,7 +78,7 @@ TEST_F(WorkbenchDocumentTest, ABodyComesBackWithItsAttributesInAnyOrderOfEdits) 
   semantics.select(selected);
   Scenario without = document.current();
   ASSERT_TRUE(removeBody("O1", without).ok());
-  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), without).ok());
+  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), becomes(without)).ok());
   EXPECT_EQ(semantics.edits().bodies.count("O1"), 0U);
   EXPECT_TRUE(semantics.selection().bodies.isEmpty());
   document.undoStack().undo();
@@ -88,7 +103,7 @@ TEST_F(WorkbenchDocumentTest, WhatCannotBeLoadedIsRefusedAndChangesNothing) {
   Scenario broken = document.current();
   broken.assets.push_back({"gone", "gone.stl", "", 1.0, UpAxis::Z});
   broken.object.geometry = MeshGeometry{"gone"};
-  const Outcome outcome = document.edit(QStringLiteral("Break"), broken);
+  const Outcome outcome = document.edit(QStringLiteral("Break"), becomes(broken));
   ASSERT_FALSE(outcome.ok());
   EXPECT_NE(outcome.error().file.find("gone.stl"), std::string::npos);
   EXPECT_EQ(text(), before);
@@ -118,7 +133,7 @@ TEST_F(WorkbenchDocumentTest, EveryChangeIsOneRoundOfThreePhases) {
   without.milestones.clear();
   ASSERT_TRUE(removeBody("O1", without).ok());
   const bool editsChange = !(semanticEditsOf(without) == semantics.edits());
-  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), without).ok());
+  ASSERT_TRUE(document.edit(QStringLiteral("Remove"), becomes(without)).ok());
   const int what = int(Change::Arrangement) | (editsChange ? int(Change::Semantics) : 0);
   const std::string flags = std::to_string(what);
   ASSERT_GE(rounds.size(), 3U);
@@ -184,6 +199,85 @@ TEST_F(WorkbenchDocumentTest, AScenarioWithoutAFileIsModifiedUntilItIsSaved) {
   made->file.clear();
   document.open(made);
   EXPECT_TRUE(document.isModified());
+}
+
+TEST_F(WorkbenchDocumentTest, InTheBackgroundEditsAreMadeInTheirOrderOfWhatTheOnesBeforeLeft) {
+  document.setAtOnce(false);
+  const Vector3 before = wallAt();
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  EXPECT_TRUE(document.isArranging());
+  EXPECT_TRUE(document.isModified());
+  EXPECT_EQ(wallAt(), before) << "the window does not wait";
+  const Pose start = Pose::translation(document.scenario()->problem.start.position + Vector3(0.001, 0, 0));
+  ASSERT_TRUE(document.place({AssemblyItem::Kind::Start, {}}, start).ok());
+  bool asked = false;
+  document.whenArranged([&] { asked = wallAt() == Vector3(0, 0, 1); });
+  EXPECT_FALSE(asked);
+  ASSERT_TRUE(arranged());
+  EXPECT_TRUE(asked);
+  EXPECT_EQ(wallAt(), Vector3(0, 0, 1));
+  EXPECT_EQ(document.scenario()->problem.start.position, start.position);
+  EXPECT_EQ(document.undoStack().count(), 2);
+  document.undo();
+  document.undo();
+  ASSERT_TRUE(arranged());
+  EXPECT_EQ(wallAt(), before);
+  document.redo();
+  ASSERT_TRUE(arranged());
+  EXPECT_EQ(wallAt(), Vector3(0, 0, 1));
+}
+
+TEST_F(WorkbenchDocumentTest, NumbersTypedWhileAnEditIsMadeAreOneEditAfterIt) {
+  document.setAtOnce(false);
+  for (const double x : {0.1, 0.2, 0.3, 0.4}) {
+    ASSERT_TRUE(document.place(wall, Pose::translation({x, 0, 0}), QStringLiteral("x")).ok());
+  }
+  int rearranged = 0;
+  QObject::connect(&document, &WorkbenchDocument::changed,
+                   [&](Changes what) { rearranged += what & Change::Arrangement ? 1 : 0; });
+  ASSERT_TRUE(arranged());
+  EXPECT_EQ(wallAt().x(), 0.4);
+  EXPECT_EQ(rearranged, 2);
+  EXPECT_EQ(document.undoStack().count(), 1);
+}
+
+TEST_F(WorkbenchDocumentTest, SemanticEditsMadeWhileBodiesAreArrangedStay) {
+  document.setAtOnce(false);
+  SemanticSelection selected;
+  selected.bodies.insert(QStringLiteral("O1"));
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  ASSERT_TRUE(semantics.setAttribute(selected, "shape", AttributeValue(std::string("wall"))).ok());
+  ASSERT_TRUE(arranged());
+  EXPECT_EQ(semantics.bodyValue(QStringLiteral("O1"), "shape").value, AttributeValue(std::string("wall")));
+  EXPECT_EQ(wallAt(), Vector3(0, 0, 1));
+}
+
+TEST_F(WorkbenchDocumentTest, ACancelledOrRefusedEditChangesNothing) {
+  document.setAtOnce(false);
+  const std::string before = text();
+  std::vector<bool> failures;  // with a reason
+  QObject::connect(&document, &WorkbenchDocument::editFailed,
+                   [&](const std::optional<Diagnostic>& why) { failures.push_back(why.has_value()); });
+  ASSERT_TRUE(document.place(wall, Pose::translation({0, 0, 1})).ok());
+  document.cancelEdits();
+  EXPECT_FALSE(document.isArranging());
+  Scenario broken = document.current();
+  broken.assets.push_back({"gone", "gone.stl", "", 1.0, UpAxis::Z});
+  broken.object.geometry = MeshGeometry{"gone"};
+  EXPECT_TRUE(document.edit(QStringLiteral("Break"), becomes(broken)).ok());
+  ASSERT_TRUE(arranged());
+  EXPECT_EQ(failures, (std::vector<bool>{false, true}));
+  EXPECT_EQ(text(), before);
+  EXPECT_FALSE(document.undoStack().canUndo());
+}
+
+/// Bodies that stay are not prepared again, and neither is anything where only the ends move.
+TEST_F(WorkbenchDocumentTest, WhatAnEditLeavesAloneIsNotPreparedAgain) {
+  const ScenarioPtr before = document.scenario();
+  const Pose start = Pose::translation(before->problem.start.position + Vector3(0.001, 0, 0));
+  ASSERT_TRUE(document.place({AssemblyItem::Kind::Start, {}}, start).ok());
+  EXPECT_EQ(&document.scenario()->problem.world->object(), &before->problem.world->object());
+  EXPECT_EQ(document.scenario()->object.mesh, before->object.mesh);
 }
 
 }  // namespace

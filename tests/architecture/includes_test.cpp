@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <regex>
 #include <set>
 #include <string>
@@ -77,6 +78,43 @@ TEST(Architecture, EngineRoomsOnlyUseTheRoomsBelowThem) {
     ++seen;
     ASSERT_TRUE(allowedRooms().count(from)) << "a room without rules: " << include.from;
     EXPECT_TRUE(allowedRooms().at(from).count(to)) << include.from << " includes " << include.what;
+  }
+  EXPECT_GT(seen, 10);
+}
+
+/// "engine/planning/contact/x.h" lies in sub-room "contact"; a file of the room itself in "".
+std::optional<std::string> planningRoomOf(const std::string& path) {
+  static const std::regex pattern(R"(^engine/planning/(?:([a-z]+)/)?[^/]+$)");
+  std::smatch match;
+  if (!std::regex_search(path, match, pattern)) return std::nullopt;
+  return match[1].str();
+}
+
+/// Every sub-room may use the room itself, which uses none of them.
+const std::map<std::string, std::set<std::string>>& allowedPlanningRooms() {
+  static const std::map<std::string, std::set<std::string>> allowed{
+      {"", {}},
+      {"contact", {}},
+      {"ompl", {}},
+      {"smoothing", {}},
+      {"coarse", {"contact"}},
+      {"fine", {"coarse", "contact"}},
+      {"automatic", {"fine", "contact", "ompl"}},
+      {"difficulty", {"automatic"}},
+  };
+  return allowed;
+}
+
+TEST(Architecture, PlanningRoomsOnlyUseTheRoomsBelowThem) {
+  const std::string registry = "engine/planning/planner_registry.cpp";  // names every planner
+  int seen = 0;
+  for (const Include& include : includesUnder("engine/planning")) {
+    const auto from = planningRoomOf(include.from);
+    const auto to = planningRoomOf(include.what);
+    ASSERT_TRUE(from && allowedPlanningRooms().count(*from)) << "a room without rules: " << include.from;
+    if (!to || to->empty() || to == from || include.from == registry) continue;
+    ++seen;
+    EXPECT_TRUE(allowedPlanningRooms().at(*from).count(*to)) << include.from << " includes " << include.what;
   }
   EXPECT_GT(seen, 10);
 }

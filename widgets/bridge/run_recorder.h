@@ -25,7 +25,7 @@ class RunRecorder {
   bool hasRecording() const { return !parts_.empty(); }
   /// The recording so far. Precondition: hasRecording(). Errors: an asset can no longer be read.
   Result<RunRecord> record();
-  /// Why the disk holds no complete journal, where one is wanted.
+  /// Why the disk holds no complete journal, where one is needed.
   std::optional<Diagnostic> trouble() const;
   /// The same, once for each run.
   std::optional<Diagnostic> takeTrouble();

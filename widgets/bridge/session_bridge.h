@@ -15,7 +15,7 @@ Q_DECLARE_METATYPE(glissade::SnapshotPtr)
 
 namespace glissade {
 
-/// Whose time the session lives in: ours, or one that goes on only when told to.
+/// Whose time the session lives in: ours, or one that advances only on request.
 enum class SessionClock { RealTime, Lockstep };
 
 /// A run to be shown again exactly as it was: headless runs are in lockstep and have no view.

@@ -30,9 +30,7 @@ struct SemanticSelection {
     return part;
   }
 
-  friend bool operator==(const SemanticSelection& a, const SemanticSelection& b) {
-    return a.places == b.places && a.bodies == b.bodies;
-  }
+  friend bool operator==(const SemanticSelection&, const SemanticSelection&) = default;
 };
 
 /// The semantic attributes of one open scenario: what was computed, the user's edits over it, and the

@@ -33,6 +33,9 @@ class ArrangementCommand final : public QUndoCommand {
       document_.applyArrangement(after_, file_);
     }
   }
+  /// What undo() (or, forth, redo()) makes of the scenario.
+  const Scenario& assembly(bool forth) const { return forth ? after_ : before_; }
+  const std::string& file() const { return file_; }
   int id() const override { return mergeKey_.isEmpty() ? -1 : 2; }
   bool mergeWith(const QUndoCommand* next) override {
     const auto& other = static_cast<const ArrangementCommand&>(*next);
@@ -50,7 +53,9 @@ class ArrangementCommand final : public QUndoCommand {
   QString mergeKey_;
 };
 
-WorkbenchDocument::WorkbenchDocument(QObject* parent) : QObject(parent), semantics_(undo_) {
+WorkbenchDocument::WorkbenchDocument(QObject* parent)
+    : QObject(parent), semantics_(undo_), queue_([this] { return version_; }, [this] { return loader(); }, this) {
+  connect(&queue_, &ArrangementQueue::failed, this, &WorkbenchDocument::editFailed);
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { announce(Change::File); });
   connect(&semantics_, &SemanticDocument::changed, this, [this] {
     if (semantics_.edits() == *edits_) return;
@@ -66,6 +71,7 @@ WorkbenchDocument::~WorkbenchDocument() {
 
 void WorkbenchDocument::announce(Changes what) {
   pending_ |= what;
+  if (what & (Change::Scenario | Change::Arrangement | Change::Semantics | Change::File)) ++version_;
   if (announcing_ || collecting_ || !scenario_) return;
   const QScopedValueRollback<bool> announcing(announcing_, true);
   while (pending_) {
@@ -85,6 +91,7 @@ void WorkbenchDocument::changeInOneRound(const std::function<void()>& change) {
 }
 
 void WorkbenchDocument::open(const ScenarioPtr& scenario) {
+  queue_.cancel();
   changeInOneRound([&] {
     scenario_ = scenario;
     geometry_ = scenario->geometry;
@@ -106,31 +113,80 @@ Scenario WorkbenchDocument::current() const {
 }
 
 /// `assembly` in the scenario as it is now, its assets named from `file`.
-Result<ScenarioPtr> WorkbenchDocument::load(const Scenario& assembly, const std::string& file) {
+Scenario WorkbenchDocument::assembled(const Scenario& assembly, const std::string& file) const {
   Scenario scenario = scenario_->scenario;
   takeAssembly(movedTo(scenario_->file, assembly, file), scenario);
-  auto loaded = realiseScenario(std::move(scenario), folderOf(scenario_->file), scenario_->file, geometry_);
-  if (!loaded) return loaded.error();
-  addGeometry(loaded->geometry);
-  return ScenarioPtr(std::make_shared<LoadedScenario>(std::move(*loaded)));
+  return scenario;
 }
 
-Outcome WorkbenchDocument::edit(const QString& text, Scenario after, const QString& mergeKey) {
-  auto loaded = load(after, scenario_->file);
-  if (!loaded) return loaded.error();
-  undo_.push(new ArrangementCommand(*this, text, std::move(after), std::move(*loaded), mergeKey));
-  return Done{};
+/// What the scenario that is open has prepared is not prepared again.
+ArrangementQueue::Load WorkbenchDocument::loader() const {
+  return [before = scenario_, known = geometry_](Scenario scenario, const StopToken& stop) -> Result<ScenarioPtr> {
+    const std::string& file = before->file;
+    auto loaded = loadGeometry(std::move(scenario), folderOf(file), file, known, stop, before.get());
+    if (!loaded) return loaded.error();
+    return ScenarioPtr(std::make_shared<LoadedScenario>(std::move(*loaded)));
+  };
+}
+
+Outcome WorkbenchDocument::edit(const QString& text, ScenarioChange change, const QString& mergeKey) {
+  const auto after = std::make_shared<Scenario>();
+  ArrangementQueue::Job job;
+  job.mergeKey = mergeKey;
+  job.begin = [this, after, change = std::move(change)]() -> Result<std::optional<Scenario>> {
+    *after = current();
+    const Outcome changed = change(*after);
+    if (!changed) return changed.error();
+    return std::optional<Scenario>(assembled(*after, scenario_->file));
+  };
+  job.end = [this, after, text, mergeKey](const ScenarioPtr& loaded) {
+    addGeometry(loaded->geometry);
+    undo_.push(new ArrangementCommand(*this, text, std::move(*after), loaded, mergeKey));
+  };
+  return queue_.add(std::move(job));
+}
+
+/// A step of the undo stack. The scenario of an edit of the arrangement is loaded before.
+void WorkbenchDocument::stepBack(bool forth) {
+  const auto step = [this, forth] { forth ? undo_.redo() : undo_.undo(); };
+  ArrangementQueue::Job job;
+  job.begin = [this, forth, step]() -> Result<std::optional<Scenario>> {
+    const QUndoCommand* next = undo_.command(forth ? undo_.index() : undo_.index() - 1);
+    const auto* edit = dynamic_cast<const ArrangementCommand*>(next);
+    if (edit != nullptr) return std::optional<Scenario>(assembled(edit->assembly(forth), edit->file()));
+    step();
+    return std::optional<Scenario>();
+  };
+  job.end = [this, step](const ScenarioPtr& loaded) {
+    prepared_ = loaded;
+    step();
+    prepared_.reset();
+  };
+  if (const Outcome done = queue_.add(std::move(job)); !done) emit editFailed(done.error());
+}
+
+void WorkbenchDocument::whenArranged(const std::function<void()>& then) {
+  ArrangementQueue::Job job;
+  job.begin = [then]() -> Result<std::optional<Scenario>> {
+    then();
+    return std::optional<Scenario>();
+  };
+  (void)queue_.add(std::move(job));
+}
+
+void WorkbenchDocument::cancelEdits() {
+  if (queue_.isEmpty()) return;
+  queue_.cancel();
+  emit editFailed(std::nullopt);
 }
 
 Outcome WorkbenchDocument::place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey) {
-  Scenario after = current();
-  if (poseOf(after, item) == X_WB) return Done{};
-  const Outcome placed = glissade::place(item, X_WB, after);
-  if (!placed) return placed;
-  return edit(tr("Move %1").arg(item.kind == AssemblyItem::Kind::Body    ? QString::fromStdString(item.bodyId)
-                                : item.kind == AssemblyItem::Kind::Start ? tr("the start")
-                                                                         : tr("the goal")),
-              std::move(after), mergeKey);
+  if (queue_.isEmpty() && poseOf(current(), item) == X_WB) return Done{};
+  const QString text = tr("Move %1").arg(item.kind == AssemblyItem::Kind::Body    ? QString::fromStdString(item.bodyId)
+                                         : item.kind == AssemblyItem::Kind::Start ? tr("the start")
+                                                                                  : tr("the goal"));
+  return edit(
+      text, [item, X_WB](Scenario& scenario) { return glissade::place(item, X_WB, scenario); }, mergeKey);
 }
 
 void WorkbenchDocument::takeArrangement(const ScenarioPtr& scenario) {
@@ -142,11 +198,12 @@ void WorkbenchDocument::takeArrangement(const ScenarioPtr& scenario) {
 }
 
 void WorkbenchDocument::applyArrangement(const Scenario& assembly, const std::string& file) {
-  const auto loaded = load(assembly, file);
+  const Result<ScenarioPtr> loaded = prepared_ ? prepared_ : loader()(assembled(assembly, file), {});
   if (loaded) {
+    addGeometry((*loaded)->geometry);
     takeArrangement(*loaded);
   } else {
-    emit undoFailed(loaded.error());
+    emit editFailed(loaded.error());
   }
 }
 
@@ -199,7 +256,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
 }
 
 bool WorkbenchDocument::isModified() const {
-  return scenario_ && (!undo_.isClean() || options_ != scenario_->scenario.environment ||
+  return scenario_ && (!queue_.isEmpty() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
                        settings_.strategy != scenario_->scenario.planner);
 }
 

@@ -8,6 +8,7 @@
 #include "engine/planning/path_examination.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/scenario_ptr.h"
+#include "widgets/document/arrangement_queue.h"
 #include "widgets/document/document_change.h"
 #include "widgets/document/semantic_document.h"
 
@@ -60,15 +61,31 @@ class WorkbenchDocument final : public QObject {
   const EnvironmentOptions& options() const { return options_; }
   const RunSettings& settings() const { return settings_; }
   const RunResults& results() const { return results_; }
+  /// For observers; undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
   /// Replaces everything. One without a file counts as modified until it is saved.
   void open(const ScenarioPtr& scenario);
-  /// Makes the scenario so, as an undoable command. Refused where its geometry cannot be loaded. Edits with one
+  /// Changes a scenario; refused with an error.
+  using ScenarioChange = std::function<Outcome(Scenario&)>;
+  /// Changes the scenario, as an undoable command. Its geometry is loaded in the background (setAtOnce()); edits are
+  /// made one after the other, each of the scenario that the one before has left. Refused where its geometry cannot be
+  /// loaded: the error is returned where edits are made at once, else announced by editFailed(). Edits with one
   /// `mergeKey` become one.
-  Outcome edit(const QString& text, Scenario after, const QString& mergeKey = {});
+  Outcome edit(const QString& text, ScenarioChange change, const QString& mergeKey = {});
   /// Puts a body, or an end of the motion, somewhere; undoable.
   Outcome place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey = {});
+  void undo() { stepBack(false); }
+  void redo() { stepBack(true); }
+  /// Edits are done before edit() returns. At first they are.
+  void setAtOnce(bool atOnce) { queue_.setAtOnce(atOnce); }
+  /// Edits are under way.
+  bool isArranging() const { return !queue_.isEmpty(); }
+  /// Calls `then` once no edit is under way: at once where none is.
+  void whenArranged(const std::function<void()>& then);
+  /// Forgets the edits that are under way.
+  void cancelEdits();
+  const BackgroundTask& arranging() const { return queue_.task(); }
   /// The environment model of the arrangement as it is. The same again: it holds for this arrangement, too.
   void setKnowledge(const SceneKnowledgePtr& knowledge);
   void setOptions(const EnvironmentOptions& options);
@@ -95,15 +112,17 @@ class WorkbenchDocument final : public QObject {
   void changedForSession(glissade::Changes what);
   /// Third, for panels and controllers.
   void changed(glissade::Changes what);
-  /// An edit could not be undone or done again.
-  void undoFailed(const glissade::Diagnostic& why);
+  /// An edit could not be made, undone or done again, or it was cancelled (then there is no reason).
+  void editFailed(const std::optional<glissade::Diagnostic>& why);
 
  private:
   friend class ArrangementCommand;
   void announce(Changes what);
   /// Announces all that `change` does in one round.
   void changeInOneRound(const std::function<void()>& change);
-  Result<ScenarioPtr> load(const Scenario& assembly, const std::string& file);
+  Scenario assembled(const Scenario& assembly, const std::string& file) const;
+  ArrangementQueue::Load loader() const;
+  void stepBack(bool forth);
   void takeArrangement(const ScenarioPtr& scenario);
   void applyArrangement(const Scenario& assembly, const std::string& file);
 
@@ -119,6 +138,9 @@ class WorkbenchDocument final : public QObject {
   Changes pending_;
   bool collecting_ = false;  ///< changes are announced later, in one round
   bool announcing_ = false;
+  std::uint64_t version_ = 0;  ///< grows with what an edit is based on
+  ScenarioPtr prepared_;  ///< what the command of the undo stack that is done now has to take; null: not loaded yet
+  ArrangementQueue queue_;
 };
 
 }  // namespace glissade

@@ -89,8 +89,8 @@ void AttributeDialog::enable() {
 }
 
 void AttributeDialog::accept() {
-  const auto wanted = definition();
-  const Outcome added = wanted ? add_(*wanted) : Outcome(wanted.error());
+  const auto requested = definition();
+  const Outcome added = requested ? add_(*requested) : Outcome(requested.error());
   if (added) {
     QDialog::accept();
     return;

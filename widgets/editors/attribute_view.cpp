@@ -46,14 +46,14 @@ std::string AttributeView::currentAttribute() const {
 }
 
 void AttributeView::refresh() {
-  std::vector<AttributeDefinition> wanted;
+  std::vector<AttributeDefinition> definitions;
   if (!(document_.selection() == SemanticSelection{})) {
     for (const AttributeDefinition& definition : document_.table().definitions()) {
-      if (definition.owner == owner()) wanted.push_back(definition);
+      if (definition.owner == owner()) definitions.push_back(definition);
     }
   }
   // The rows stay as long as they can, so that an editor in use keeps the focus.
-  if (wanted != shown_) rebuild(wanted);
+  if (definitions != shown_) rebuild(definitions);
   for (Row& row : rows_) showValues(row);
 }
 
@@ -93,9 +93,9 @@ void AttributeView::addRow(const AttributeDefinition& definition) {
 }
 
 /// The button is only there where there is something to take back.
-void AttributeView::showReset(const Row& row, bool wanted) {
-  if (wanted == (itemWidget(row.item, kResetColumn) != nullptr)) return;
-  if (!wanted) {
+void AttributeView::showReset(const Row& row, bool visible) {
+  if (visible == (itemWidget(row.item, kResetColumn) != nullptr)) return;
+  if (!visible) {
     removeItemWidget(row.item, kResetColumn);
     return;
   }

@@ -38,7 +38,7 @@ class AttributeView final : public QTreeWidget {
   void rebuild(const std::vector<AttributeDefinition>& definitions);
   void addRow(const AttributeDefinition& definition);
   void showValues(Row& row);
-  void showReset(const Row& row, bool wanted);
+  void showReset(const Row& row, bool visible);
   void set(const std::string& attribute, const std::optional<AttributeValue>& value);
   std::vector<ProvenValue> valuesOf(const std::string& attribute) const;
 

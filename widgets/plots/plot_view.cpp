@@ -168,13 +168,13 @@ QRectF PlotView::whole() const {
 
 void PlotView::zoom(const QRectF& part) {
   const QRectF all = whole();
-  QRectF wanted = part.normalized();
-  wanted.setSize(
-      {std::clamp(wanted.width(), kSmallest, all.width()), std::clamp(wanted.height(), kSmallest, all.height())});
-  wanted.moveLeft(std::max(all.left(), std::min(wanted.left(), all.right() - wanted.width())));
-  wanted.moveTop(std::max(all.top(), std::min(wanted.top(), all.bottom() - wanted.height())));
-  if (wanted == part_) return;
-  part_ = wanted;
+  QRectF requested = part.normalized();
+  requested.setSize(
+      {std::clamp(requested.width(), kSmallest, all.width()), std::clamp(requested.height(), kSmallest, all.height())});
+  requested.moveLeft(std::max(all.left(), std::min(requested.left(), all.right() - requested.width())));
+  requested.moveTop(std::max(all.top(), std::min(requested.top(), all.bottom() - requested.height())));
+  if (requested == part_) return;
+  part_ = requested;
   showAxes();
   view_->replot();
   emit zoomChanged();

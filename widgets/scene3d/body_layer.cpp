@@ -133,9 +133,9 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
   osg::Geometry* surface = body.getChild(0)->asGeode()->getDrawable(0)->asGeometry();
   auto* colours = static_cast<osg::Vec4Array*>(surface->getColorArray());
-  const osg::Vec4 wanted(colour.r(), colour.g(), colour.b(), colours->front().a());
-  if (colours->front() == wanted) return;
-  colours->front() = wanted;
+  const osg::Vec4 tint(colour.r(), colour.g(), colour.b(), colours->front().a());
+  if (colours->front() == tint) return;
+  colours->front() = tint;
   colours->dirty();
   surface->dirtyGLObjects();
 }

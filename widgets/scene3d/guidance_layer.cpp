@@ -19,7 +19,7 @@ constexpr double kShaft = 0.05;            ///< in radii
 constexpr double kHeadRadius = 0.15;       ///< in radii
 constexpr double kHeadLength = 0.35;       ///< in radii
 constexpr float kStrongestTint = 0.75F;    ///< the object's own colour stays recognisable
-constexpr float kTints = 32.0F;            ///< so many are told apart: a new one is uploaded with the surface
+constexpr float kTints = 32.0F;            ///< so many are distinguished: a new one is uploaded with the surface
 constexpr std::uint32_t kSegments = 24;
 
 /// Points to +z from the origin.

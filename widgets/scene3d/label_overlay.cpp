@@ -45,14 +45,14 @@ bool LabelOverlay::eventFilter(QObject* watched, QEvent* event) {
 
 void LabelOverlay::paintEvent(QPaintEvent* /*event*/) {
   std::vector<SceneLabel> labels;
-  std::vector<WantedLabel> wanted;
+  std::vector<WantedLabel> requested;
   for (const SceneLabel& label : view_.labels()) {
     const auto at = project(view_.camera(), label.p_W, size());
     if (!at) continue;
     labels.push_back(label);
-    wanted.push_back({boxOf(label, *at), label.strong, label.small});
+    requested.push_back({boxOf(label, *at), label.strong, label.small});
   }
-  const auto places = placeLabels(wanted);
+  const auto places = placeLabels(requested);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   for (std::size_t i = 0; i < labels.size(); ++i) {

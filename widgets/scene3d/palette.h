@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// The colours of the scene. What must be told apart comes from Okabe and Ito's palette (2008), which
+/// The colours of the scene. What must be distinguishable comes from Okabe and Ito's palette (2008), which
 /// does not rely on red against green.
 struct ScenePalette {
   float pixelScale = 1.0F;  ///< device pixels per pixel: line widths and point sizes follow

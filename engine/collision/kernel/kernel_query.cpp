@@ -190,7 +190,7 @@ void KernelQuery::decide(Best& best) {
   for (std::size_t i = 0; i < triangles_.size() && triangles_[i].squared <= widenedBound(best.squared);) {
     std::size_t count = 0;
     for (; count < pairs.size() && i < triangles_.size(); ++i) pairs[count++] = triangles_[i].pair;
-    const auto squared = traversal_.exactDistances(pairs.data(), count);
+    const auto squared = traversal_.exactDistances(std::span(pairs).first(count));
     for (std::size_t k = 0; k < count; ++k) {
       const TrianglePair& pair = pairs[k];
       const bool lower = std::pair(pair.obstacle, pair.object) < std::pair(best.pair.obstacle, best.pair.object);
@@ -254,7 +254,7 @@ bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
 /// One of the pairs that were near of late is at `bound` or nearer.
 bool KernelQuery::recentlyWithin(double bound) {
   if (recentCount_ == 0) return false;
-  const auto squared = traversal_.exactDistances(recent_.data(), recentCount_);
+  const auto squared = traversal_.exactDistances(std::span(recent_).first(recentCount_));
   const auto nearest = std::min_element(squared.begin(), squared.end());
   if (*nearest > bound * bound) return false;
   // Lanes beyond the count repeat the last.

@@ -90,10 +90,10 @@ PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& lea
   return result;
 }
 
-std::array<double, 4> PairTraversal::exactDistances(const TrianglePair* pairs, std::size_t count) {
+std::array<double, 4> PairTraversal::exactDistances(std::span<const TrianglePair> pairs) {
   lanes::TrianglePairLanes lanes;
   for (std::size_t lane = 0; lane < 4; ++lane) {
-    const TrianglePair& pair = pairs[std::min(lane, count - 1)];
+    const TrianglePair& pair = pairs[std::min(lane, pairs.size() - 1)];
     const Triangle& a = obstacleTriangle(pair.obstacle);
     const Triangle b = placed.triangle(pair.object);
     for (std::size_t corner = 0; corner < 3; ++corner) {

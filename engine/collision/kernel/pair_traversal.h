@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/collision/kernel/placed_object.h"
@@ -85,7 +86,7 @@ class PairTraversal {
   };
   LeafDistances triangleDistances(const BoxPair& leaves);
   /// Squared distances of up to four pairs of triangles, as triangleDistance finds them.
-  std::array<double, 4> exactDistances(const TrianglePair* pairs, std::size_t count);
+  std::array<double, 4> exactDistances(std::span<const TrianglePair> pairs);
 
   const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles.triangles[index].corners; }
 

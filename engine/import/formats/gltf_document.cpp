@@ -26,13 +26,13 @@ T valueAt(std::string_view bytes, std::uint64_t at) {
   return value;
 }
 
-std::string placeOf(const char* list, std::uint64_t index) {
+std::string locationOf(const char* list, std::uint64_t index) {
   return std::string("/") + list + "/" + std::to_string(index);
 }
 
 enum ComponentType : std::uint64_t { kByte = 5120, kUByte, kShort, kUShort, kUInt = 5125, kFloat };
 
-std::size_t bytesOf(std::uint64_t type, const std::string& place) {
+std::size_t bytesOf(std::uint64_t type, const std::string& location) {
   switch (type) {
     case kByte:
     case kUByte: return 1;
@@ -40,7 +40,7 @@ std::size_t bytesOf(std::uint64_t type, const std::string& place) {
     case kUShort: return 2;
     case kUInt:
     case kFloat: return 4;
-    default: throw FormatError{place, "has the unknown component type " + std::to_string(type)};
+    default: throw FormatError{location, "has the unknown component type " + std::to_string(type)};
   }
 }
 
@@ -64,24 +64,24 @@ double component(const char* at, std::uint64_t type, bool normalized) {
 }
 
 /// The part of `bytes` from `offset` on, `size` long.
-std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const std::string& place) {
+std::string_view part(std::string_view bytes, std::uint64_t offset, std::uint64_t size, const std::string& location) {
   if (offset > bytes.size() || size > bytes.size() - offset)
-    throw FormatError{place, "goes beyond the end of its data"};
+    throw FormatError{location, "goes beyond the end of its data"};
   return bytes.substr(offset, size);
 }
 
 }  // namespace
 
-std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& place) {
+std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& location) {
   const auto found = object.is_object() ? object.find(key) : object.end();
   if (!object.is_object() || found == object.end() || !found->is_number_unsigned()) {
-    throw FormatError{place, std::string("has no whole number '") + key + "'"};
+    throw FormatError{location, std::string("has no whole number '") + key + "'"};
   }
   return found->get<std::uint64_t>();
 }
 
-std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& place, std::uint64_t fallback) {
-  return object.is_object() && !object.contains(key) ? fallback : wholeNumber(object, key, place);
+std::uint64_t wholeNumber(const Json& object, const char* key, const std::string& location, std::uint64_t fallback) {
+  return object.is_object() && !object.contains(key) ? fallback : wholeNumber(object, key, location);
 }
 
 GltfDocument::GltfDocument(std::string_view bytes) {
@@ -130,76 +130,76 @@ void GltfDocument::readBuffers() {
   if (found == root_.end()) return;
   decoded_.resize(found->size());
   for (std::size_t i = 0; i < found->size(); ++i) {
-    const std::string place = placeOf("buffers", i);
+    const std::string location = locationOf("buffers", i);
     const Json& buffer = element("buffers", i);
-    const std::uint64_t size = wholeNumber(buffer, "byteLength", place);
+    const std::uint64_t size = wholeNumber(buffer, "byteLength", location);
     const auto uri = buffer.find("uri");
     std::string_view bytes = binary_;
     if (uri != buffer.end()) {
-      if (!uri->is_string()) throw FormatError{place, "has a 'uri' that is no text"};
+      if (!uri->is_string()) throw FormatError{location, "has a 'uri' that is no text"};
       const auto& text = uri->get_ref<const std::string&>();
       const std::size_t data = text.find(";base64,");
       if (text.rfind("data:", 0) != 0 || data == std::string::npos) {
-        throw FormatError{place, "keeps its data in a file of its own (" + inQuotes(text) + ")"};
+        throw FormatError{location, "keeps its data in a file of its own (" + inQuotes(text) + ")"};
       }
       auto decoded = decodeBase64(std::string_view(text).substr(data + 8));
-      if (!decoded) throw FormatError{place, "holds data that is not base64"};
+      if (!decoded) throw FormatError{location, "holds data that is not base64"};
       decoded_[i] = std::move(*decoded);
       bytes = decoded_[i];
     }
-    buffers_.push_back(part(bytes, 0, size, place));
+    buffers_.push_back(part(bytes, 0, size, location));
   }
 }
 
 const GltfDocument::Json& GltfDocument::element(const char* list, std::uint64_t index) const {
   const auto found = root_.find(list);
   if (found == root_.end() || !found->is_array() || index >= found->size() || !(*found)[index].is_object()) {
-    throw FormatError{placeOf(list, index), "does not exist"};
+    throw FormatError{locationOf(list, index), "does not exist"};
   }
   return (*found)[index];
 }
 
 GltfDocument::View GltfDocument::view(std::uint64_t index) const {
-  const std::string place = placeOf("bufferViews", index);
+  const std::string location = locationOf("bufferViews", index);
   const Json& json = element("bufferViews", index);
-  const std::uint64_t buffer = wholeNumber(json, "buffer", place);
-  if (buffer >= buffers_.size()) throw FormatError{place, "names a buffer that does not exist"};
-  return {
-      part(buffers_[buffer], wholeNumber(json, "byteOffset", place, 0), wholeNumber(json, "byteLength", place), place),
-      wholeNumber(json, "byteStride", place, 0)};
+  const std::uint64_t buffer = wholeNumber(json, "buffer", location);
+  if (buffer >= buffers_.size()) throw FormatError{location, "names a buffer that does not exist"};
+  return {part(buffers_[buffer], wholeNumber(json, "byteOffset", location, 0),
+               wholeNumber(json, "byteLength", location), location),
+          wholeNumber(json, "byteStride", location, 0)};
 }
 
 GltfNumbers GltfDocument::numbers(std::uint64_t index, std::size_t components) const {
-  const std::string place = placeOf("accessors", index);
+  const std::string location = locationOf("accessors", index);
   const Json& accessor = element("accessors", index);
   static constexpr std::array kTypes{"", "SCALAR", "VEC2", "VEC3"};
   if (!accessor.contains("type") || accessor["type"] != kTypes[components]) {
-    throw FormatError{place, std::string("is not of the type ") + kTypes[components]};
+    throw FormatError{location, std::string("is not of the type ") + kTypes[components]};
   }
   GltfNumbers numbers;
-  numbers.single = wholeNumber(accessor, "componentType", place) == kFloat;
+  numbers.single = wholeNumber(accessor, "componentType", location) == kFloat;
   if (accessor.contains("bufferView")) {
-    readPlain(accessor, place, components, numbers);
+    readPlain(accessor, location, components, numbers);
   } else if (!accessor.contains("sparse")) {
-    throw FormatError{place, "has no data"};
+    throw FormatError{location, "has no data"};
   }
-  if (accessor.contains("sparse")) replaceSparse(accessor, place, components, numbers);
+  if (accessor.contains("sparse")) replaceSparse(accessor, location, components, numbers);
   return numbers;
 }
 
-void GltfDocument::readPlain(const Json& accessor, const std::string& place, std::size_t components,
+void GltfDocument::readPlain(const Json& accessor, const std::string& location, std::size_t components,
                              GltfNumbers& numbers) const {
-  const std::uint64_t type = wholeNumber(accessor, "componentType", place);
-  const std::uint64_t count = wholeNumber(accessor, "count", place);
-  const std::size_t bytes = bytesOf(type, place);
-  const View source = view(wholeNumber(accessor, "bufferView", place));
-  const std::uint64_t offset = wholeNumber(accessor, "byteOffset", place, 0);
+  const std::uint64_t type = wholeNumber(accessor, "componentType", location);
+  const std::uint64_t count = wholeNumber(accessor, "count", location);
+  const std::size_t bytes = bytesOf(type, location);
+  const View source = view(wholeNumber(accessor, "bufferView", location));
+  const std::uint64_t offset = wholeNumber(accessor, "byteOffset", location, 0);
   const std::uint64_t size = components * bytes;
   const std::uint64_t stride = source.stride == 0 ? size : source.stride;
-  if (count == 0) throw FormatError{place, "has no element"};
+  if (count == 0) throw FormatError{location, "has no element"};
   if (stride < size || offset > source.bytes.size() || source.bytes.size() - offset < size ||
       (source.bytes.size() - offset - size) / stride < count - 1) {
-    throw FormatError{place, "claims " + std::to_string(count) + " elements, more than its data holds"};
+    throw FormatError{location, "claims " + std::to_string(count) + " elements, more than its data holds"};
   }
   const bool normalized = accessor.value("normalized", false);
   numbers.values.reserve(count * components);
@@ -210,34 +210,34 @@ void GltfDocument::readPlain(const Json& accessor, const std::string& place, std
   }
 }
 
-void GltfDocument::replaceSparse(const Json& accessor, const std::string& place, std::size_t components,
+void GltfDocument::replaceSparse(const Json& accessor, const std::string& location, std::size_t components,
                                  GltfNumbers& numbers) const {
   const Json& sparse = accessor["sparse"];
-  const std::uint64_t count = wholeNumber(accessor, "count", place);
+  const std::uint64_t count = wholeNumber(accessor, "count", location);
   if (!sparse.is_object() || !sparse.contains("indices") || !sparse.contains("values")) {
-    throw FormatError{place + "/sparse", "has no indices or no values"};
+    throw FormatError{location + "/sparse", "has no indices or no values"};
   }
   if (numbers.values.empty()) {
     // Zeros, of which the file has no data: no more of them than bytes of the file.
     std::uint64_t bytes = 0;
     for (const std::string_view buffer : buffers_) bytes += buffer.size();
-    if (count > bytes) throw FormatError{place, "claims more elements than the file has bytes"};
+    if (count > bytes) throw FormatError{location, "claims more elements than the file has bytes"};
     numbers.values.assign(count * components, 0.0);
   }
   const auto read = [&](const char* key, std::size_t width, std::uint64_t type) {
     Json plain = sparse[key];
-    plain["count"] = wholeNumber(sparse, "count", place + "/sparse");
+    plain["count"] = wholeNumber(sparse, "count", location + "/sparse");
     plain["componentType"] = type;
     GltfNumbers found;
-    readPlain(plain, place + "/sparse/" + key, width, found);
+    readPlain(plain, location + "/sparse/" + key, width, found);
     return found.values;
   };
-  const std::uint64_t indexType = wholeNumber(sparse["indices"], "componentType", place + "/sparse/indices");
+  const std::uint64_t indexType = wholeNumber(sparse["indices"], "componentType", location + "/sparse/indices");
   const std::vector<double> indices = read("indices", 1, indexType);
-  const std::vector<double> values = read("values", components, wholeNumber(accessor, "componentType", place));
+  const std::vector<double> values = read("values", components, wholeNumber(accessor, "componentType", location));
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (!(indices[i] >= 0.0 && indices[i] < static_cast<double>(count))) {
-      throw FormatError{place + "/sparse", "has an index that does not exist"};
+      throw FormatError{location + "/sparse", "has an index that does not exist"};
     }
     std::copy_n(
         values.begin() + static_cast<std::ptrdiff_t>(i * components), components,

@@ -17,7 +17,7 @@ struct GltfNumbers {
 };
 
 /// A glTF 2.0 file, as text or in its binary container (GLB), with checked access to its parts. Data in files of
-/// its own is not read. Every function throws FormatError with a JSON pointer or a byte as its place.
+/// its own is not read. Every function throws FormatError with a JSON pointer or a byte as its location.
 class GltfDocument {
  public:
   using Json = nlohmann::json;
@@ -40,8 +40,8 @@ class GltfDocument {
   void checkVersion() const;
   void readBuffers();
   View view(std::uint64_t index) const;
-  void readPlain(const Json& accessor, const std::string& place, std::size_t components, GltfNumbers& numbers) const;
-  void replaceSparse(const Json& accessor, const std::string& place, std::size_t components,
+  void readPlain(const Json& accessor, const std::string& location, std::size_t components, GltfNumbers& numbers) const;
+  void replaceSparse(const Json& accessor, const std::string& location, std::size_t components,
                      GltfNumbers& numbers) const;
 
   Json root_;
@@ -51,8 +51,8 @@ class GltfDocument {
 };
 
 /// A whole number of a JSON object. Throws FormatError where it is none, or where it is missing and has no fallback.
-std::uint64_t wholeNumber(const nlohmann::json& object, const char* key, const std::string& place);
-std::uint64_t wholeNumber(const nlohmann::json& object, const char* key, const std::string& place,
+std::uint64_t wholeNumber(const nlohmann::json& object, const char* key, const std::string& location);
+std::uint64_t wholeNumber(const nlohmann::json& object, const char* key, const std::string& location,
                           std::uint64_t fallback);
 
 }  // namespace glissade

@@ -37,38 +37,38 @@ void checkRequiredExtensions(const Json& root) {
 
 /// The numbers of a list, which must be `count` long; nothing where it is missing.
 std::optional<std::vector<double>> listOf(const Json& object, const char* key, std::size_t count,
-                                          const std::string& place) {
+                                          const std::string& location) {
   const auto found = object.find(key);
   if (found == object.end()) return std::nullopt;
   const bool numbers = found->is_array() && found->size() == count &&
                        std::all_of(found->begin(), found->end(), [](const Json& entry) { return entry.is_number(); });
   if (!numbers)
-    throw FormatError{place, std::string("has a '") + key + "' that is not " + std::to_string(count) + " numbers"};
+    throw FormatError{location, std::string("has a '") + key + "' that is not " + std::to_string(count) + " numbers"};
   return found->get<std::vector<double>>();
 }
 
-Eigen::Affine3d transformOf(const Json& node, const std::string& place) {
+Eigen::Affine3d transformOf(const Json& node, const std::string& location) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  if (const auto matrix = listOf(node, "matrix", 16, place)) {
+  if (const auto matrix = listOf(node, "matrix", 16, location)) {
     transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(matrix->data());
     return transform;
   }
-  if (const auto t = listOf(node, "translation", 3, place)) transform.translate(Vector3((*t)[0], (*t)[1], (*t)[2]));
-  if (const auto r = listOf(node, "rotation", 4, place)) {
+  if (const auto t = listOf(node, "translation", 3, location)) transform.translate(Vector3((*t)[0], (*t)[1], (*t)[2]));
+  if (const auto r = listOf(node, "rotation", 4, location)) {
     const Quaternion rotation((*r)[3], (*r)[0], (*r)[1], (*r)[2]);
-    if (!(rotation.norm() > 0.0)) throw FormatError{place, "has a rotation of length zero"};
+    if (!(rotation.norm() > 0.0)) throw FormatError{location, "has a rotation of length zero"};
     transform.rotate(rotation.normalized());
   }
-  if (const auto s = listOf(node, "scale", 3, place)) transform.scale(Vector3((*s)[0], (*s)[1], (*s)[2]));
+  if (const auto s = listOf(node, "scale", 3, location)) transform.scale(Vector3((*s)[0], (*s)[1], (*s)[2]));
   return transform;
 }
 
 /// The corners of the triangles of a primitive, three a triangle.
 std::vector<std::size_t> trianglesOf(std::uint64_t mode, const std::vector<std::size_t>& indices,
-                                     const std::string& place) {
+                                     const std::string& location) {
   const std::size_t count = indices.size();
   if (count < 3 || (mode == kTriangles && count % 3 != 0)) {
-    throw FormatError{place, "has " + std::to_string(count) + " corners, which are no whole triangles"};
+    throw FormatError{location, "has " + std::to_string(count) + " corners, which are no whole triangles"};
   }
   if (mode == kTriangles) return indices;
   std::vector<std::size_t> corners;
@@ -111,18 +111,18 @@ class Scene {
   };
 
   /// A node is reached once; a file in which one is its own ancestor would be read for ever.
-  std::vector<Placed> childrenOf(const Json& object, const char* key, const std::string& place,
+  std::vector<Placed> childrenOf(const Json& object, const char* key, const std::string& location,
                                  const Eigen::Affine3d& transform) {
     std::vector<Placed> children;
     const auto found = object.find(key);
     if (found == object.end()) return children;
     for (const Json& child : *found) {
-      if (!child.is_number_unsigned()) throw FormatError{place, "names a node that is no number"};
+      if (!child.is_number_unsigned()) throw FormatError{location, "names a node that is no number"};
       const auto node = child.get<std::uint64_t>();
       (void)document_.element("nodes", node);
       if (node >= reached_.size()) reached_.resize(node + 1, false);
       if (reached_[node])
-        throw FormatError{place, "names node " + std::to_string(node) + ", which is in the scene already"};
+        throw FormatError{location, "names node " + std::to_string(node) + ", which is in the scene already"};
       reached_[node] = true;
       children.push_back({node, transform});
     }
@@ -130,42 +130,42 @@ class Scene {
   }
 
   std::vector<Placed> readNode(const Placed& placed) {
-    const std::string place = "/nodes/" + std::to_string(placed.node);
+    const std::string location = "/nodes/" + std::to_string(placed.node);
     const Json& node = document_.element("nodes", placed.node);
-    const Eigen::Affine3d transform = placed.parent * transformOf(node, place);
+    const Eigen::Affine3d transform = placed.parent * transformOf(node, location);
     if (node.contains("extensions") && node["extensions"].contains("EXT_mesh_gpu_instancing")) {
-      throw FormatError{place, "has instances by the extension 'EXT_mesh_gpu_instancing', which is not read"};
+      throw FormatError{location, "has instances by the extension 'EXT_mesh_gpu_instancing', which is not read"};
     }
-    if (node.contains("skin")) content_.warnings.push_back(place + ": has a skin, which is not applied");
-    if (node.contains("mesh")) readMesh(wholeNumber(node, "mesh", place), transform);
-    return childrenOf(node, "children", place, transform);
+    if (node.contains("skin")) content_.warnings.push_back(location + ": has a skin, which is not applied");
+    if (node.contains("mesh")) readMesh(wholeNumber(node, "mesh", location), transform);
+    return childrenOf(node, "children", location, transform);
   }
 
   void readMesh(std::uint64_t index, const Eigen::Affine3d& transform) {
-    const std::string place = "/meshes/" + std::to_string(index);
+    const std::string location = "/meshes/" + std::to_string(index);
     const Json& mesh = document_.element("meshes", index);
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) throw FormatError{place, "has no primitives"};
+    if (primitives == mesh.end() || !primitives->is_array()) throw FormatError{location, "has no primitives"};
     for (std::size_t i = 0; i < primitives->size(); ++i) {
-      readPrimitive((*primitives)[i], place + "/primitives/" + std::to_string(i), transform);
+      readPrimitive((*primitives)[i], location + "/primitives/" + std::to_string(i), transform);
     }
   }
 
-  void readPrimitive(const Json& primitive, const std::string& place, const Eigen::Affine3d& transform) {
-    const std::uint64_t mode = wholeNumber(primitive, "mode", place, kTriangles);
+  void readPrimitive(const Json& primitive, const std::string& location, const Eigen::Affine3d& transform) {
+    const std::uint64_t mode = wholeNumber(primitive, "mode", location, kTriangles);
     if (mode < kTriangles) return;  // points and lines
-    if (mode > kFan) throw FormatError{place, "has the unknown mode " + std::to_string(mode)};
+    if (mode > kFan) throw FormatError{location, "has the unknown mode " + std::to_string(mode)};
     if (primitive.contains("targets"))
-      content_.warnings.push_back(place + ": has morph targets, which are not applied");
+      content_.warnings.push_back(location + ": has morph targets, which are not applied");
     const Json attributes = primitive.value("attributes", Json::object());
-    const GltfNumbers positions = document_.numbers(wholeNumber(attributes, "POSITION", place), 3);
+    const GltfNumbers positions = document_.numbers(wholeNumber(attributes, "POSITION", location), 3);
     const bool finite = std::all_of(positions.values.begin(), positions.values.end(),
                                     [](double coordinate) { return std::isfinite(coordinate); });
-    if (!finite) throw FormatError{place, "has a position that is not a finite number"};
+    if (!finite) throw FormatError{location, "has a position that is not a finite number"};
     noteSpacing(positions, transform);
     const std::vector<std::size_t> corners =
-        trianglesOf(mode, indicesOf(primitive, positions.values.size() / 3, place), place);
-    addTriangles(corners, placed(positions, transform), attributesOf(attributes, place), transform);
+        trianglesOf(mode, indicesOf(primitive, positions.values.size() / 3, location), location);
+    addTriangles(corners, placed(positions, transform), attributesOf(attributes, location), transform);
   }
 
   void noteSpacing(const GltfNumbers& positions, const Eigen::Affine3d& transform) {
@@ -176,16 +176,16 @@ class Scene {
     content_.coordinateSpacing = std::max(content_.coordinateSpacing, spacing.maxCoeff());
   }
 
-  std::vector<std::size_t> indicesOf(const Json& primitive, std::size_t vertices, const std::string& place) const {
+  std::vector<std::size_t> indicesOf(const Json& primitive, std::size_t vertices, const std::string& location) const {
     std::vector<std::size_t> indices;
     if (!primitive.contains("indices")) {
       for (std::size_t i = 0; i < vertices; ++i) indices.push_back(i);
       return indices;
     }
-    for (const double index : document_.numbers(wholeNumber(primitive, "indices", place), 1).values) {
+    for (const double index : document_.numbers(wholeNumber(primitive, "indices", location), 1).values) {
       if (!(index >= 0.0 && index < static_cast<double>(vertices))) {
-        throw FormatError{place, "has vertex " + std::to_string(static_cast<std::int64_t>(index)) +
-                                     " in its indices, but " + std::to_string(vertices) + " vertices"};
+        throw FormatError{location, "has vertex " + std::to_string(static_cast<std::int64_t>(index)) +
+                                        " in its indices, but " + std::to_string(vertices) + " vertices"};
       }
       indices.push_back(static_cast<std::size_t>(index));
     }
@@ -206,12 +206,12 @@ class Scene {
     std::vector<double> normals;
     std::vector<double> textures;
   };
-  Attributes attributesOf(const Json& attributes, const std::string& place) const {
+  Attributes attributesOf(const Json& attributes, const std::string& location) const {
     Attributes found;
     if (attributes.contains("NORMAL"))
-      found.normals = document_.numbers(wholeNumber(attributes, "NORMAL", place), 3).values;
+      found.normals = document_.numbers(wholeNumber(attributes, "NORMAL", location), 3).values;
     if (attributes.contains("TEXCOORD_0")) {
-      found.textures = document_.numbers(wholeNumber(attributes, "TEXCOORD_0", place), 2).values;
+      found.textures = document_.numbers(wholeNumber(attributes, "TEXCOORD_0", location), 2).values;
     }
     return found;
   }

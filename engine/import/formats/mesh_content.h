@@ -17,8 +17,8 @@ struct MeshContent {
 
 /// What is wrong with a file and where. Readers throw it; the importing process turns it into its message.
 struct FormatError {
-  std::string place;   ///< "line 12", "byte 934", or empty
-  std::string reason;  ///< sentence fragment, for people
+  std::string location;  ///< "line 12", "byte 934", or empty
+  std::string reason;    ///< sentence fragment, for people
 };
 
 /// Spacing of 32-bit floating-point numbers at a magnitude.

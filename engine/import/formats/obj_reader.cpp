@@ -183,12 +183,12 @@ class Obj {
     if (fault != std::errc() || end != word.data() + word.size()) {
       throw scanner.error("has " + inQuotes(word) + " where the number of a " + what + " is expected");
     }
-    const std::int64_t place = index > 0 ? index - 1 : index + static_cast<std::int64_t>(soFar);
-    if (index == 0 || place < 0 || place >= static_cast<std::int64_t>(count)) {
+    const std::int64_t position = index > 0 ? index - 1 : index + static_cast<std::int64_t>(soFar);
+    if (index == 0 || position < 0 || position >= static_cast<std::int64_t>(count)) {
       throw scanner.error("has a face with " + std::string(what) + " " + std::to_string(index) + ", but the file has " +
                           std::to_string(count));
     }
-    return static_cast<std::uint32_t>(place);
+    return static_cast<std::uint32_t>(position);
   }
 
   std::uint32_t indexOf(const Corner& corner) const { return indices_[corner.vertex]; }

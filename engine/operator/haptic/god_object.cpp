@@ -62,9 +62,9 @@ void GodObject::forgetFarContacts() {
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), far), contacts_.end());
 }
 
-/// The nearest step to the wanted one that keeps the gap at every contact: projected Gauss-Seidel.
-GodObject::Step GodObject::alongContacts(const Step& wanted) const {
-  Step step = wanted;
+/// The nearest step to the requested one that keeps the gap at every contact: projected Gauss-Seidel.
+GodObject::Step GodObject::alongContacts(const Step& requested) const {
+  Step step = requested;
   std::array<double, kMostContacts> pushed{};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {

@@ -49,7 +49,7 @@ class GodObject {
   double gap(const Contact& contact) const;
   void forgetFarContacts();
   Step stepTo(const Pose& X_WD) const;
-  Step alongContacts(const Step& wanted) const;
+  Step alongContacts(const Step& requested) const;
   Pose moved(const Step& step) const;
 
   double radius_;

@@ -10,7 +10,7 @@
 
 namespace glissade {
 
-/// What the loop is told, latest wins. Counters grow with every wish, so that none is carried out twice.
+/// Requests to the loop, the latest counts. Counters grow with every wish, so that none is carried out twice.
 struct HapticOrders {
   Guidance guidance;
   Box3 bounds;

@@ -62,9 +62,9 @@ HapticCycle HapticServo::cycle(double dt, const Guidance& guidance, const Box3& 
   const HapticState hand = device_->advance(dt);
   passivity_.observe(X_WD_, hand.X_WD, environment_);
   X_WD_ = hand.X_WD;
-  Pose wanted = hand.X_WD;
-  wanted.position = wanted.position.cwiseMax(bounds.min()).cwiseMin(bounds.max());
-  object_.follow(wanted);
+  Pose target = hand.X_WD;
+  target.position = target.position.cwiseMax(bounds.min()).cwiseMin(bounds.max());
+  object_.follow(target);
   environment_ = passivity_.damped(environmentWrench(guidance, hand.X_WD, dt), hand.V_WD, dt);
   const Wrench felt = inShares(environment_, limits_);
   const Wrench drawn = attraction(guidance, object_.pose(), coupling_.objectRadius);

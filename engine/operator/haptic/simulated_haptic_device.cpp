@@ -57,10 +57,10 @@ void SimulatedHapticDevice::restart() {
 HapticState SimulatedHapticDevice::advance(double dt) {
   if (dt <= 0.0) return state_;
   seconds_ += dt;
-  const Pose wanted = motion_(seconds_, begin_);
+  const Pose target = motion_(seconds_, begin_);
   Pose& X = state_.X_WD;
-  const Vector3 pull = capped(kArm / worldPerHand_ * (wanted.position - X.position), kArmForce);
-  const Vector3 turn = capped(kArm * kHandRadius * rotationVector(X.orientation, wanted.orientation), kArmForce);
+  const Vector3 pull = capped(kArm / worldPerHand_ * (target.position - X.position), kArmForce);
+  const Vector3 turn = capped(kArm * kHandRadius * rotationVector(X.orientation, target.orientation), kArmForce);
   const Vector3 push = capped(wrench_.force_W * worldPerHand_, kDeviceForce);
   const Vector3 twist = capped(wrench_.torque_W / kHandRadius, kDeviceForce);
   const double decay = 1.0 / (1.0 + dt * kDamping / kMass);

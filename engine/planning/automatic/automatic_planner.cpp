@@ -14,7 +14,7 @@ std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   return contenders;
 }
 
-/// Work of a lane in a round: some milliseconds, so that waiting for the slowest costs little, and that
+/// Work of a slot in a round: some milliseconds, so that waiting for the slowest costs little, and that
 /// commands and snapshots still come often enough. Less in the first rounds, each twice the one before, so
 /// that what is easy need not wait for the others' milliseconds.
 constexpr std::uint64_t kQuantum = 10'000;
@@ -45,7 +45,7 @@ std::string AutomaticPlanner::member() const {
   if (path_) return solver_;
   std::string names;
   for (const Part& part : parts_) {
-    if (part.place == 0) names += (names.empty() ? "" : ", ") + members_[part.member].name;
+    if (part.index == 0) names += (names.empty() ? "" : ", ") + members_[part.member].name;
   }
   return names;
 }
@@ -61,9 +61,9 @@ bool AutomaticPlanner::solve(PlannerHost& host) {
 }
 
 void AutomaticPlanner::round(PlannerHost& host) {
-  const auto lanes = static_cast<std::size_t>(host.parameters().integer(ParameterId::Lanes));
-  deal(lanes);
-  runParts(host, lanes);
+  const auto slots = static_cast<std::size_t>(host.parameters().integer(ParameterId::Slots));
+  deal(slots);
+  runParts(host, slots);
   for (const Part& part : parts_) {
     Life& life = lifeOf(part);
     life.planner->collect(roadmap_);
@@ -77,29 +77,29 @@ void AutomaticPlanner::round(PlannerHost& host) {
 }
 
 /// Of a member's lives those that have got on farthest come first.
-void AutomaticPlanner::deal(std::size_t lanes) {
-  const auto stages = [](const Life& life) { return life.planner ? life.planner->planner().stagesDone() : 0; };
+void AutomaticPlanner::deal(std::size_t slots) {
+  const auto stages = [](const Life& life) { return life.planner ? stagesDoneOf(life.planner->planner()) : 0; };
   for (std::vector<Life>& lives : lives_) {
     if (lives.size() < 2) continue;
     std::stable_sort(lives.begin(), lives.end(), [&](const Life& a, const Life& b) { return stages(a) > stages(b); });
   }
   std::vector<std::size_t> dealt(members_.size(), 0);
   parts_.clear();
-  for (const std::size_t member : portfolio_.next(lanes, quantum_)) {
+  for (const std::size_t member : portfolio_.next(slots, quantum_)) {
     const Part& part = parts_.emplace_back(Part{member, dealt[member]++, {}});
-    if (part.place == lives_[member].size()) lives_[member].emplace_back();
+    if (part.index == lives_[member].size()) lives_[member].emplace_back();
     Life& life = lifeOf(part);
     if (life.number == 0) life.number = ++livesBegun_[member];
   }
 }
 
-/// A single lane has turns of one step.
-void AutomaticPlanner::runParts(PlannerHost& host, std::size_t lanes) {
-  if (lanes == 1) {
+/// A single slot has turns of one step.
+void AutomaticPlanner::runParts(PlannerHost& host, std::size_t slots) {
+  if (slots == 1) {
     work(parts_.front(), host, 0);
     return;
   }
-  if (!team_) team_ = std::make_unique<ThreadTeam>(std::min(lanes, mostThreads_) - 1);
+  if (!team_) team_ = std::make_unique<ThreadTeam>(std::min(slots, mostThreads_) - 1);
   RoundHost roundHost(host);
   team_->run(parts_.size(), [&](std::size_t i) { work(parts_[i], roundHost, quantum_); });
 }
@@ -110,7 +110,7 @@ void AutomaticPlanner::work(Part& part, PlannerHost& host, std::uint64_t quantum
     auto planner = members_[part.member].make(seedOf(part.member, life.number), life.number);
     life.planner = std::make_unique<SubPlanner>(std::move(planner), std::numeric_limits<std::uint64_t>::max(), nullptr);
   }
-  part.result = runLane(*life.planner, host, quantum);
+  part.result = runSlot(*life.planner, host, quantum);
 }
 
 /// The path of who needed least work in this round, the first among equals.

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "engine/base/thread_team.h"
-#include "engine/planning/automatic/lane.h"
 #include "engine/planning/automatic/member.h"
+#include "engine/planning/automatic/portfolio.h"
+#include "engine/planning/automatic/portfolio_report.h"
+#include "engine/planning/automatic/slot.h"
 
 namespace glissade {
 
@@ -14,19 +16,19 @@ namespace glissade {
 /// work (collision and distance queries, never seconds, so that a seed gives one roadmap on every
 /// machine), starts afresh when a life of it is over, and the first certified path ends the run.
 ///
-/// With several lanes (parameter `lanes`) it goes in rounds: as many lives as there are lanes work side
+/// With several slots (parameter `lanes` in files) it goes in rounds: as many lives as there are slots work side
 /// by side, of different members or of one, as their shares will have it, each for the same quantum of
 /// work; what they grew and cost is added up in the order in which the portfolio dealt it. The result depends on the
-/// seed and the lanes, not on how many threads carry them out nor on how fast these are. Of several paths found in a
+/// seed and the slots, not on how many threads carry them out nor on how fast these are. Of several paths found in a
 /// round the one that took the least work in it counts. The host is asked by the calling thread only, once for every
 /// turn, after the round.
 ///
 /// The roadmap is that of all members, in the order in which it was collected, also of lives that are
 /// over; of members that plan with another object than the given one, only what holds for the given one.
 /// Counts are summed over all members and lives.
-class AutomaticPlanner final : public Planner {
+class AutomaticPlanner final : public Planner, public ReportsMembers {
  public:
-  /// At most so many threads, the calling one included, carry out the lanes.
+  /// At most so many threads, the calling one included, carry out the slots.
   AutomaticPlanner(const Problem& problem, std::uint64_t seed,
                    std::size_t mostThreads = std::thread::hardware_concurrency());
   ~AutomaticPlanner() override;
@@ -44,7 +46,7 @@ class AutomaticPlanner final : public Planner {
   double helpersCpuSeconds() const override { return team_ ? team_->helpersCpuSeconds() : 0.0; }
 
  private:
-  /// One life of a member, or the place for one.
+  /// One life of a member, or the room for one.
   struct Life {
     std::unique_ptr<SubPlanner> planner;  ///< null before its first turn
     std::uint64_t number = 0;             ///< of the member's lives, from 1; 0: not begun
@@ -53,18 +55,18 @@ class AutomaticPlanner final : public Planner {
   /// A life's part in a round.
   struct Part {
     std::size_t member;
-    std::size_t place;  ///< among the member's lives
-    LaneResult result;
+    std::size_t index;  ///< among the member's lives
+    SlotResult result;
   };
 
   void round(PlannerHost& host);
-  void deal(std::size_t lanes);
-  void runParts(PlannerHost& host, std::size_t lanes);
+  void deal(std::size_t slots);
+  void runParts(PlannerHost& host, std::size_t slots);
   void work(Part& part, PlannerHost& host, std::uint64_t quantum);
   void settle(const Part& part);
   void deliver();
   void updateCounts();
-  Life& lifeOf(const Part& part) { return lives_[part.member][part.place]; }
+  Life& lifeOf(const Part& part) { return lives_[part.member][part.index]; }
   std::uint64_t seedOf(std::size_t member, std::uint64_t life) const;
 
   std::uint64_t seed_;
@@ -73,10 +75,10 @@ class AutomaticPlanner final : public Planner {
   Portfolio portfolio_;
   std::vector<std::vector<Life>> lives_;   ///< per member: as many as had turns at the same time
   std::vector<std::uint64_t> livesBegun_;  ///< per member
-  std::uint64_t quantum_;                  ///< work of a lane in the next round
+  std::uint64_t quantum_;                  ///< work of a slot in the next round
   std::vector<Part> parts_;                ///< of the last round, in the order dealt
-  std::uint64_t owedTurns_ = 0;            ///< of the last round, that the host was not told of yet
-  std::unique_ptr<ThreadTeam> team_;       ///< once there is more than one lane
+  std::uint64_t owedTurns_ = 0;            ///< of the last round, that the host has not counted yet
+  std::unique_ptr<ThreadTeam> team_;       ///< once there is more than one slot
   SharedRoadmap roadmap_;
   PlannerCounts counts_;  ///< without the steps of the turns owed
   std::optional<Path> path_;

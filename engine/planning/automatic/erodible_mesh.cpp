@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/ray_tree.h"
+#include "engine/geometry/triangle_tree.h"
 
 namespace glissade {
 namespace {
@@ -38,7 +38,7 @@ ErodibleMesh::ErodibleMesh(const TriangleMesh& mesh) : mesh_(welded(mesh)) {
   for (const auto& [a, b, c] : mesh_.triangles) {
     triangles.push_back({mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]});
   }
-  const RayTree surface(triangles);
+  const TriangleTree surface(triangles);
   const double beyond = kSameSurface * radiusAboutOrigin(mesh_);
   for (const Triangle& triangle : triangles) {
     const Vector3 across = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);

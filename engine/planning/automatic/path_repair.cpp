@@ -65,7 +65,7 @@ void PathRepair::step(PlannerHost& host) {
 /// The next configuration of the way is made free, or left out.
 void PathRepair::retractNext() {
   const auto at = way_.begin() + static_cast<std::ptrdiff_t>(retracted_);
-  if (const auto q = freed(*at)) {
+  if (const auto q = moveToClearance(*at)) {
     *at = *q;
     ++retracted_;
   } else {
@@ -73,7 +73,7 @@ void PathRepair::retractNext() {
   }
 }
 
-std::optional<Pose> PathRepair::freed(const Pose& q) {
+std::optional<Pose> PathRepair::moveToClearance(const Pose& q) {
   if (options_.grownBy <= 0.0) return q;
   const double radius = problem_.world->objectRadius();
   Pose from = q;

@@ -40,7 +40,7 @@ class PathRepair final : public Planner {
  private:
   void step(PlannerHost& host);
   void retractNext();
-  std::optional<Pose> freed(const Pose& q);
+  std::optional<Pose> moveToClearance(const Pose& q);
   void linkNext(PlannerHost& host);
   void startGap();
   void searchGap(PlannerHost& host);

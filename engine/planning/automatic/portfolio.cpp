@@ -58,7 +58,7 @@ std::size_t Portfolio::next() const {
 
 std::vector<std::size_t> Portfolio::next(std::size_t turns, std::uint64_t work) const {
   std::vector<std::size_t> dealt;
-  if (turns == 1) {  // a single lane deals at every step: nothing is to be imagined for it
+  if (turns == 1) {  // a single slot deals at every step: nothing is to be imagined for it
     if (const std::size_t who = next(); who != kNobody) dealt.push_back(who);
     return dealt;
   }

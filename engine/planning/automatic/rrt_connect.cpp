@@ -5,8 +5,6 @@
 #include <numbers>
 
 #include "engine/base/tolerances.h"
-#include "engine/planning/goal_roots.h"
-#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
@@ -27,17 +25,11 @@ double searchRange(const Problem& problem, double share, double turnWeight) {
 
 RrtConnect::RrtConnect(const Problem& problem, std::uint64_t seed, const Options& options,
                        std::unique_ptr<ConfigurationSampler> sampler)
-    : problem_(problem),
+    : TreePlanner(problem, Se3Metric(options.turnWeight * problem.world->objectRadius())),
       options_(options),
       sampler_(std::move(sampler)),
-      query_(problem.world->makeQuery()),
-      goalStream_(seed, "goal bias"),
-      metric_(options.turnWeight * problem.world->objectRadius()),
-      roadmap_(metric_) {
-  startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});
-  for (const Pose& q : goalRoots(problem_, *query_)) {
-    goalRoots_.push_back(roadmap_.addRoot({q, Author::Computer, TreeSide::Goal}));
-  }
+      goalStream_(seed, "goal bias") {
+  addGoalRoots();
   domains_.assign(roadmap_.nodes().size(), std::numeric_limits<double>::infinity());
   updateCounts();
 }
@@ -93,10 +85,11 @@ std::optional<RrtConnect::Node> RrtConnect::grow(ComponentId component, const Po
   if (near.distance < tolerance::kSameConfiguration * metric_.radius() || near.distance > domains_[near.index]) {
     return std::nullopt;
   }
-  const Extension extension = extend(near.index, q, host);
-  adapt(near.index, extension.outcome != Outcome::Trapped);
-  if (extension.outcome == Outcome::Reached) return addChild(near.index, q);
-  return extension.outcome == Outcome::Advanced ? std::optional<Node>(extension.node) : std::nullopt;
+  const Extended extended = extend(near.index, q, host);
+  const bool grew = extended.progress == Progress::Reached || extended.progress == Progress::Advanced;
+  adapt(near.index, grew);
+  if (extended.progress == Progress::Reached) return addChild(near.index, q);
+  return extended.progress == Progress::Advanced ? std::optional<Node>(extended.node) : std::nullopt;
 }
 
 RrtConnect::ComponentId RrtConnect::nearestOther(ComponentId grown, const Pose& q) const {
@@ -119,35 +112,25 @@ RrtConnect::Node RrtConnect::addChild(Node parent, const Pose& q) {
 
 /// Grows from a node towards q by at most the range; less where something is in the way. Where q
 /// itself is within reach nothing is added: q may be a node already.
-RrtConnect::Extension RrtConnect::extend(Node from, const Pose& q, PlannerHost& host) {
-  const Pose origin = roadmap_.nodes()[from].q;
-  const double distance = metric_.distance(origin, q);
-  const double length = std::min(distance, options_.range);
-  const Pose target = length < distance ? interpolate(origin, q, length / distance) : q;
-  const double step = host.parameters()[ParameterId::GrowthStep] * refinement_;
-  const double free = freeFraction(*query_, origin, target, step, host.stopToken());
-  if (free >= 1.0 && length == distance) return {Outcome::Reached, from};
-  double t = 1.0;
-  if (free < 1.0) {
-    const double grid = tolerance::kGuidedExtensionStep * metric_.radius();
-    t = std::floor(free * length / grid) * grid / length;
-    if (t * length < grid) return {Outcome::Trapped, from};
-  }
-  const Node node = addChild(from, t < 1.0 ? interpolate(origin, target, t) : target);
-  return {free < 1.0 ? Outcome::Trapped : Outcome::Advanced, node};
+RrtConnect::Extended RrtConnect::extend(Node from, const Pose& q, PlannerHost& host) {
+  const double grid = tolerance::kGuidedExtensionStep * metric_.radius();
+  const ExtensionRule rule{host.parameters()[ParameterId::GrowthStep] * refinement_, grid, grid, options_.range};
+  const Extension grown = extension(from, q, metric_.distance(roadmap_.nodes()[from].q, q), rule, host);
+  const bool adds = grown.progress == Progress::Advanced || grown.progress == Progress::Blocked;
+  return {grown.progress, adds ? addChild(from, grown.end) : from};
 }
 
 void RrtConnect::connect(ComponentId component, Node target, PlannerHost& host) {
   const Pose q = roadmap_.nodes()[target].q;
   Node at = roadmap_.nearest(component, q).index;
   for (;;) {
-    const Extension extension = extend(at, q, host);
-    if (extension.outcome == Outcome::Reached) {
+    const Extended extended = extend(at, q, host);
+    if (extended.progress == Progress::Reached) {
       roadmap_.join(at, target);
       joined_ = true;
     }
-    if (extension.outcome != Outcome::Advanced || host.stopToken().stopRequested()) return;
-    at = extension.node;
+    if (extended.progress != Progress::Advanced || host.stopToken().stopRequested()) return;
+    at = extended.node;
   }
 }
 
@@ -164,32 +147,16 @@ void RrtConnect::adapt(Node node, bool grew) {
   }
 }
 
-/// Certifies the way from start to goal once there is one.
 void RrtConnect::deliverPath(PlannerHost& host) {
   joined_ = false;
   for (const Node goal : goalRoots_) {
-    const auto way = roadmap_.way(startRoot_, goal);
-    if (!way) continue;
-    Path path;
-    for (const Node node : way->nodes) path.points.push_back({roadmap_.nodes()[node].q, Author::Computer});
-    path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
-    if (path.certificate.status == CertificateStatus::Certified) {
-      path_ = std::move(path);
-      return;
-    }
-    const std::size_t refused = path.certificate.edge;
+    const Delivery delivery = deliverWay(goal, host);
+    if (delivery == Delivery::NoWay) continue;
+    if (delivery == Delivery::Delivered) return;
     joined_ = true;
-    if (host.stopToken().stopRequested()) return;
-    roadmap_.dropEdge(way->edges[refused]);
+    if (delivery == Delivery::Stopped) return;
     refinement_ = std::max(kFinest, refinement_ * kRefinement);
   }
-}
-
-void RrtConnect::updateCounts() {
-  counts_.nodes = roadmap_.nodes().size();
-  counts_.edges = roadmap_.directedEdgeCount();
-  counts_.droppedEdges = roadmap_.droppedEdges().size();
-  counts_.queries = query_->counts();
 }
 
 }  // namespace glissade

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/planning/automatic/eroded_worlds.h"
+#include "engine/planning/automatic/portfolio_report.h"
 #include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/fine/sub_planner.h"
 
@@ -16,7 +17,7 @@ namespace glissade {
 /// Then a fresh seed may find another.
 ///
 /// Nodes and edges are those of the level of the object itself; the eroded ones' are not free.
-class ShrinkRepair final : public Planner {
+class ShrinkRepair final : public Planner, public ReportsStages {
  public:
   struct Options {
     double erosion = 0.0;  ///< of the first level, metres

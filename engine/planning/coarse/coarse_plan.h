@@ -74,7 +74,7 @@ struct CoarsePlan {
   double cost = 0.0;
   std::vector<TopologicalStep> steps;
   std::vector<std::string> forbidden;      ///< where there is no way: the places that are forbidden
-  std::vector<std::string> tooDear;        ///< where there is no way: what else costs infinitely much
+  std::vector<std::string> infiniteCost;   ///< where there is no way: what else costs infinitely much
   std::uint64_t coarseConfigurations = 0;  ///< drawn for milestones and probes
   std::uint64_t fineConfigurations = 0;    ///< drawn by local planners
 };

@@ -3,6 +3,7 @@
 #include "engine/base/stop_token.h"
 #include "engine/environment/knowledge_source.h"
 #include "engine/planning/coarse/passage_fit.h"
+#include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
 
 namespace glissade {

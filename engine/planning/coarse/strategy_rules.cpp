@@ -70,7 +70,7 @@ class KnownNames {
 };
 
 Diagnostic at(const std::string& pointer, Diagnostic why) {
-  why.place = pointer + (why.place.empty() ? "" : ", " + why.place);
+  why.location = pointer + (why.location.empty() ? "" : ", " + why.location);
   return why;
 }
 

@@ -15,9 +15,7 @@ struct FineRule {
   bool geometrical = false;  ///< call the geometrical planner first: the local planner stays in its region
   std::string local;         ///< id in the local planner registry
 
-  friend bool operator==(const FineRule& a, const FineRule& b) {
-    return a.when == b.when && a.geometrical == b.geometrical && a.local == b.local;
-  }
+  friend bool operator==(const FineRule&, const FineRule&) = default;
 };
 
 /// How the semantic planner controls a run, as a user can read and change it (paper 2, section 4).
@@ -28,9 +26,7 @@ struct StrategyRules {
   bool loop = false;    ///< go on with the next best coarse path when a step fails, at a raised cost
   bool fitted = false;  ///< cross passages in the configuration that fits best, where there is one
 
-  friend bool operator==(const StrategyRules& a, const StrategyRules& b) {
-    return a.node == b.node && a.edge == b.edge && a.fine == b.fine && a.loop == b.loop && a.fitted == b.fitted;
-  }
+  friend bool operator==(const StrategyRules&, const StrategyRules&) = default;
 };
 
 /// The rules of "gt", "gts1", "gts2" (paper 2, sections 6.1 and 6.2) and "gts" (with everything that

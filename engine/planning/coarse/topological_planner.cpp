@@ -171,10 +171,10 @@ void nameWhatIsClosed(CoarsePlan& plan, const TopologicalMap& map, const Semanti
   }
   for (const int place : closed) {
     const auto p = static_cast<std::size_t>(place);
-    (flagOf(semantics, p, "forbidden") ? plan.forbidden : plan.tooDear).push_back(semantics.placeName(p));
+    (flagOf(semantics, p, "forbidden") ? plan.forbidden : plan.infiniteCost).push_back(semantics.placeName(p));
   }
   for (const TopologicalGraph::Node& node : plan.graph->nodes) {
-    if (node.cost == kInfinite) plan.tooDear.push_back(borderName(map, semantics, node.border));
+    if (node.cost == kInfinite) plan.infiniteCost.push_back(borderName(map, semantics, node.border));
   }
 }
 

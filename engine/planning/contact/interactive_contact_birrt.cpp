@@ -4,31 +4,24 @@
 #include <cmath>
 
 #include "engine/base/tolerances.h"
-#include "engine/planning/goal_roots.h"
-#include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
 
-/// Configurations shot from one place of an operator who does not move: five seconds at the pace of
+/// Configurations shot from one pose of an operator who does not move: five seconds at the pace of
 /// the paper's machine. More would only flood the roadmap at today's pace.
 constexpr std::uint64_t kRestBudget = 200;
 
 }  // namespace
 
 InteractiveContactBirrt::InteractiveContactBirrt(const Problem& problem, std::uint64_t seed, OperatorUse operatorUse)
-    : problem_(problem),
+    : TreePlanner(problem, problem.metric()),
       operatorUse_(operatorUse),
-      query_(problem.world->makeQuery()),
       authorityStream_(seed, "authority"),
       randomShooter_(problem, seed),
       contactSampler_(seed),
-      roadmap_(problem.metric()),
       tuner_(problem.world->objectRadius()) {
-  startRoot_ = roadmap_.addRoot({problem_.start, Author::Computer, TreeSide::Start});
-  for (const Pose& q : goalRoots(problem_, *query_)) {
-    goalRoots_.push_back(roadmap_.addRoot({q, Author::Computer, TreeSide::Goal}));
-  }
+  addGoalRoots();
   updateCounts();
 }
 
@@ -114,11 +107,10 @@ void InteractiveContactBirrt::observeStep(std::size_t edgesBefore, PlannerHost& 
 
 /// Of the edges from this one on; 0 where there is none.
 double InteractiveContactBirrt::longestEdge(std::size_t first) const {
-  const Se3Metric metric = problem_.metric();
   double longest = 0.0;
   for (std::size_t i = first; i < roadmap_.edges().size(); ++i) {
     const RoadmapEdge& edge = roadmap_.edges()[i];
-    longest = std::max(longest, metric.distance(roadmap_.nodes()[edge.from].q, roadmap_.nodes()[edge.to].q));
+    longest = std::max(longest, metric_.distance(roadmap_.nodes()[edge.from].q, roadmap_.nodes()[edge.to].q));
   }
   return longest;
 }
@@ -162,9 +154,9 @@ void InteractiveContactBirrt::randomShooter(PlannerHost& host) {
 void InteractiveContactBirrt::addTree(const Pose& q, Author author, PlannerHost& host) {
   ++counts_.steps;
   authority_ = author;
-  std::vector<RoadmapGraph::Node> added;
-  std::optional<RoadmapGraph::Node> reached;
-  for (const RoadmapGraph::ComponentId component : roadmap_.components()) {
+  std::vector<Node> added;
+  std::optional<Node> reached;
+  for (const ComponentId component : roadmap_.components()) {
     if (const auto node = extend(component, q, author, reached, host)) added.push_back(*node);
     if (host.stopToken().stopRequested()) return;
   }
@@ -173,38 +165,35 @@ void InteractiveContactBirrt::addTree(const Pose& q, Author author, PlannerHost&
 
 /// Extends one component towards q. `reached` is the node at q itself once some component got there:
 /// the next one that gets there joins it instead of adding q again.
-std::optional<RoadmapGraph::Node> InteractiveContactBirrt::extend(RoadmapGraph::ComponentId component, const Pose& q,
-                                                                  Author author,
-                                                                  std::optional<RoadmapGraph::Node>& reached,
-                                                                  PlannerHost& host) {
+std::optional<InteractiveContactBirrt::Node> InteractiveContactBirrt::extend(ComponentId component, const Pose& q,
+                                                                             Author author,
+                                                                             std::optional<Node>& reached,
+                                                                             PlannerHost& host) {
   const auto near = roadmap_.nearest(component, q);
   const double radius = problem_.world->objectRadius();
   const double same = author == Author::Computer ? tolerance::kSameConfiguration : tolerance::kDuplicate;
   if (near.distance < same * radius) return near.index;  // as good as q itself: worth connecting
-  const RoadmapNode from = roadmap_.nodes()[near.index];
-  const double free = freeFraction(*query_, from.q, q, host.parameters()[ParameterId::GrowthStep], host.stopToken());
-  if (free >= 1.0 && reached) {
+  const double grid = author == Author::Computer ? host.parameters()[ParameterId::ExtensionStep]
+                                                 : tolerance::kGuidedExtensionStep * radius;
+  const ExtensionRule rule{host.parameters()[ParameterId::GrowthStep], grid, 0.5 * grid};
+  const Extension grown = extension(near.index, q, near.distance, rule, host);
+  const bool whole = grown.progress == Progress::Reached;
+  if (whole && reached) {
     roadmap_.join(near.index, *reached);
     return std::nullopt;
   }
-  const double step = author == Author::Computer ? host.parameters()[ParameterId::ExtensionStep]
-                                                 : tolerance::kGuidedExtensionStep * radius;
-  const double steps = std::floor(free * near.distance / step);
-  if (free < 1.0 && steps < 1.0) return std::nullopt;
-  const double t = free < 1.0 ? steps * step / near.distance : 1.0;
-  const Pose last = interpolate(from.q, q, t);
-  if (free < 1.0 && isDuplicate(component, last, author)) return std::nullopt;
-  const RoadmapGraph::Node node = roadmap_.addChild(near.index, {last, author, from.side});
-  if (free >= 1.0) reached = node;
+  if (grown.progress == Progress::Trapped || (!whole && isDuplicate(component, grown.end, author))) return std::nullopt;
+  const Node node = roadmap_.addChild(near.index, {grown.end, author, roadmap_.nodes()[near.index].side});
+  if (whole) reached = node;
   return node;
 }
 
-bool InteractiveContactBirrt::isDuplicate(RoadmapGraph::ComponentId component, const Pose& q, Author author) const {
+bool InteractiveContactBirrt::isDuplicate(ComponentId component, const Pose& q, Author author) const {
   if (author == Author::Computer) return false;
   return roadmap_.nearest(component, q).distance < tolerance::kDuplicate * problem_.world->objectRadius();
 }
 
-void InteractiveContactBirrt::connect(const std::vector<RoadmapGraph::Node>& added, PlannerHost& host) {
+void InteractiveContactBirrt::connect(const std::vector<Node>& added, PlannerHost& host) {
   const double step = host.parameters()[ParameterId::GrowthStep];
   for (std::size_t i = 0; i < added.size(); ++i) {
     for (std::size_t j = i + 1; j < added.size(); ++j) {
@@ -218,34 +207,12 @@ void InteractiveContactBirrt::connect(const std::vector<RoadmapGraph::Node>& add
   }
 }
 
-/// Certifies the way from start to goal once there is one. An edge that cannot be certified is
-/// dropped and the search goes on.
+/// An edge that cannot be certified is dropped and the search goes on.
 void InteractiveContactBirrt::deliverPath(PlannerHost& host) {
-  for (const RoadmapGraph::Node goal : goalRoots_) {
-    const auto way = roadmap_.way(startRoot_, goal);
-    if (!way) continue;
-    Path path;
-    RoadmapGraph::Node before = way->nodes.front();
-    for (const RoadmapGraph::Node node : way->nodes) {
-      const Author segment = roadmap_.nodes()[std::max(before, node)].author;
-      path.points.push_back({roadmap_.nodes()[node].q, roadmap_.nodes()[node].author, segment});
-      before = node;
-    }
-    path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
-    if (path.certificate.status == CertificateStatus::Certified) {
-      path_ = std::move(path);
-      return;
-    }
-    if (host.stopToken().stopRequested()) return;
-    roadmap_.dropEdge(way->edges[path.certificate.edge]);
+  for (const Node goal : goalRoots_) {
+    const Delivery delivery = deliverWay(goal, host);
+    if (delivery == Delivery::Delivered || delivery == Delivery::Stopped) return;
   }
-}
-
-void InteractiveContactBirrt::updateCounts() {
-  counts_.nodes = roadmap_.nodes().size();
-  counts_.edges = roadmap_.directedEdgeCount();
-  counts_.droppedEdges = roadmap_.droppedEdges().size();
-  counts_.queries = query_->counts();
 }
 
 }  // namespace glissade

@@ -11,8 +11,8 @@ namespace glissade {
 
 /// A way from start to goal for an object that is allowed to penetrate, as little as could be found.
 struct LeastPenetration {
-  double depth = 0.0;  ///< metres: what has to give at the deepest place, as erosion measures it
-  Pose q;              ///< the deepest place
+  double depth = 0.0;  ///< metres: what has to give at the deepest point, as erosion measures it
+  Pose q;              ///< the deepest configuration
   int body = -1;       ///< the obstacle there
   std::vector<Pose> way;
 };

@@ -24,7 +24,7 @@ std::string noWay(const CoarsePlan& plan) {
     for (std::size_t i = 0; i < names.size(); ++i) reason += (i == 0 ? what : ", ") + names[i];
   };
   add("; forbidden: ", plan.forbidden);
-  add("; infinite by the rules: ", plan.tooDear);
+  add("; infinite by the rules: ", plan.infiniteCost);
   return reason;
 }
 
@@ -44,7 +44,7 @@ MultiLayerPlanner::MultiLayerPlanner(const Problem& problem, std::uint64_t seed,
 
 MultiLayerPlanner::~MultiLayerPlanner() = default;
 
-bool MultiLayerPlanner::inContactMode() const { return local_ && local_->planner().inContactMode(); }
+bool MultiLayerPlanner::inContactMode() const { return local_ && contactModeOf(local_->planner()); }
 
 bool MultiLayerPlanner::solve(PlannerHost& host) {
   while (!path_ && !failure_) {
@@ -89,6 +89,7 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
     fail("there is no configuration outside within the bounds", "Widen the workspace.");
     return;
   }
+  coarse_.emplace(problem_, *goal_, knowledge_, rules_, edits_);
   phase_ = Phase::Coarse;
 }
 
@@ -97,35 +98,18 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
 void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
   SemanticEditsPtr now = host.semanticEdits();
   if (!now || now == edits_) return;
-  const std::vector<MilestoneEdit> before = edits_ ? edits_->milestones : std::vector<MilestoneEdit>{};
   edits_ = std::move(now);
-  semantics_.reset();
-  parsed_.reset();  // an attribute that the rules name may be gone
-  if (before != edits_->milestones) {
-    milestones_.clear();
-    crossed_.clear();
-  }
+  if (coarse_ && coarse_->setEdits(edits_)) crossed_.clear();
   if (phase_ != Phase::Prepare) phase_ = Phase::Coarse;
   local_.reset();
 }
 
 void MultiLayerPlanner::planCoarsely() {
-  if (!semantics_) semantics_.emplace(semanticsOf(problem_, *knowledge_, edits_));
-  if (!parsed_) {
-    auto parsed = parseRules(rules_, semantics_->table(), idsOf(locals_));
-    if (!parsed) {
-      failure_ = parsed.error();
-      return;
-    }
-    parsed_.emplace(std::move(*parsed));
-  }
-  auto next = makeCoarsePlan(knowledge_->environment->map, *semantics_, *parsed_, problem_.start.position,
-                             goal_->position, learnt_);
+  auto next = coarse_->plan(learnt_);
   if (!next) {
     failure_ = next.error();
     return;
   }
-  next->basis = {knowledge_->environment, edits_, rules_};
   next->attempt = plan_.attempt + 1;
   next->coarseConfigurations = plan_.coarseConfigurations;
   next->fineConfigurations = plan_.fineConfigurations;
@@ -136,7 +120,7 @@ void MultiLayerPlanner::planCoarsely() {
   milestoneDraws_ = 0;
   if (!plan_.nodes.empty()) {
     phase_ = Phase::Milestones;
-  } else if (parsed_->loop) {
+  } else if (coarse_->rules().loop) {
     phase_ = Phase::LastResort;
     turn_ = 0;
   } else {
@@ -145,21 +129,11 @@ void MultiLayerPlanner::planCoarsely() {
   publish();
 }
 
-std::optional<Pose> MultiLayerPlanner::knownMilestone(const TopologicalStep& step, const TopologicalStep* next) {
-  if (step.border < 0) return goal_;
-  const auto kept = milestones_.find(step.border);
-  if (kept != milestones_.end()) return kept->second;
-  if (edits_) {
-    if (auto edited = editedMilestone(knowledge_->environment->map, step.border, *edits_, *query_)) return edited;
-  }
-  return parsed_->fitted ? fittedMilestone(*knowledge_, step, next) : std::nullopt;
-}
-
 /// One step of the milestones: taken where it is known, else one random configuration in the border.
 void MultiLayerPlanner::drawMilestone(PlannerHost& host) {
   TopologicalStep& step = current();
   const TopologicalStep* next = at_ + 1 < plan_.steps.size() ? &plan_.steps[at_ + 1] : nullptr;
-  std::optional<Pose> milestone = milestoneSampler_ ? std::nullopt : knownMilestone(step, next);
+  std::optional<Pose> milestone = milestoneSampler_ ? std::nullopt : coarse_->knownMilestone(step, next, *query_);
   if (!milestone) {
     if (!milestoneSampler_) {
       milestoneSampler_.emplace(knowledge_->environment->map, step.border,
@@ -175,7 +149,7 @@ void MultiLayerPlanner::drawMilestone(PlannerHost& host) {
   if (milestone) {
     step.to = *milestone;
     step.milestone = true;
-    if (step.border >= 0) milestones_[step.border] = *milestone;
+    if (step.border >= 0) coarse_->keep(step.border, *milestone);
     milestoneSampler_.reset();
     milestoneDraws_ = 0;
     if (++at_ < plan_.steps.size()) return;
@@ -199,14 +173,14 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
       stepSolved();
       return;
     }
-    choice_ = chooseFor(step, *knowledge_, *semantics_, *parsed_);
+    choice_ = chooseFor(step, *knowledge_, coarse_->semantics(), coarse_->rules());
     startLocalPlanner(host);
     return;
   }
   const std::uint64_t before = local_->randomConfigurations();
   const SubPlanner::State state = local_->step(host, roadmap_);
   local_->complete(roadmap_);
-  authority_ = local_->planner().authority();
+  authority_ = authorityOf(local_->planner());
   const std::uint64_t spent = local_->randomConfigurations() - before;
   step.randomConfigurations += spent;
   plan_.fineConfigurations += spent;
@@ -215,8 +189,8 @@ void MultiLayerPlanner::crossPlace(PlannerHost& host) {
     crossed_[{step.place, borderBefore(), step.border}] = {choice_, step.points};
     stepSolved();
   } else if (state == SubPlanner::State::Failed) {
-    if (local_->planner().failure() && choice_.local != parsed_->fine.front().local) {
-      choice_ = fallbackFor(*parsed_, choice_);
+    if (local_->planner().failure() && choice_.local != coarse_->rules().fine.front().local) {
+      choice_ = fallbackFor(coarse_->rules(), choice_);
       startLocalPlanner(host);
     } else {
       stepFailed(host, "place " + step.placeName + " was not crossed");
@@ -265,16 +239,16 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
   local_.reset();
   milestoneSampler_.reset();
   milestoneDraws_ = 0;
-  if (!parsed_->loop) {
+  if (!coarse_->rules().loop) {
     fail(reason, "Change the semantic attributes, or use strategy gts.");
     return;
   }
   // New milestones, too: the old ones may have been what was wrong.
-  milestones_.erase(step.border);
-  milestones_.erase(borderBefore());
+  coarse_->forget(step.border);
+  coarse_->forget(borderBefore());
   for (auto crossing = crossed_.begin(); crossing != crossed_.end();) {
     const auto& [place, from, to] = crossing->first;
-    const bool stale = (from >= 0 && milestones_.count(from) == 0) || (to >= 0 && milestones_.count(to) == 0);
+    const bool stale = (from >= 0 && !coarse_->keeps(from)) || (to >= 0 && !coarse_->keeps(to));
     crossing = stale ? crossed_.erase(crossing) : std::next(crossing);
   }
   double& raised = learnt_.crossing[{step.place, step.border}];
@@ -314,7 +288,7 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
   const std::uint64_t before = whole_->randomConfigurations();
   const SubPlanner::State state = whole_->step(host, roadmap_);
   whole_->complete(roadmap_);
-  authority_ = whole_->planner().authority();
+  authority_ = authorityOf(whole_->planner());
   const std::uint64_t spent = whole_->randomConfigurations() - before;
   step.randomConfigurations += spent;
   plan_.fineConfigurations += spent;
@@ -347,7 +321,7 @@ void MultiLayerPlanner::deliver(PlannerHost& host) {
 
 std::uint64_t MultiLayerPlanner::stepBudget(const ParameterValues& parameters) const {
   const auto limit = static_cast<std::uint64_t>(parameters[ParameterId::StepSamples]);
-  if (!parsed_->loop) return limit;
+  if (!coarse_->rules().loop) return limit;
   const std::uint64_t pair = std::min((plan_.attempt - 1) / 2, kCautiousPairs);
   return std::max<std::uint64_t>(1, limit >> (2 * (kCautiousPairs - pair)));
 }

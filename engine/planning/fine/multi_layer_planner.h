@@ -2,8 +2,9 @@
 
 #include <map>
 
-#include "engine/planning/coarse/milestones.h"
-#include "engine/planning/coarse/topological_planner.h"
+#include "engine/planning/coarse/coarse_plan_report.h"
+#include "engine/planning/coarse/coarse_planning.h"
+#include "engine/planning/contact/interaction_report.h"
 #include "engine/planning/fine/semantic_planner.h"
 #include "engine/planning/fine/sub_planner.h"
 
@@ -17,7 +18,7 @@ namespace glissade {
 /// rule; every delivered path is certified. Beyond the paper, where the rules say so: coarse and fine
 /// planning in a loop, solved steps kept, with a search of the whole workspace taking turns as a last
 /// resort; passages crossed in the configuration that fits best; edits of the semantics while it runs.
-class MultiLayerPlanner final : public Planner {
+class MultiLayerPlanner final : public Planner, public ReportsInteraction, public ReportsCoarsePlan {
  public:
   MultiLayerPlanner(const Problem& problem, std::uint64_t seed, StrategyRules rules);
   ~MultiLayerPlanner() override;
@@ -42,7 +43,6 @@ class MultiLayerPlanner final : public Planner {
   void noticeEdits(PlannerHost& host);
   void planCoarsely();
   void drawMilestone(PlannerHost& host);
-  std::optional<Pose> knownMilestone(const TopologicalStep& step, const TopologicalStep* next);
   void crossPlace(PlannerHost& host);
   void startLocalPlanner(PlannerHost& host);
   void show(const FineChoice& choice);
@@ -67,8 +67,7 @@ class MultiLayerPlanner final : public Planner {
 
   SceneKnowledgePtr knowledge_;
   SemanticEditsPtr edits_;
-  std::optional<SemanticModel> semantics_;
-  std::optional<ParsedRules> parsed_;
+  std::optional<CoarsePlanning> coarse_;  ///< once the knowledge is there
   std::optional<Pose> goal_;
 
   Phase phase_ = Phase::Prepare;
@@ -76,7 +75,6 @@ class MultiLayerPlanner final : public Planner {
   CoarsePlanPtr published_;
   std::size_t at_ = 0;  ///< the step whose milestone is drawn, or that is crossed
   LearntCosts learnt_;
-  std::map<int, Pose> milestones_;  ///< per border: kept from one coarse path to the next
   std::optional<MilestoneSampler> milestoneSampler_;
   std::uint64_t milestoneDraws_ = 0;
   FineChoice choice_;

@@ -1,5 +1,7 @@
 #include "engine/planning/fine/sub_planner.h"
 
+#include "engine/planning/contact/interaction_report.h"
+
 namespace glissade {
 namespace {
 
@@ -35,7 +37,7 @@ SubPlanner::State SubPlanner::advance(PlannerHost& host) {
   OneStep one(host, region_.get());
   const bool solved = planner_->solve(one);
   if (solved) return State::Solved;
-  const bool spent = randomConfigurations() >= samples_ && !planner_->inContactMode();
+  const bool spent = randomConfigurations() >= samples_ && !contactModeOf(*planner_);
   return planner_->failure() || spent ? State::Failed : State::Running;
 }
 

@@ -249,6 +249,45 @@ TEST_P(CollisionQueryBy, MotionsBeyondAllMeasureEndAndAreNotCalledFree) {
   }
 }
 
+/// Bodies that come, go and move, and other objects: nothing tells that some were prepared before.
+TEST_P(CollisionQueryBy, AnUpdatedWorldAnswersAsOneThatIsBuiltAnew) {
+  RandomStream stream(11, "updated");
+  const auto obstacle = [](int i) {
+    return boxBody("b" + std::to_string(i), {0.3 + 0.1 * i, 0.4, 0.5}, Pose::translation({1.0 * i, 0, 0}));
+  };
+  std::vector<RigidBody> obstacles{obstacle(0), obstacle(1), obstacle(2)};
+  MeshPtr object = makeL();
+  CollisionWorldPtr updated = CollisionWorld::build(obstacles, object, GetParam());
+  for (int edit = 0; edit < 12; ++edit) {
+    const auto body = static_cast<std::size_t>(3.0 * stream.uniform());
+    if (edit % 4 == 0) obstacles[body].X_WB.position += Vector3(0.1, 0.2, -0.1);
+    if (edit % 4 == 1) obstacles[body] = obstacle(edit);
+    if (edit % 4 == 2) object = boxMesh({0.2, 0.3, 0.1 * edit});
+    if (edit % 4 == 3) obstacles[body].name = "renamed";
+    updated = updated->updated(obstacles, object);
+    const CollisionWorldPtr anew = CollisionWorld::build(obstacles, object, GetParam());
+    ASSERT_EQ(updated->obstacles()[body].name, anew->obstacles()[body].name);
+    ASSERT_EQ(updated->objectRadius(), anew->objectRadius());
+    const auto mine = updated->makeQuery();
+    const auto other = anew->makeQuery();
+    for (int i = 0; i < 100; ++i) {
+      const Pose q = randomPose(stream, 2.0);
+      ASSERT_EQ(mine->collidingBody(q), other->collidingBody(q)) << edit;
+      const NearestObstacle a = mine->nearestObstacle(q);
+      const NearestObstacle b = other->nearestObstacle(q);
+      ASSERT_EQ(a.distance, b.distance) << edit;
+      ASSERT_EQ(a.body, b.body) << edit;
+      ASSERT_EQ(a.p_WPo, b.p_WPo) << edit;
+      const Pose to = randomPose(stream, 2.0);
+      const MotionCheck one = mine->checkMotion(q, to, 1e-3, SeekViolation::First, {});
+      const MotionCheck two = other->checkMotion(q, to, 1e-3, SeekViolation::First, {});
+      ASSERT_EQ(one.status, two.status) << edit;
+      ASSERT_EQ(one.certified, two.certified) << edit;
+      ASSERT_EQ(one.at, two.at) << edit;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Backends, CollisionQueryBy, testing::Values(CollisionBackend::Kernel, CollisionBackend::Fcl),
                          [](const auto& backend) {
                            return backend.param == CollisionBackend::Kernel ? "Kernel" : "Fcl";

@@ -23,7 +23,7 @@ class EditBinding : public testing::Test {
     for (const Diagnostic& warning : editWarnings(map, edits)) {
       EXPECT_FALSE(warning.reason.empty());
       EXPECT_FALSE(warning.advice.empty());
-      places.push_back(warning.place);
+      places.push_back(warning.location);
     }
     return places;
   }

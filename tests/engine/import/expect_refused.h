@@ -23,7 +23,7 @@ inline std::string placeOfRefusal(const std::string& name, const std::string& co
   EXPECT_NE(reason, "");
   EXPECT_THAT(imported.error().reason, testing::HasSubstr(reason));
   EXPECT_FALSE(imported.error().advice.empty());
-  return imported.error().place;
+  return imported.error().location;
 }
 
 }  // namespace glissade::test

@@ -94,7 +94,7 @@ TEST(MeshLoss, RequiredExtensionsOfGltfThatAreUnknownAreNamed) {
   content.replace(content.find("KHR_materials_unlit"), 19, "KHR_draco_mesh_comp");
   const auto imported = importMesh(folder.write("part.gltf", content));
   ASSERT_FALSE(imported.ok());
-  EXPECT_EQ(imported.error().place, "/extensionsRequired");
+  EXPECT_EQ(imported.error().location, "/extensionsRequired");
   EXPECT_THAT(imported.error().reason, HasSubstr("'KHR_draco_mesh_comp'"));
 }
 

@@ -43,7 +43,7 @@ TEST(OmplApp, FaultsAreNamedWithTheirKeyOrLine) {
     const Result<OmplAppConfig> config = readOmplAppConfig(folder.write("test.cfg", text));
     ASSERT_FALSE(config.ok());
     EXPECT_EQ(config.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(config.error().place, place);
+    EXPECT_EQ(config.error().location, place);
     EXPECT_THAT(config.error().reason, testing::HasSubstr(reason));
   }
 }

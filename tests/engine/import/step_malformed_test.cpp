@@ -152,7 +152,7 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
     EXPECT_EQ(product->parts.front().facesWithoutMesh, 1U);
     ASSERT_EQ(product->warnings.size(), 1U);
     const Diagnostic& warning = product->warnings.front();
-    EXPECT_EQ(warning.place, loss.entity);
+    EXPECT_EQ(warning.location, loss.entity);
     EXPECT_THAT(warning.reason, HasSubstr(loss.reason));
     EXPECT_THAT(warning.reason, HasSubstr("not closed"));
     EXPECT_THAT(warning.reason, HasSubstr("free space to every proof"));

@@ -46,7 +46,7 @@ TEST(XmlPrecheck, NothingHidesADepth) {
     const auto facts = precheckXml("<robot>" + repeated(text, 50'000), "deep.urdf");
     ASSERT_FALSE(facts.ok());
     EXPECT_EQ(facts.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(facts.error().place, "line 1");
+    EXPECT_EQ(facts.error().location, "line 1");
     EXPECT_FALSE(facts.error().reason.empty());
   }
 }

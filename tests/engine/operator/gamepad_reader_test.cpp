@@ -145,14 +145,14 @@ TEST_F(Gamepad, UnplugsLeakNothing) {
 
 TEST_F(Gamepad, AnExceptionIsToldAndTheGamepadIsConnectedAgain) {
   std::atomic<int> calls{0};
-  std::atomic<bool> told{false};
+  std::atomic<bool> notified{false};
   hand->gamepad.mailbox.setListener([&] {
     if (++calls == 1) throw std::bad_alloc();
     const auto problem = reader.problem();
-    told = told || (problem && problem->kind == ErrorKind::LimitReached);
+    notified = notified || (problem && problem->kind == ErrorKind::LimitReached);
   });
   VirtualPad pad;
-  EXPECT_TRUE(eventually([&] { return told.load(); }));
+  EXPECT_TRUE(eventually([&] { return notified.load(); }));
   EXPECT_TRUE(eventually([&] { return now().connected && !reader.problem(); }));
   hand->gamepad.mailbox.setListener({});
 }

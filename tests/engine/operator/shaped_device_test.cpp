@@ -92,8 +92,8 @@ TEST(InputMailbox, SilenceIsRestOnlyWhereDevicesRepeatThemselves) {
 
 TEST(InputMailbox, CountsPressesAndTellsOfEveryChange) {
   InputMailbox mailbox;
-  int told = 0;
-  mailbox.setListener([&] { ++told; });
+  int notified = 0;
+  mailbox.setListener([&] { ++notified; });
   mailbox.connect("device");
   mailbox.press(1);
   mailbox.press(1);
@@ -101,10 +101,10 @@ TEST(InputMailbox, CountsPressesAndTellsOfEveryChange) {
   EXPECT_EQ(mailbox.reading().presses[1], 2U);
   mailbox.disconnect();
   mailbox.disconnect();
-  EXPECT_EQ(told, 4);
+  EXPECT_EQ(notified, 4);
   mailbox.setListener({});
   mailbox.press(0);
-  EXPECT_EQ(told, 4);
+  EXPECT_EQ(notified, 4);
 }
 
 }  // namespace

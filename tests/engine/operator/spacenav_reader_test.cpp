@@ -228,16 +228,16 @@ TEST_F(Spacenav, ADeadOrIdleDaemonIsNotSpunOn) {
 
 TEST_F(Spacenav, AnExceptionIsToldAndTheMouseIsConnectedAgain) {
   std::atomic<int> calls{0};
-  std::atomic<bool> told{false};
+  std::atomic<bool> notified{false};
   SpacenavReader reader(hand, milliseconds(20));
   hand->mouse6d.mailbox.setListener([&] {
     if (++calls == 1) throw std::bad_alloc();
     const auto problem = reader.problem();
-    told = told || (problem && problem->kind == ErrorKind::LimitReached);
+    notified = notified || (problem && problem->kind == ErrorKind::LimitReached);
   });
   {
     FakeSpacenavDaemon daemon(socket);
-    EXPECT_TRUE(eventually([&] { return told.load(); }));
+    EXPECT_TRUE(eventually([&] { return notified.load(); }));
     EXPECT_TRUE(eventually([&] { return now().connected && !reader.problem(); }));
   }
   hand->mouse6d.mailbox.setListener({});

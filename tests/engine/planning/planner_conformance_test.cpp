@@ -17,10 +17,10 @@ struct Entry {
   PlannerRegistry (*registry)();
   std::string name;  ///< of the registry
   std::string id;
-  int lanes;
+  int slots;
 
   friend std::ostream& operator<<(std::ostream& stream, const Entry& entry) {
-    return stream << entry.name << ' ' << entry.id << ' ' << entry.lanes;
+    return stream << entry.name << ' ' << entry.id << ' ' << entry.slots;
   }
 };
 
@@ -32,7 +32,7 @@ std::vector<Entry> allEntries() {
   };
   addFrom(makePlannerRegistry, "whole");
   addFrom(makeLocalPlannerRegistry, "local");
-  for (const int lanes : {2, 4}) all.push_back({makePlannerRegistry, "whole", "auto", lanes});
+  for (const int slots : {2, 4}) all.push_back({makePlannerRegistry, "whole", "auto", slots});
   return all;
 }
 
@@ -48,7 +48,7 @@ class PlannerConformance : public testing::TestWithParam<Entry> {
   }
   TestHost hostFor(const Problem& problem, std::uint64_t maxSteps = 20000) const {
     TestHost host(problem, maxSteps);
-    EXPECT_TRUE(host.values.set(ParameterId::Lanes, GetParam().lanes));
+    EXPECT_TRUE(host.values.set(ParameterId::Slots, GetParam().slots));
     return host;
   }
   bool complete() const { return GetParam().registry().find(GetParam().id)->complete; }
@@ -205,7 +205,7 @@ TEST_P(PlannerConformance, GoesOutWhenTheGoalIsOut) {
 
 std::string entryName(const testing::TestParamInfo<Entry>& parameter) {
   std::string name = parameter.param.name + "_" + parameter.param.id;
-  if (parameter.param.lanes > 1) name += "_" + std::to_string(parameter.param.lanes) + "_lanes";
+  if (parameter.param.slots > 1) name += "_" + std::to_string(parameter.param.slots) + "_slots";
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 }

@@ -140,7 +140,7 @@ TEST(ObjectFits, BadSettingsGetOneClearMessage) {
     const auto fits = screwed.find(settings);
     if (fits) return std::string("no error");
     EXPECT_EQ(fits.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(fits.error().place, "/fits/pairs/1");
+    EXPECT_EQ(fits.error().location, "/fits/pairs/1");
     EXPECT_FALSE(fits.error().advice.empty());
     return fits.error().reason;
   };

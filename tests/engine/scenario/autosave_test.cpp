@@ -93,7 +93,7 @@ TEST(Autosave, OneThatIsDamagedIsNotRestored) {
   std::ofstream(found[0].file(), std::ios::binary) << text;
   const auto read = found[0].read();
   ASSERT_FALSE(read.ok());
-  EXPECT_EQ(read.error().place, "/checksum");
+  EXPECT_EQ(read.error().location, "/checksum");
 }
 
 TEST(Autosave, SaysThatAFolderCannotBeUsed) {

@@ -37,7 +37,7 @@ TEST(MeshAsset, APathThroughTheCornerOfATinyCubeIsNotCertified) {
     const std::string tool = "tool." + test::endingOf(format);
     folder.write(cube, meshFile(format, {makeBox({6e-6, 6e-6, 6e-6})}));
     folder.write(tool, meshFile(format, {makeBox({1e-6, 1e-6, 1e-6})}));
-    const auto loaded = realiseScenario(meshScenario(tool, cube), folder.path(), "s.json");
+    const auto loaded = loadGeometry(meshScenario(tool, cube), folder.path(), "s.json");
     ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
     EXPECT_TRUE(loaded->warnings.empty());
     const IndependentCheck judge(loaded->obstacles, *loaded->object.mesh);
@@ -56,13 +56,13 @@ TEST(MeshAsset, SpacingsOfCoordinatesAreInMetresAndAddUp) {
   folder.write("other.obj", meshFile(MeshFormat::Obj, {makeBox({100, 100, 100})}));
   Scenario scenario = meshScenario("part.stl", "part.stl");
   scenario.assets[1].unit = 0.001;
-  const auto both = realiseScenario(scenario, folder.path(), "s.json");
+  const auto both = loadGeometry(scenario, folder.path(), "s.json");
   ASSERT_TRUE(both.ok()) << toString(both.error());
   const double spacing = std::nextafter(50.0F, 51.0F) - 50.0F;
   EXPECT_DOUBLE_EQ(both->coordinateSpacings.at(scenario.object.id), spacing);
   EXPECT_DOUBLE_EQ(both->coordinateSpacings.at(scenario.bodies[0].id), 0.001 * spacing);
   EXPECT_DOUBLE_EQ(coordinateSpacing(*both), 1.001 * spacing);
-  const auto exact = realiseScenario(meshScenario("other.obj", "other.obj"), folder.path(), "s.json");
+  const auto exact = loadGeometry(meshScenario("other.obj", "other.obj"), folder.path(), "s.json");
   ASSERT_TRUE(exact.ok());
   EXPECT_EQ(coordinateSpacing(*exact), 0.0);
 }
@@ -72,7 +72,7 @@ TEST(MeshAsset, WhatIsSavedIsTheHashOfWhatWasLoaded) {
   const std::string first = meshFile(MeshFormat::Obj, {makeBox({1, 1, 1})});
   const std::string second = meshFile(MeshFormat::Obj, {makeBox({2, 1, 1})});
   folder.write("part.obj", first);
-  const auto loaded = realiseScenario(meshScenario("part.obj", "part.obj"), folder.path(), folder / "s.json");
+  const auto loaded = loadGeometry(meshScenario("part.obj", "part.obj"), folder.path(), folder / "s.json");
   ASSERT_TRUE(loaded.ok());
   folder.write("part.obj", second);  // somebody exports it again
   ASSERT_TRUE(saveScenario(loaded->scenario, folder / "s.json").ok());
@@ -89,7 +89,7 @@ TEST(MeshAsset, WhatIsSavedIsTheHashOfWhatWasLoaded) {
 TEST(MeshAsset, TrianglesThatAreLeftOutAreCounted) {
   const TemporaryFolder folder;
   folder.write("part.obj", meshFile(MeshFormat::Obj, {makeBox({1, 1, 1})}) + "f 1 1 2\nf 3 3 3\n");
-  const auto loaded = realiseScenario(meshScenario("part.obj", "part.obj"), folder.path(), "s.json");
+  const auto loaded = loadGeometry(meshScenario("part.obj", "part.obj"), folder.path(), "s.json");
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
   ASSERT_EQ(loaded->warnings.size(), 1U);  // both bodies are made of the file, which is read once
   EXPECT_THAT(loaded->warnings[0].reason, HasSubstr("has 2 triangles with two equal corners"));
@@ -100,7 +100,7 @@ TEST(MeshAsset, AFileThatIsTooLargeIsRefusedWithItsSizeAndTheLimit) {
   const TemporaryFolder folder;
   const std::string file = folder.write("part.stl", "solid");
   std::filesystem::resize_file(file, 5ULL << 30);  // takes no room on the disk
-  const auto loaded = realiseScenario(meshScenario("part.stl", "part.stl"), folder.path(), "s.json");
+  const auto loaded = loadGeometry(meshScenario("part.stl", "part.stl"), folder.path(), "s.json");
   ASSERT_FALSE(loaded.ok());
   EXPECT_THAT(loaded.error().reason, HasSubstr("it has 5120 MiB, and at most "));
 }

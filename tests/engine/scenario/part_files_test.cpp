@@ -58,7 +58,7 @@ std::vector<Box3> boxesOf(const LoadedScenario& loaded) {
 TEST(ScenarioOfParts, PartsLieWhereTheirFilesHaveThem) {
   const TrayProduct product;
   const Scenario scenario = scenarioOf(product);
-  const auto loaded = realiseScenario(scenario, "/none", "");
+  const auto loaded = loadGeometry(scenario, "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   EXPECT_TRUE(loaded->warnings.empty());
   const std::vector<Box3> boxes = boxesOf(*loaded);
@@ -74,7 +74,7 @@ TEST(ScenarioOfParts, PartsLieWhereTheirFilesHaveThem) {
 
 TEST(ScenarioOfParts, TheReferencePointIsInThePartHoweverFarTheFilesOriginIs) {
   const TrayProduct product;
-  const auto loaded = realiseScenario(scenarioOf(product), "/none", "");
+  const auto loaded = loadGeometry(scenarioOf(product), "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   EXPECT_NEAR(loaded->problem.world->objectRadius(), 0.5 * kMillimetre * product.blockSize.norm(), 1e-5);
   EXPECT_TRUE(loaded->problem.start.position.isApprox(kMillimetre * product.centre, 1e-6));
@@ -82,7 +82,7 @@ TEST(ScenarioOfParts, TheReferencePointIsInThePartHoweverFarTheFilesOriginIs) {
 
 TEST(ScenarioOfParts, ABlockIsPlannedOutOfItsTray) {
   const TrayProduct product;
-  const auto loaded = realiseScenario(scenarioOf(product), "/none", "");
+  const auto loaded = loadGeometry(scenarioOf(product), "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   const Outcome start = checkStart(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);
   ASSERT_TRUE(start) << toString(start.error());
@@ -99,7 +99,7 @@ TEST(ScenarioOfParts, ABlockIsPlannedOutOfItsTray) {
 
 TEST(ScenarioOfParts, OutIsWithinReachOnEverySide) {
   const TrayProduct product;
-  const auto loaded = realiseScenario(scenarioOf(product), "/none", "");
+  const auto loaded = loadGeometry(scenarioOf(product), "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   const Box3& obstacles = loaded->problem.world->obstaclesBox();
   const Vector3 radius = Vector3::Constant(loaded->problem.world->objectRadius());
@@ -119,7 +119,7 @@ TEST(ScenarioOfParts, SavedAndReadAgainItIsTheSame) {
   for (const auto& parts : products) {
     auto scenario = scenarioOfParts(parts);
     ASSERT_TRUE(scenario) << toString(scenario.error());
-    const auto before = realiseScenario(*scenario, "/none", "");
+    const auto before = loadGeometry(*scenario, "/none", "");
     ASSERT_TRUE(before) << toString(before.error());
     ASSERT_TRUE(saveScenario(*scenario, file));
     const auto after = loadScenario(file);
@@ -264,7 +264,7 @@ TEST(PartFiles, TheBoxIsThatOfTheLoadedPart) {
                                     partOf(product.block, PartRole::Moves)};
   const auto scenario = scenarioOfParts(parts);
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  const auto loaded = realiseScenario(*scenario, "/none", "");
+  const auto loaded = loadGeometry(*scenario, "/none", "");
   ASSERT_TRUE(loaded) << toString(loaded.error());
   for (std::size_t i = 0; i < loaded->obstacles.size(); ++i) {
     GeometryCache read;

@@ -15,7 +15,7 @@ namespace glissade::test {
 class PathFixture : public testing::Test {
  protected:
   void SetUp() override {
-    Result<LoadedScenario> loaded = realiseScenario(boxScenario(), folder_.path(), "boxes.json");
+    Result<LoadedScenario> loaded = loadGeometry(boxScenario(), folder_.path(), "boxes.json");
     ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
     scenario_ = *loaded;
     path_.points = {{Pose::translation({-3, 0, 0}), Author::Computer},

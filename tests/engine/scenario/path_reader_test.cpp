@@ -50,11 +50,11 @@ TEST(ReadPath, NamesTheLineOfAFault) {
     ASSERT_FALSE(points.ok());
     EXPECT_EQ(points.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(points.error().file, file);
-    EXPECT_THAT(points.error().place, testing::StartsWith(place));
+    EXPECT_THAT(points.error().location, testing::StartsWith(place));
     EXPECT_TRUE(isUtf8(points.error().reason));
     EXPECT_EQ(points.error().reason.find('\x1b'), std::string::npos);
     EXPECT_LT(points.error().reason.size(), 200U);
-    EXPECT_EQ(points.error().place.empty(), place.empty());
+    EXPECT_EQ(points.error().location.empty(), place.empty());
     EXPECT_FALSE(points.error().reason.empty());
   }
   EXPECT_TRUE(readPath(folder.write("crlf", "0 0 0 0 0 0 1\r\n  1\t0 0 0 0 0 1 \r\n")).ok());

@@ -101,7 +101,7 @@ TEST(RunRecordFile, IsReadStrictly) {
         readRunRecord(folder.write("broken.json", sound.patch(nlohmann::json::parse(patch)).dump()));
     ASSERT_FALSE(read.ok()) << patch;
     EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(read.error().place, place);
+    EXPECT_EQ(read.error().location, place);
   }
 }
 
@@ -172,7 +172,7 @@ TEST(RunRecordFile, AChecksumThatDoesNotFitIsAnError) {
   const Result<RunRecord> read = readRunRecord(folder.write("damaged.json", text));
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
-  EXPECT_EQ(read.error().place, "/checksum");
+  EXPECT_EQ(read.error().location, "/checksum");
   const std::size_t checksum = text.find(",\n \"checksum\"");
   text.erase(checksum, text.find('\n', checksum + 2) - checksum);  // as records were before
   EXPECT_TRUE(readRunRecord(folder.write("edited.json", text)).ok());
@@ -220,7 +220,7 @@ TEST(RunJournal, ADamagedLineCostsThatLineOnly) {
   }
   const Result<RunRecord> headless = readRunRecord(folder.write("headless.journal", lines[0].substr(0, 90) + "\n"));
   ASSERT_FALSE(headless.ok());
-  EXPECT_EQ(headless.error().place, "line 1");
+  EXPECT_EQ(headless.error().location, "line 1");
 }
 
 TEST(RunJournal, EveryChangedDigitCostsItsLine) {
@@ -250,8 +250,8 @@ TEST(RunJournal, ALineThatTheDiskDoesNotTakeLeavesTheOthersWhole) {
     const auto size = std::filesystem::file_size((*journal)->file());
     const rlimit limit{size + 50, size + 50};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(2);
-    const bool told = !(*journal)->append(someRunRecord().log).ok();
-    ::_exit(told && std::filesystem::file_size((*journal)->file()) == size ? 0 : 3);
+    const bool reported = !(*journal)->append(someRunRecord().log).ok();
+    ::_exit(reported && std::filesystem::file_size((*journal)->file()) == size ? 0 : 3);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -318,7 +318,7 @@ class ReplayLog : public testing::Test {
 
   std::string refusal() {
     const auto log = replayLog(record_, *scenario_, "run.json");
-    return log ? "" : log.error().file + ": " + log.error().place;
+    return log ? "" : log.error().file + ": " + log.error().location;
   }
 
   std::optional<LoadedScenario> scenario_;
@@ -334,10 +334,10 @@ TEST_F(ReplayLog, IsThatOfTheScenarioWhateverElseItSaysNow) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(ReplayLog, OfAVersionWithoutLanesHasOne) {
-  EXPECT_GT(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Lanes), 1);
-  record_.parameters.erase(ParameterId::Lanes);
-  EXPECT_EQ(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Lanes), 1);
+TEST_F(ReplayLog, OfAVersionWithoutSlotsHasOne) {
+  EXPECT_GT(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Slots), 1);
+  record_.parameters.erase(ParameterId::Slots);
+  EXPECT_EQ(replayLog(record_, *scenario_, "run.json")->start.parameters.integer(ParameterId::Slots), 1);
 }
 
 TEST_F(ReplayLog, IsRefusedOnAnotherScenario) {

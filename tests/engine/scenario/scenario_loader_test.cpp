@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
-Result<LoadedScenario> realise(const Scenario& scenario) { return realiseScenario(scenario, ".", "boxes.json"); }
+Result<LoadedScenario> load(const Scenario& scenario) { return loadGeometry(scenario, ".", "boxes.json"); }
 
 /// boxScenario with a second body from a mesh file.
 Scenario withMesh(const std::string& path) {
@@ -44,14 +44,14 @@ void expectRefused(const Result<LoadedScenario>& loaded, const std::string& file
 TEST(LoadScenario, RefusesWhatReachesBeyondTheLimitsOfLengths) {
   Scenario scenario = boxScenario();
   scenario.bodies[0].pose = Pose::translation({1e9, 0, 0});
-  expectRefused(realise(scenario), "boxes.json", "beyond 1e9 m");
+  expectRefused(load(scenario), "boxes.json", "beyond 1e9 m");
   scenario = boxScenario();
   scenario.object.geometry = BoxGeometry{{1e-11, 1e-11, 1e-11}};
-  expectRefused(realise(scenario), "boxes.json", "1e10 times as large as the object");
+  expectRefused(load(scenario), "boxes.json", "1e10 times as large as the object");
   const TemporaryFolder folder;
   scenario = withMesh(folder.write("part.obj", kObj));
   scenario.assets[0].unit = 1e9;
-  expectRefused(realise(scenario), "boxes.json", "beyond 1e9 m");
+  expectRefused(load(scenario), "boxes.json", "beyond 1e9 m");
 }
 
 TEST(LoadScenario, SavingNamesAFileWhoseNameIsNoUtf8) {
@@ -117,10 +117,10 @@ TEST(LoadScenario, AssetsAreFoundBesideTheFile) {
 
 TEST(LoadScenario, MissingAndBrokenAssetsAreNamed) {
   const TemporaryFolder folder;
-  expectRefused(realiseScenario(withMesh("gone.stl"), folder.path(), "s.json"), "gone.stl", "No such file");
+  expectRefused(loadGeometry(withMesh("gone.stl"), folder.path(), "s.json"), "gone.stl", "No such file");
   folder.write("broken.stl", "solid a\nfacet");
-  expectRefused(realiseScenario(withMesh("broken.stl"), folder.path(), "s.json"), "broken.stl", "endsolid");
-  expectRefused(realiseScenario(withMesh("/etc/passwd"), folder.path(), "s.json"), "passwd", "kind");
+  expectRefused(loadGeometry(withMesh("broken.stl"), folder.path(), "s.json"), "broken.stl", "endsolid");
+  expectRefused(loadGeometry(withMesh("/etc/passwd"), folder.path(), "s.json"), "passwd", "kind");
 }
 
 TEST(LoadScenario, AChangedAssetIsAWarning) {
@@ -128,7 +128,7 @@ TEST(LoadScenario, AChangedAssetIsAWarning) {
   folder.write("part.obj", kObj);
   Scenario scenario = withMesh("part.obj");
   scenario.assets[0].sha256 = std::string(64, '0');
-  const Result<LoadedScenario> loaded = realiseScenario(scenario, folder.path(), "s.json");
+  const Result<LoadedScenario> loaded = loadGeometry(scenario, folder.path(), "s.json");
   ASSERT_TRUE(loaded.ok());
   ASSERT_EQ(loaded->warnings.size(), 1U);
   EXPECT_THAT(loaded->warnings[0].reason, HasSubstr("changed"));
@@ -137,10 +137,10 @@ TEST(LoadScenario, AChangedAssetIsAWarning) {
 TEST(LoadScenario, AnOpenSurfaceIsAWarning) {
   const TemporaryFolder folder;
   folder.write("part.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const Result<LoadedScenario> open = realiseScenario(withMesh("part.obj"), folder.path(), "s.json");
+  const Result<LoadedScenario> open = loadGeometry(withMesh("part.obj"), folder.path(), "s.json");
   ASSERT_TRUE(open.ok());
   ASSERT_EQ(open->warnings.size(), 1U);
-  EXPECT_THAT(open->warnings[0].place, HasSubstr("part"));
+  EXPECT_THAT(open->warnings[0].location, HasSubstr("part"));
 }
 
 TEST(LoadScenario, AUrdfFileHasNoUnitOfItsOwn) {
@@ -148,15 +148,15 @@ TEST(LoadScenario, AUrdfFileHasNoUnitOfItsOwn) {
   Scenario scenario = withMesh("part.urdf");
   scenario.bodies[1].geometry = UrdfGeometry{"part"};
   scenario.assets[0].unit = 0.001;
-  expectRefused(realiseScenario(scenario, folder.path(), "s.json"), "s.json", "unit");
+  expectRefused(loadGeometry(scenario, folder.path(), "s.json"), "s.json", "unit");
 }
 
 TEST(LoadScenario, ParametersOutOfRangeAreNamed) {
   Scenario scenario = boxScenario();
   scenario.parameters[ParameterId::Alpha] = 1.5;
-  const Result<LoadedScenario> loaded = realise(scenario);
+  const Result<LoadedScenario> loaded = load(scenario);
   expectRefused(loaded, "boxes.json", "Authority");
-  EXPECT_EQ(loaded.error().place, "/parameters/alpha");
+  EXPECT_EQ(loaded.error().location, "/parameters/alpha");
 }
 
 TEST(LoadScenario, RotationsAreMadeUnit) {
@@ -164,7 +164,7 @@ TEST(LoadScenario, RotationsAreMadeUnit) {
   scenario.start.orientation.coeffs() *= 1.0005;  // as a file may have it
   scenario.goal = scenario.start;
   scenario.bodies[0].pose.orientation.coeffs() *= 1.0005;
-  const Result<LoadedScenario> loaded = realise(scenario);
+  const Result<LoadedScenario> loaded = load(scenario);
   ASSERT_TRUE(loaded.ok());
   EXPECT_NEAR(loaded->problem.start.orientation.norm(), 1.0, 1e-15);
   EXPECT_NEAR(std::get<Pose>(loaded->problem.goal).orientation.norm(), 1.0, 1e-15);
@@ -177,30 +177,30 @@ TEST(LoadScenario, TheUnitAndTheUpAxisOfAnAssetAreApplied) {
   Scenario scenario = withMesh("part.obj");
   scenario.assets[0].unit = 0.5;
   scenario.assets[0].up = UpAxis::Y;
-  const Result<LoadedScenario> loaded = realiseScenario(scenario, folder.path(), "s.json");
+  const Result<LoadedScenario> loaded = loadGeometry(scenario, folder.path(), "s.json");
   ASSERT_TRUE(loaded.ok()) << toString(loaded.error());
   const Box3 box = boundingBox(*loaded->obstacles[1].mesh);
   EXPECT_TRUE(box.max().isApprox(Vector3(0.5, 0, 1), 1e-12)) << box.max().transpose();  // y became z
   EXPECT_NEAR(box.min().y(), -1.5, 1e-12);                                              // z became -y
 }
 
-TEST(RealiseScenario, GeometryThatIsKnownIsNotReadAgainAndGivesTheSame) {
+TEST(LoadGeometry, GeometryThatIsKnownIsNotReadAgainAndGivesTheSame) {
   const TemporaryFolder folder;
   folder.write("part.obj", kObj);
   Scenario scenario = withMesh("part.obj");
-  const auto first = realiseScenario(scenario, folder.path(), "s.json");
+  const auto first = loadGeometry(scenario, folder.path(), "s.json");
   ASSERT_TRUE(first.ok()) << toString(first.error());
   std::filesystem::remove(folder / "part.obj");
   scenario.bodies.back().pose = Pose::translation({0, 0, 5});
-  EXPECT_FALSE(realiseScenario(scenario, folder.path(), "s.json").ok());
-  const auto moved = realiseScenario(scenario, folder.path(), "s.json", first->geometry);
+  EXPECT_FALSE(loadGeometry(scenario, folder.path(), "s.json").ok());
+  const auto moved = loadGeometry(scenario, folder.path(), "s.json", first->geometry);
   ASSERT_TRUE(moved.ok()) << toString(moved.error());
   EXPECT_EQ(moved->obstacles.back().mesh, first->obstacles.back().mesh);
   EXPECT_EQ(moved->obstacles.back().X_WB, scenario.bodies.back().pose);
   EXPECT_EQ(moved->object.mesh->vertices, first->object.mesh->vertices);
 
   scenario.assets.front().unit = 0.5;  // another interpretation is another geometry
-  EXPECT_FALSE(realiseScenario(scenario, folder.path(), "s.json", first->geometry).ok());
+  EXPECT_FALSE(loadGeometry(scenario, folder.path(), "s.json", first->geometry).ok());
 }
 
 }  // namespace

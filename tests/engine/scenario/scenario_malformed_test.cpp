@@ -16,7 +16,7 @@ void expectRefused(const std::string& text, const std::string& place, const std:
   ASSERT_FALSE(read.ok());
   EXPECT_EQ(read.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(read.error().file, "broken.json");
-  EXPECT_THAT(read.error().place, StartsWith(place));
+  EXPECT_THAT(read.error().location, StartsWith(place));
   EXPECT_THAT(read.error().reason, HasSubstr(reason));
   EXPECT_FALSE(read.error().advice.empty());
 }

@@ -137,11 +137,11 @@ TEST(StepParts, ANameThatIsNotThereListsThoseThatAre) {
   const auto refused = scenarioOfParts({moving(kUnit + ":pim"), still(kUnit)});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().kind, ErrorKind::MalformedInput);
-  EXPECT_THAT(refused.error().place, HasSubstr("pim"));
+  EXPECT_THAT(refused.error().location, HasSubstr("pim"));
   EXPECT_THAT(refused.error().advice, HasSubstr("plate, pin, pin#2, pump/housing, pump/Läufer"));
   Scenario scenario = scenarioOf({moving(kUnit + ":pin"), still(kUnit)});
   scenario.bodies[0].geometry = StepGeometry{"unit", "lid"};
-  const auto loaded = realiseScenario(scenario, ".", "s.json");
+  const auto loaded = loadGeometry(scenario, ".", "s.json");
   ASSERT_FALSE(loaded.ok());
   EXPECT_THAT(loaded.error().file, HasSubstr("unit.step"));
   EXPECT_THAT(loaded.error().advice, HasSubstr("pin#2"));
@@ -191,7 +191,7 @@ TEST(StepParts, WhatWasReadIsNotReadAgain) {
   folder.write("unit.step", "gone");
   const auto scenario = scenarioOfParts({moving(file + ":pin"), still(file)}, &read);
   ASSERT_TRUE(scenario) << toString(scenario.error());
-  EXPECT_TRUE(realiseScenario(*scenario, ".", "", read).ok());
+  EXPECT_TRUE(loadGeometry(*scenario, ".", "", read).ok());
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST(AllocationFailureOfThreads, LeavesTheSessionAtWork) {
   RandomStream stream(1, "allocation failures");
   for (int i = 0; i < 16; ++i) {
     SessionConfig config = smoothingConfig(i % 2 == 0 ? "contact-birrt" : "auto");
-    ASSERT_TRUE(config.parameters.set(ParameterId::Lanes, 2));
+    ASSERT_TRUE(config.parameters.set(ParameterId::Slots, 2));
     config.device = std::make_unique<HomingDevice>(Vector3(-0.32, 0, 0));
     const auto session = makeThreadedSession(std::move(config));
     session->setWakeUp([] {});

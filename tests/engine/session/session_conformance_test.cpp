@@ -101,7 +101,7 @@ TEST_P(SessionConformance, StopKeepsWhatWasFoundAndARestartBeginsAnew) {
 TEST_P(SessionConformance, PlannersSideBySideAreShownAndStopped) {
   SessionConfig config = sessionConfig(closedProblem());
   config.plannerId = "auto";
-  ASSERT_TRUE(config.parameters.set(ParameterId::Lanes, 4));
+  ASSERT_TRUE(config.parameters.set(ParameterId::Slots, 4));
   const auto session = make(std::move(config));
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps > 2000 && !s.member.empty(); }));
@@ -135,7 +135,7 @@ TEST_P(SessionConformance, ABadParameterIsRefusedInWordsAndTheRunGoesOn) {
   session->post(command::SetParameter{ParameterId::Alpha, 7.0});
   ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.problem.has_value(); }));
   EXPECT_EQ(session->snapshot()->state, SessionState::Planning);
-  EXPECT_EQ(session->snapshot()->problem->place, "alpha");
+  EXPECT_EQ(session->snapshot()->problem->location, "alpha");
 }
 
 TEST_P(SessionConformance, LimitsEndTheRunWithAReason) {
@@ -157,7 +157,7 @@ TEST_P(SessionConformance, AStartInCollisionIsRefusedNamingTheBody) {
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, hasEnded));
   EXPECT_EQ(session->snapshot()->problem->kind, ErrorKind::InCollision);
-  EXPECT_EQ(session->snapshot()->problem->place, "start");
+  EXPECT_EQ(session->snapshot()->problem->location, "start");
   EXPECT_NE(session->snapshot()->problem->reason.find("right"), std::string::npos);
 }
 

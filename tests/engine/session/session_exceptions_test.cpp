@@ -136,7 +136,7 @@ TEST_P(DeviceExceptions, TakeTheDeviceAwayAndPlanningGoesOn) {
       makeSession(threaded, sessionConfig(windowProblem(), std::make_unique<ThrowingDevice>(thrown.raise)));
   ASSERT_TRUE(waitFor(*session, [](const SessionSnapshot& s) { return s.problem.has_value(); }));
   EXPECT_EQ(session->snapshot()->problem->kind, thrown.kind);
-  EXPECT_EQ(session->snapshot()->problem->place, "device");
+  EXPECT_EQ(session->snapshot()->problem->location, "device");
   session->post(command::Start{});
   ASSERT_TRUE(waitFor(*session, hasEnded));
   EXPECT_EQ(session->snapshot()->state, SessionState::Solved);

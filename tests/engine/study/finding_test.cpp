@@ -66,7 +66,7 @@ TEST(Finding, WhatCannotBeMeantIsRefusedAtItsPlace) {
     broken[Json::json_pointer(pointer)] = value;
     const auto study = parse(broken);
     ASSERT_FALSE(study.ok()) << pointer;
-    EXPECT_EQ(study.error().place, "/findings/0" + place);
+    EXPECT_EQ(study.error().location, "/findings/0" + place);
   };
   expectRefused("/measure", "noses", "/measure");
   expectRefused("/is", "beside", "/is");

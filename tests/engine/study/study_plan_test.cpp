@@ -55,7 +55,7 @@ TEST(StudyPlan, ParametersAreCheckedAgainstTheScenario) {
   ASSERT_FALSE(plan.ok());
   EXPECT_EQ(plan.error().kind, ErrorKind::MalformedInput);
   EXPECT_EQ(plan.error().file, files.file);
-  EXPECT_THAT(plan.error().place, HasSubstr("/rows/1"));
+  EXPECT_THAT(plan.error().location, HasSubstr("/rows/1"));
   EXPECT_THAT(plan.error().reason, HasSubstr("50"));
 }
 

@@ -64,7 +64,7 @@ TEST(StudyReader, QuickKeepsRowsAndReplacesSeedsAndLimits) {
   auto without = test::tinyStudy();
   without.erase("quick");
   EXPECT_TRUE(parseStudy(without.dump(), "study.json", false).ok());
-  EXPECT_EQ(parseStudy(without.dump(), "study.json", true).error().place, "/quick");
+  EXPECT_EQ(parseStudy(without.dump(), "study.json", true).error().location, "/quick");
 }
 
 TEST(StudyReader, EachFaultIsNamedWithItsPlace) {
@@ -74,7 +74,7 @@ TEST(StudyReader, EachFaultIsNamedWithItsPlace) {
     ASSERT_FALSE(study.ok());
     EXPECT_EQ(study.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(study.error().file, "broken.json");
-    EXPECT_EQ(study.error().place, row.place);
+    EXPECT_EQ(study.error().location, row.place);
     EXPECT_THAT(study.error().reason, HasSubstr(row.reason));
     EXPECT_FALSE(study.error().advice.empty());
   }
@@ -92,7 +92,7 @@ TEST(StudyReader, RefusesMoreRunsThanAnybodyCanRunBeforeItSpellsThemOut) {
 
 TEST(StudyReader, TextThatIsNoStudy) {
   EXPECT_FALSE(parseStudy("", "study.json", false).ok());
-  EXPECT_THAT(parseStudy("{\n oops", "study.json", false).error().place, HasSubstr("line 2"));
+  EXPECT_THAT(parseStudy("{\n oops", "study.json", false).error().location, HasSubstr("line 2"));
   const std::string good = test::tinyStudy().dump();
   for (std::size_t length = 1; length < good.size(); length += 7) {
     EXPECT_FALSE(parseStudy(good.substr(0, length), "truncated", false).ok()) << length;

@@ -12,7 +12,7 @@ namespace glissade::test {
 
 /// The scenario with its bodies; fails the test where it cannot be loaded.
 inline LoadedScenario loadedFrom(const Scenario& scenario) {
-  auto loaded = realiseScenario(scenario, ".", "");
+  auto loaded = loadGeometry(scenario, ".", "");
   EXPECT_TRUE(loaded.ok()) << toString(loaded.error());
   return std::move(*loaded);
 }

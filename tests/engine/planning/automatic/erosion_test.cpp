@@ -2,7 +2,7 @@
 
 #include "engine/planning/automatic/eroded_worlds.h"
 #include "engine/planning/automatic/erodible_mesh.h"
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/planning/automatic/retraction.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/support/test_worlds.h"
@@ -77,18 +77,18 @@ TEST(Freeing, PartsThatTouchOrOverlapALittleComeClearByAboutThat) {
   for (const double overlap : {-1e-6, 0.0, 1e-6, 1e-4, 1e-3}) {
     const Pose q = onTheFloor(overlap);
     ASSERT_FALSE(query->clearAbove(q, kClearance)) << overlap;
-    const auto clear = freed(problem.world, q, kClearance);
+    const auto clear = moveToClearance(problem.world, q, kClearance);
     ASSERT_TRUE(clear) << overlap;
     EXPECT_TRUE(query->clearAbove(*clear, kClearance)) << overlap;
     EXPECT_LT((clear->position - q.position).norm(), 2.5 * (std::abs(overlap) + 1e-4)) << overlap;
-    EXPECT_EQ(*freed(problem.world, q, kClearance), *clear) << "not the same again";
+    EXPECT_EQ(*moveToClearance(problem.world, q, kClearance), *clear) << "not the same again";
   }
 }
 
 TEST(Freeing, WhatIsClearStaysAndWhatIsDeepInsideIsGivenUpWithItsDepth) {
   const Problem problem = windowProblem();
-  EXPECT_EQ(*freed(problem.world, problem.start, 1e-6), problem.start);
-  const auto deep = freed(problem.world, onTheFloor(0.1), 1e-6);
+  EXPECT_EQ(*moveToClearance(problem.world, problem.start, 1e-6), problem.start);
+  const auto deep = moveToClearance(problem.world, onTheFloor(0.1), 1e-6);
   ASSERT_FALSE(deep);
   const std::string& reason = deep.error().reason;
   const std::string before = "overlaps 'below' by ";
@@ -102,7 +102,7 @@ TEST(Freeing, AShaftSlidesOutOfItsHole) {
   ring.mesh = std::make_shared<const TriangleMesh>(test::makeRing(0.1, 0.3, 0.2, 40));
   const auto shaft = std::make_shared<const TriangleMesh>(test::makeRing(0.0, 0.100001, 0.4, 40));
   const auto world = CollisionWorld::build({ring}, shaft);
-  const auto out = freed(world, Pose::identity(), 1e-6);
+  const auto out = moveToClearance(world, Pose::identity(), 1e-6);
   ASSERT_TRUE(out) << out.error().reason;
   EXPECT_TRUE(world->makeQuery()->clearAbove(*out, 2e-6));
   EXPECT_GE(std::abs(out->position.z()), 0.3);

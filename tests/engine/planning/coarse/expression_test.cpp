@@ -155,7 +155,7 @@ TEST(Expression, ErrorsNameTheColumn) {
     const auto expression = Expression::parse(row.text, known);
     ASSERT_FALSE(expression.ok()) << row.text;
     EXPECT_EQ(expression.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(expression.error().place, "column " + std::to_string(row.column)) << row.text;
+    EXPECT_EQ(expression.error().location, "column " + std::to_string(row.column)) << row.text;
     EXPECT_THAT(expression.error().reason, HasSubstr(row.reason)) << row.text;
     EXPECT_FALSE(expression.error().advice.empty());
   }

@@ -195,7 +195,7 @@ TEST(CoarsePlanByRules, ACostThatMeansNothingNamesTheRuleAndThePlace) {
     const auto plan = planBy(rules, edits);
     ASSERT_FALSE(plan.ok()) << edge;
     EXPECT_EQ(plan.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(plan.error().place, rule);
+    EXPECT_EQ(plan.error().location, rule);
     EXPECT_NE(plan.error().reason.find(reason), std::string::npos) << plan.error().reason;
   };
   expectRefused("0", "-distance", "/rules/edge", "gives the negative cost -");
@@ -216,7 +216,7 @@ TEST(CoarsePlanByRules, WithoutAWayItNamesWhatIsClosed) {
   ASSERT_TRUE(plan.ok()) << toString(plan.error());
   EXPECT_TRUE(plan->nodes.empty());
   EXPECT_TRUE(plan->forbidden.empty());
-  EXPECT_FALSE(plan->tooDear.empty());
+  EXPECT_FALSE(plan->infiniteCost.empty());
   for (PlaceEdit& place : edits.places) place.attributes["forbidden"] = true;
   const auto model = game("tight", "circle").semantics();
   const int hole = test::placeNamed(model, "P2");
@@ -228,7 +228,7 @@ TEST(CoarsePlanByRules, WithoutAWayItNamesWhatIsClosed) {
   ASSERT_TRUE(forbidden.ok());
   EXPECT_TRUE(forbidden->nodes.empty());
   EXPECT_THAT(forbidden->forbidden, testing::Contains("P2"));
-  EXPECT_TRUE(forbidden->tooDear.empty());
+  EXPECT_TRUE(forbidden->infiniteCost.empty());
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(StrategyRules, EachFaultIsNamedWithItsPlace) {
     const auto parsed = parseRules(rules, AttributeTable(), locals());
     ASSERT_FALSE(parsed.ok()) << row.place << " " << row.reason;
     EXPECT_EQ(parsed.error().kind, ErrorKind::MalformedInput);
-    EXPECT_EQ(parsed.error().place, row.place);
+    EXPECT_EQ(parsed.error().location, row.place);
     EXPECT_THAT(parsed.error().reason, HasSubstr(row.reason));
   }
 }

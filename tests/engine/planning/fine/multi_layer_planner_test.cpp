@@ -40,7 +40,7 @@ TEST_P(SolvesTight, WithACertifiedPathAndFewRandomConfigurations) {
     const auto query = problem.world->makeQuery();
     EXPECT_EQ(certifyPath(*query, path.configurations(), host.values[ParameterId::RequiredClearance]).status,
               CertificateStatus::Certified);
-    const CoarsePlanPtr plan = planner->coarsePlan();
+    const CoarsePlanPtr plan = coarsePlanOf(*planner);
     ASSERT_NE(plan, nullptr);
     for (const TopologicalStep& step : plan->steps) {
       EXPECT_EQ(step.result, StepResult::Solved) << step.placeName;
@@ -79,7 +79,7 @@ TEST(MultiLayerPlanner, WithoutSemanticsTheStarIsLedToAHoleThatItDoesNotFit) {
   EXPECT_EQ(planner->failure()->kind, ErrorKind::NoPath);
   EXPECT_FALSE(planner->failure()->advice.empty());
   EXPECT_EQ(planner->path(), nullptr);
-  const CoarsePlanPtr plan = planner->coarsePlan();
+  const CoarsePlanPtr plan = coarsePlanOf(*planner);
   ASSERT_EQ(placesOf(*plan).at(1), "P8");
   int failed = 0;
   for (const TopologicalStep& step : plan->steps) {
@@ -109,7 +109,7 @@ TEST_F(EditsWhileRunning, WithoutAWayTheSearchOfTheWholeWorkspaceHasARowOfItsOwn
   for (PlaceEdit& edit : edits.places) edit.attributes["forbidden"] = true;
   host.edits = std::make_shared<const SemanticEdits>(edits);
   advance(*planner, 4);
-  const CoarsePlanPtr plan = planner->coarsePlan();
+  const CoarsePlanPtr plan = coarsePlanOf(*planner);
   EXPECT_TRUE(plan->nodes.empty());
   EXPECT_FALSE(plan->forbidden.empty());
   EXPECT_EQ(plan->basis.edits, host.edits);
@@ -124,7 +124,7 @@ TEST_F(EditsWhileRunning, WithoutAWayTheSearchOfTheWholeWorkspaceHasARowOfItsOwn
 TEST_F(EditsWhileRunning, AForbiddenPlaceChangesTheCoarsePath) {
   const auto planner = make(problem, "gts");
   advance(*planner, 5);
-  const CoarsePlanPtr before = planner->coarsePlan();
+  const CoarsePlanPtr before = coarsePlanOf(*planner);
   ASSERT_NE(before, nullptr);
   const std::string hole = placesOf(*before).at(1);
   SemanticEdits edits = *problem.scene.edits;
@@ -133,14 +133,14 @@ TEST_F(EditsWhileRunning, AForbiddenPlaceChangesTheCoarsePath) {
   }
   host.edits = std::make_shared<const SemanticEdits>(edits);
   advance(*planner, 2);
-  const CoarsePlanPtr after = planner->coarsePlan();
+  const CoarsePlanPtr after = coarsePlanOf(*planner);
   EXPECT_GT(after->attempt, before->attempt);
   ASSERT_EQ(placesOf(*after).size(), 5U);
   EXPECT_NE(placesOf(*after).at(1), hole);
   EXPECT_EQ(placesOf(*before).at(1), hole) << "what was published has changed";
   advance(*planner, 100000);
   ASSERT_NE(planner->path(), nullptr);
-  EXPECT_NE(placesOf(*planner->coarsePlan()).at(1), hole);
+  EXPECT_NE(placesOf(*coarsePlanOf(*planner)).at(1), hole);
 }
 
 TEST_F(EditsWhileRunning, RulesThatNameAnAttributeThatWasRemovedEndTheRun) {
@@ -169,7 +169,7 @@ TEST_F(EditsWhileRunning, AMilestoneOfThePersonIsPassedThrough) {
   const auto first = make(problem, "gts");
   advance(*first, 100000);
   ASSERT_NE(first->path(), nullptr);
-  const TopologicalStep last = first->coarsePlan()->steps.at(3);  // into P3
+  const TopologicalStep last = coarsePlanOf(*first)->steps.at(3);  // into P3
   const Border& border = map.borders[static_cast<std::size_t>(last.border)];
   SemanticEdits edits = *problem.scene.edits;
   Pose q = Pose::translation(border.centre + Vector3(0.0, 0.05, 0.1));

@@ -11,9 +11,9 @@
 namespace glissade {
 namespace {
 
-TestHost hostWithLanes(const Problem& problem, int lanes, std::uint64_t steps) {
+TestHost hostWithSlots(const Problem& problem, int slots, std::uint64_t steps) {
   TestHost host(problem, steps);
-  EXPECT_TRUE(host.values.set(ParameterId::Lanes, lanes));
+  EXPECT_TRUE(host.values.set(ParameterId::Slots, slots));
   return host;
 }
 
@@ -45,8 +45,8 @@ struct Trace {
   }
 };
 
-Trace traceOf(const Problem& problem, std::uint64_t seed, int lanes, std::size_t threads, std::uint64_t steps) {
-  TestHost host = hostWithLanes(problem, lanes, steps);
+Trace traceOf(const Problem& problem, std::uint64_t seed, int slots, std::size_t threads, std::uint64_t steps) {
+  TestHost host = hostWithSlots(problem, slots, steps);
   AutomaticPlanner planner(problem, seed, threads);
   Trace trace;
   trace.solved = planner.solve(host);
@@ -61,7 +61,7 @@ Trace traceOf(const Problem& problem, std::uint64_t seed, int lanes, std::size_t
   return trace;
 }
 
-TEST(Lanes, SeedAndLanesDecideTheResultNotTheThreads) {
+TEST(Slots, SeedAndSlotsDecideTheResultNotTheThreads) {
   const Problem problem = twoWindows();
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Trace alone = traceOf(problem, seed, 4, 1, 1'000'000);
@@ -73,7 +73,7 @@ TEST(Lanes, SeedAndLanesDecideTheResultNotTheThreads) {
 }
 
 /// Long enough for the members that enter late, several lives of the others, and OMPL's beside ours.
-TEST(Lanes, ALongSearchIsTheSameOnAnyNumberOfThreads) {
+TEST(Slots, ALongSearchIsTheSameOnAnyNumberOfThreads) {
   const Problem problem = closedProblem();
   const Trace alone = traceOf(problem, 1, 4, 1, 50'000);
   EXPECT_FALSE(alone.solved);
@@ -81,17 +81,17 @@ TEST(Lanes, ALongSearchIsTheSameOnAnyNumberOfThreads) {
   EXPECT_TRUE(traceOf(problem, 1, 4, 4, 50'000) == alone);
 }
 
-TEST(Lanes, OtherLanesAreAnotherSearch) {
+TEST(Slots, OtherSlotsAreAnotherSearch) {
   const Problem problem = closedProblem();
-  const auto nodes = [&](int lanes) { return traceOf(problem, 1, lanes, 4, 8'000).nodes; };
+  const auto nodes = [&](int slots) { return traceOf(problem, 1, slots, 4, 8'000).nodes; };
   EXPECT_NE(nodes(1), nodes(2));
   EXPECT_NE(nodes(2), nodes(3));
 }
 
-TEST(Lanes, TheHostIsAskedOnceForEachTurn) {
+TEST(Slots, TheHostIsAskedOnceForEachTurn) {
   const Problem problem = closedProblem();
-  for (const int lanes : {1, 4}) {
-    TestHost host = hostWithLanes(problem, lanes, 5'000);
+  for (const int slots : {1, 4}) {
+    TestHost host = hostWithSlots(problem, slots, 5'000);
     AutomaticPlanner planner(problem, 1);
     planner.solve(host);
     EXPECT_LE(planner.counts().steps, 5'000U);
@@ -99,9 +99,9 @@ TEST(Lanes, TheHostIsAskedOnceForEachTurn) {
   }
 }
 
-TEST(Lanes, NamesAllWhoseTurnItIs) {
+TEST(Slots, NamesAllWhoseTurnItIs) {
   const Problem problem = closedProblem();
-  TestHost host = hostWithLanes(problem, 4, 5'000);
+  TestHost host = hostWithSlots(problem, 4, 5'000);
   AutomaticPlanner planner(problem, 1);
   planner.solve(host);
   const std::string names = planner.member();
@@ -126,9 +126,9 @@ class StoppableHost final : public PlannerHost {
   StopToken token_ = stop.token();
 };
 
-TEST(Lanes, AStopFromAnotherThreadEndsAllOfThem) {
+TEST(Slots, AStopFromAnotherThreadEndsAllOfThem) {
   const Problem problem = closedProblem();
-  const TestHost parameters = hostWithLanes(problem, 4, 1);
+  const TestHost parameters = hostWithSlots(problem, 4, 1);
   StoppableHost host(parameters);
   AutomaticPlanner planner(problem, 1, 4);
   std::thread other([&] {

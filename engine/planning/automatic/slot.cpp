@@ -1,4 +1,6 @@
-#include "engine/planning/automatic/lane.h"
+#include "engine/planning/automatic/slot.h"
+
+#include "engine/planning/automatic/portfolio_report.h"
 
 namespace glissade {
 namespace {
@@ -18,16 +20,16 @@ std::uint64_t workOf(const PlannerCounts& counts) {
 
 }  // namespace
 
-LaneResult runLane(SubPlanner& life, PlannerHost& host, std::uint64_t quantum) {
-  LaneResult result;
+SlotResult runSlot(SubPlanner& life, PlannerHost& host, std::uint64_t quantum) {
+  SlotResult result;
   const std::uint64_t before = workOf(life.collected());  // a new life pays for its making, too
-  const std::size_t stagesBefore = life.planner().stagesDone();
+  const std::size_t stagesBefore = stagesDoneOf(life.planner());
   do {
     result.state = life.advance(host);
     ++result.turns;
     result.work = workOf(life.planner().counts()) - before + kTurnWork * result.turns;
   } while (result.state == SubPlanner::State::Running && result.work < quantum && !host.stopToken().stopRequested());
-  result.gotOn = life.planner().stagesDone() > stagesBefore;
+  result.gotOn = stagesDoneOf(life.planner()) > stagesBefore;
   return result;
 }
 

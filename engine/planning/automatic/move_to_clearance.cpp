@@ -1,4 +1,4 @@
-#include "engine/planning/automatic/freeing.h"
+#include "engine/planning/automatic/move_to_clearance.h"
 
 #include <algorithm>
 #include <array>
@@ -24,10 +24,10 @@ constexpr double kLongestSlide = 4.0;
 constexpr double kSlideFactor = 1.25;
 constexpr std::size_t kFaces = 6;
 
-class Freeing {
+class MoveToClearance {
  public:
-  Freeing(const CollisionWorldPtr& world, const Pose& q, double clearance)
-      : world_(world), q_(q), clearance_(clearance), query_(world->makeQuery()), eroded_(world) {}
+  MoveToClearance(const CollisionWorldPtr& world, const Pose& q, double clearance, const StopToken& stop)
+      : world_(world), q_(q), clearance_(clearance), stop_(stop), query_(world->makeQuery()), eroded_(world) {}
 
   bool isFree() { return query_->clearAbove(q_, clearance_); }
 
@@ -36,6 +36,7 @@ class Freeing {
       const double by = depth * world_->objectRadius();
       const auto erodedQuery = eroded_.at(by)->makeQuery();
       for (const double demand : kDemands) {
+        if (stop_.stopRequested()) return std::nullopt;
         const auto found = retracted(*erodedQuery, q_, demand * (by + clearance_), world_->objectRadius());
         if (found && query_->clearAbove(*found, clearance_)) return *found;
       }
@@ -52,7 +53,7 @@ class Freeing {
       const double required = kErodedShare * (by + clearance_);
       if (!erodedQuery->clearAbove(q_, required)) continue;
       for (const Pose& end : ends) {
-        const MotionCheck check = erodedQuery->checkMotion(q_, end, required, SeekViolation::Any, {});
+        const MotionCheck check = erodedQuery->checkMotion(q_, end, required, SeekViolation::Any, stop_);
         if (check.status == CertificateStatus::Certified) return end;
       }
     }
@@ -88,6 +89,7 @@ class Freeing {
   std::vector<Pose> slideEnds() {
     std::vector<std::pair<double, Pose>> found;
     for (const Vector3& direction : directions()) {
+      if (stop_.stopRequested()) break;
       for (double way = kShortestSlide; way <= kLongestSlide; way *= kSlideFactor) {
         Pose end = q_;
         end.position += way * world_->objectRadius() * direction;
@@ -121,18 +123,20 @@ class Freeing {
   const CollisionWorldPtr& world_;
   const Pose& q_;
   double clearance_;
+  const StopToken& stop_;
   std::unique_ptr<CollisionQuery> query_;
   ErodedWorlds eroded_;
 };
 
 }  // namespace
 
-Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required) {
-  Freeing freeing(world, q, 2.0 * required);
-  if (freeing.isFree()) return q;
-  if (const auto near = freeing.retract()) return *near;
-  if (const auto out = freeing.slideOut()) return *out;
-  return freeing.failure();
+Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, double required, const StopToken& stop) {
+  MoveToClearance search(world, q, 2.0 * required, stop);
+  if (search.isFree()) return q;
+  if (const auto near = search.retract()) return *near;
+  if (const auto out = search.slideOut()) return *out;
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "it was stopped", ""};
+  return search.failure();
 }
 
 }  // namespace glissade

@@ -10,7 +10,8 @@ namespace glissade {
 /// that leads there counts, up to a thirtieth of its radius. Where none does (a shaft in its hole has nowhere to go),
 /// the object slides straight out as far as it has to, along an axis of the world or the normal of one of its faces,
 /// on a motion that the eroded object is proved to make. InCollision where that fails too, with the body and how deep
-/// it is in it. Deterministic.
-Result<Pose> freed(const CollisionWorldPtr& world, const Pose& q, double required);
+/// it is in it, Interrupted where it was stopped. Deterministic.
+Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, double required,
+                             const StopToken& stop = {});
 
 }  // namespace glissade

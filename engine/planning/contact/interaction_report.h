@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/planning/contact/interaction_settings.h"
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+/// Optional interface of planners that share their iterations with an operator.
+class ReportsInteraction {
+ public:
+  virtual ~ReportsInteraction() = default;
+  /// Whose configuration was tried last.
+  virtual Author authority() const = 0;
+  /// Contact samples are being drawn.
+  virtual bool inContactMode() const = 0;
+  /// What the tuner has set; nothing where nothing sets itself.
+  virtual std::optional<TuningReport> tuning() const { return std::nullopt; }
+};
+
+inline Author authorityOf(const Planner& planner) {
+  const auto* report = reportOf<ReportsInteraction>(planner);
+  return report != nullptr ? report->authority() : Author::Computer;
+}
+
+inline bool contactModeOf(const Planner& planner) {
+  const auto* report = reportOf<ReportsInteraction>(planner);
+  return report != nullptr && report->inContactMode();
+}
+
+inline std::optional<TuningReport> tuningOf(const Planner& planner) {
+  const auto* report = reportOf<ReportsInteraction>(planner);
+  return report != nullptr ? report->tuning() : std::nullopt;
+}
+
+}  // namespace glissade
