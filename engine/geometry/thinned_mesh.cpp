@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/geometry/ray_tree.h"
 #include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_tree.h"
 
@@ -61,7 +60,7 @@ double volumeOf(const TriangleMesh& mesh) {
 }
 
 /// The least thickness found below the middle of a triangle and below three points towards its corners.
-double thicknessBelow(const RayTree& surface, const Triangle& triangle, const Vector3& normal, double beyond) {
+double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, const Vector3& normal, double beyond) {
   const Vector3 sum = triangle[0] + triangle[1] + triangle[2];
   double least = surface.firstHit(sum / 3.0, -normal, beyond);
   for (const Vector3& corner : triangle) {
@@ -101,7 +100,7 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
     : mesh_(std::move(mesh)), corners_(mesh_.vertices.size()), shells_(shellsOf(mesh_)) {
   std::vector<Triangle> triangles;
   for (const TriangleIndices& triangle : mesh_.triangles) triangles.push_back(cornersOf(mesh_, triangle));
-  const RayTree surface(triangles);
+  const TriangleTree surface(triangles);
   const double diagonal = boundingBox(mesh_).diagonal().norm();
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     const Triangle& triangle = triangles[f];
