@@ -23,6 +23,7 @@
 #include "app/window/window_memory.h"
 #include "app/window/window_picture.h"
 #include "engine/base/file.h"
+#include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
 #include "widgets/plots/picture_file.h"
 
@@ -175,6 +176,7 @@ int tell(int argc, char** argv) {
 }  // namespace
 
 void prepareProcess() {
+  giveFreedMemoryBack();
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   QCoreApplication::setLibraryPaths(QCoreApplication::libraryPaths().filter(QRegularExpression(QStringLiteral("^/"))));

@@ -20,6 +20,14 @@ double residentMegabytesAfterTrim() {
   return residentMegabytes();
 }
 
+void giveFreedMemoryBack() {
+  constexpr int kPools = 4;
+  constexpr int kKept = 1 << 20;  // bytes, at the end of a pool
+  mallopt(M_ARENA_MAX, kPools);
+  mallopt(M_TRIM_THRESHOLD, kKept);
+  mallopt(M_MMAP_THRESHOLD, kKept);
+}
+
 double allocatedMegabytes() {
   const struct mallinfo2 used = mallinfo2();
   return static_cast<double>(used.uordblks + used.hblkhd) / (1024.0 * 1024.0);

@@ -20,7 +20,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* kSamples[] = {"environment-1", "environment-2", "sliding-plane", "teaching"};
 constexpr const char* kPlanners[] = {"contact-birrt", "auto", "gts", "ompl-rrtconnect"};
-constexpr std::chrono::milliseconds kPatience{1500};
+constexpr std::chrono::milliseconds kPlanning{1500};
+/// Of a machine that does something else; device_latency_test measures how soon a session stops.
+constexpr std::chrono::milliseconds kStopping{30'000};
 
 struct Failure {
   std::string what;
@@ -30,10 +32,10 @@ bool hasEnded(const SessionSnapshot& snapshot) {
   return snapshot.run > 0 && !isRunning(snapshot) && !snapshot.pathWork;
 }
 
-/// Reads snapshots as a window does. True where the condition holds before patience ends.
+/// Reads snapshots as a window does. True where the condition holds before the time is over.
 template <class Condition>
-bool follow(Session& session, const Condition& condition) {
-  const auto end = Clock::now() + kPatience;
+bool follow(Session& session, const Condition& condition, std::chrono::milliseconds time) {
+  const auto end = Clock::now() + time;
   while (Clock::now() < end) {
     if (condition(*session.snapshot())) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
@@ -67,12 +69,12 @@ void cycle(const LoadedScenario& scenario, RandomStream& random) {
   for (int run = 0; run < 2; ++run) {
     session->post(command::SetParameter{ParameterId::Alpha, random.uniform()});
     session->post(command::Start{});
-    if (!follow(*session, hasEnded)) session->post(command::Stop{});
-    if (!follow(*session, hasEnded)) throw Failure{"the session does not stop"};
+    if (!follow(*session, hasEnded, kPlanning)) session->post(command::Stop{});
+    if (!follow(*session, hasEnded, kStopping)) throw Failure{"the session does not stop"};
     session->post(command::SmoothPath{20});
     session->post(command::SetSeed{random.bits()});
   }
-  if (!follow(*session, hasEnded)) throw Failure{"smoothing does not end"};
+  if (!follow(*session, hasEnded, kStopping)) throw Failure{"smoothing does not end"};
   const SnapshotPtr end = session->snapshot();
   if (end->problem && end->problem->kind == ErrorKind::Internal) throw Failure{toString(*end->problem)};
   replay(scenario, *end);
@@ -105,6 +107,7 @@ int main(int argc, char** argv) {
     std::cerr << "usage: session_soak SECONDS SEED FILE\n";
     return 2;
   }
+  glissade::giveFreedMemoryBack();  // as the window does
   try {
     return glissade::soak(std::atof(argv[1]), std::strtoull(argv[2], nullptr, 10), argv[3]);
   } catch (const glissade::Failure& failure) {
