@@ -12,35 +12,38 @@ bool mayFit(const Box3& inner, const Box3& outer) { return inner.sizes().maxCoef
 }  // namespace
 
 Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object)
-    : Solids(makeSolids(obstacles), makeSolid(object)) {}
+    : Solids(makeSolids(obstacles), prepare(object)) {}
 
-Solids::Solids(const Solids& other, const TriangleMesh& object) : Solids(other.obstacles_, makeSolid(object)) {}
+Solids::Solids(const Solids& other, const TriangleMesh& object) : Solids(other.obstacles_, prepare(object)) {}
 
-Solids::Solids(SolidsPtr obstacles, Solid object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
-  if (object_.box.isEmpty()) return;
-  squaredReach_ = object_.box.min().cwiseAbs().cwiseMax(object_.box.max().cwiseAbs()).squaredNorm();
-  for (const Component& component : object_.components) {
+Solids::Solids(SolidPtr obstacle, SolidPtr object)
+    : Solids(std::make_shared<const std::vector<SolidPtr>>(1, std::move(obstacle)), std::move(object)) {}
+
+Solids::Solids(SolidsPtr obstacles, SolidPtr object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
+  if (object_->box.isEmpty()) return;
+  squaredReach_ = object_->box.min().cwiseAbs().cwiseMax(object_->box.max().cwiseAbs()).squaredNorm();
+  for (const Component& component : object_->components) {
     Guest guest{component.point, {}};
     for (std::size_t i = 0; i < obstacles_->size(); ++i) {
-      const Solid& obstacle = (*obstacles_)[i];
+      const Solid& obstacle = *(*obstacles_)[i];
       if (obstacle.interior && mayFit(component.box, obstacle.box)) guest.hosts.push_back(i);
     }
     if (!guest.hosts.empty()) guests_.push_back(std::move(guest));
   }
-  for (std::size_t i = 0; object_.interior && i < obstacles_->size(); ++i) {
-    for (const Component& component : (*obstacles_)[i].components) {
-      if (mayFit(component.box, object_.box)) cores_.push_back({component.point, i});
+  for (std::size_t i = 0; object_->interior && i < obstacles_->size(); ++i) {
+    for (const Component& component : (*obstacles_)[i]->components) {
+      if (mayFit(component.box, object_->box)) cores_.push_back({component.point, i});
     }
   }
 }
 
 Solids::SolidsPtr Solids::makeSolids(const std::vector<RigidBody>& bodies) {
-  auto solids = std::make_shared<std::vector<Solid>>();
-  for (const RigidBody& body : bodies) solids->push_back(makeSolid(transformed(*body.mesh, body.X_WB)));
+  auto solids = std::make_shared<std::vector<SolidPtr>>();
+  for (const RigidBody& body : bodies) solids->push_back(prepare(transformed(*body.mesh, body.X_WB)));
   return solids;
 }
 
-Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
+Solids::SolidPtr Solids::prepare(const TriangleMesh& mesh) {
   Solid solid;
   solid.box = boundingBox(mesh);
   const MeshAudit report = audit(mesh);
@@ -48,7 +51,7 @@ Solids::Solid Solids::makeSolid(const TriangleMesh& mesh) {
   for (const TriangleMesh& component : connectedComponents(mesh)) {
     solid.components.push_back({component.vertices.front(), boundingBox(component)});
   }
-  return solid;
+  return std::make_shared<const Solid>(std::move(solid));
 }
 
 std::optional<int> Solids::containment(const Pose& X_WB) const {
@@ -62,7 +65,7 @@ std::size_t Solids::aroundObject(const Pose& X_WB, std::size_t limit) const {
     const Vector3 point = X_WB * guest.point;
     for (const std::size_t host : guest.hosts) {
       if (host >= limit) break;
-      if ((*obstacles_)[host].interior->contains(point)) limit = host;
+      if ((*obstacles_)[host]->interior->contains(point)) limit = host;
     }
   }
   return limit;
@@ -73,7 +76,7 @@ std::size_t Solids::insideObject(const Pose& X_WB, std::size_t limit) const {
   for (const Core& core : cores_) {
     if (core.obstacle >= limit) break;
     if ((core.point - X_WB.position).squaredNorm() > kRounding * squaredReach_) continue;
-    if (object_.interior->contains(inverse(X_WB) * core.point)) return core.obstacle;
+    if (object_->interior->contains(inverse(X_WB) * core.point)) return core.obstacle;
   }
   return limit;
 }

@@ -17,6 +17,13 @@ class Solids {
   /// Another object among the same obstacles.
   Solids(const Solids& other, const TriangleMesh& object);
 
+  /// What is known of a mesh, in the frame that its vertices are in.
+  struct Solid;
+  using SolidPtr = std::shared_ptr<const Solid>;
+  static SolidPtr prepare(const TriangleMesh& mesh);
+  /// Of prepared ones: the obstacle is prepared in the world, the object in B.
+  Solids(SolidPtr obstacle, SolidPtr object);
+
   /// The lowest obstacle that contains the object, or that the object contains; nothing where none
   /// does. Precondition: the surfaces do not touch.
   std::optional<int> containment(const Pose& X_WB) const;
@@ -27,12 +34,7 @@ class Solids {
     Vector3 point;
     Box3 box;
   };
-  struct Solid {
-    Box3 box;                               ///< in the world for obstacles, in B for the object
-    std::optional<SolidInterior> interior;  ///< of a closed mesh
-    std::vector<Component> components;
-  };
-  using SolidsPtr = std::shared_ptr<const std::vector<Solid>>;
+  using SolidsPtr = std::shared_ptr<const std::vector<SolidPtr>>;
   /// A component that may lie in some solids.
   struct Guest {
     Vector3 point;
@@ -44,18 +46,23 @@ class Solids {
     std::size_t obstacle;
   };
 
-  Solids(SolidsPtr obstacles, Solid object);
-  static Solid makeSolid(const TriangleMesh& mesh);
+  Solids(SolidsPtr obstacles, SolidPtr object);
   static SolidsPtr makeSolids(const std::vector<RigidBody>& bodies);
   /// The lowest obstacle, if it is below `limit`; else that.
   std::size_t aroundObject(const Pose& X_WB, std::size_t limit) const;
   std::size_t insideObject(const Pose& X_WB, std::size_t limit) const;
 
   SolidsPtr obstacles_;
-  Solid object_;
+  SolidPtr object_;
   double squaredReach_ = 0.0;  ///< of the object's box from its reference point
   std::vector<Guest> guests_;  ///< components of the object
   std::vector<Core> cores_;    ///< the lowest obstacle first
+};
+
+struct Solids::Solid {
+  Box3 box;                               ///< in the world for obstacles, in B for the object
+  std::optional<SolidInterior> interior;  ///< of a closed mesh
+  std::vector<Component> components;
 };
 
 }  // namespace glissade
