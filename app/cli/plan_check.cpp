@@ -63,7 +63,7 @@ int runPlanCheck(const CheckOptions& options) {
   const bool all = valid == plan->steps.size();
   if (options.format == Format::Json) {
     Json report{{"valid", all},
-                {"complete", plan->stuck.empty()},
+                {"complete", plan->steps.size() == plan->parts()},
                 {"parts", plan->parts()},
                 {"steps_valid", valid},
                 {"steps", Json::array()}};

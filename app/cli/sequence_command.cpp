@@ -87,9 +87,9 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options, const Assembled
   std::vector<std::string> ids;
   for (const RigidBody& body : product.bodies) ids.push_back(body.id);
   if (const Outcome same = checkSameBodies(*plan, ids, options.resume); !same) return same.error();
-  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed)) {
-    return Diagnostic{ErrorKind::Usage, options.resume, "", "has another strategy or seed",
-                      "Leave out --strategy and --seed, or plan anew."};
+  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed) || !options.staying.empty()) {
+    return Diagnostic{ErrorKind::Usage, options.resume, "", "has a strategy, a seed and staying bodies of its own",
+                      "Leave out --strategy, --seed and --stay, or plan anew."};
   }
   return plan;
 }
@@ -156,14 +156,14 @@ int runSequence(const SequenceOptions& options) {
   if (!loaded) return reportError(loaded.error(), options.format);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
-  const auto staying = stayingBodies(product, options.staying);
-  if (!staying) return reportError(staying.error(), options.format);
   std::optional<AssemblyPlan> earlier;
   if (!options.resume.empty()) {
     auto read = resumedPlan(options, product);
     if (!read) return reportError(read.error(), options.format);
     earlier = std::move(*read);
   }
+  const auto staying = stayingBodies(product, earlier ? earlier->staying : options.staying);
+  if (!staying) return reportError(staying.error(), options.format);
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
   if (!fits) return reportError(fits.error(), options.format);

@@ -150,22 +150,29 @@ class GreedySearch {
   }
 
   void finish() {
+    bool complete = true;
     for (const std::size_t body : bodiesIn(present_)) {
       if (question_.staying[body]) continue;
-      std::set<std::size_t> blocking;
-      for (std::size_t effort = 0; effort < refusals_[body].size(); ++effort) {
-        const auto& refusal = refusals_[body][effort];
-        if (!refusal) continue;
-        plan_.refusals.push_back(
-            {idOf(body), static_cast<int>(effort), refusal->afterSteps, idsOf(refusal->blockedBy)});
-        for (const std::size_t other : refusal->blockedBy) {
-          if (present_[other]) blocking.insert(other);
-        }
-      }
-      plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()})});
+      complete = false;
+      addRefusals(body);
     }
-    if (plan_.stuck.empty()) return;
-    plan_.end = stopped() ? PlanEnd::Interrupted : PlanEnd::Stuck;
+    if (!complete) plan_.end = stopped() ? PlanEnd::Interrupted : PlanEnd::Stuck;
+  }
+
+  /// A body that was never asked is not stuck.
+  void addRefusals(std::size_t body) {
+    bool asked = false;
+    std::set<std::size_t> blocking;
+    for (std::size_t effort = 0; effort < refusals_[body].size(); ++effort) {
+      const auto& refusal = refusals_[body][effort];
+      if (!refusal) continue;
+      asked = true;
+      plan_.refusals.push_back({idOf(body), static_cast<int>(effort), refusal->afterSteps, idsOf(refusal->blockedBy)});
+      for (const std::size_t other : refusal->blockedBy) {
+        if (present_[other]) blocking.insert(other);
+      }
+    }
+    if (asked) plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()})});
   }
 
   const SequenceQuestion& question_;

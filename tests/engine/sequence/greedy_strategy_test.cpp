@@ -142,7 +142,7 @@ TEST(GreedyStrategy, StopsWithThePlanSoFar) {
   const AssemblyPlan plan = planned(product, trial, nullptr, 0);
   EXPECT_TRUE(plan.steps.empty());
   EXPECT_EQ(plan.end, PlanEnd::Interrupted);
-  EXPECT_EQ(plan.stuck.size(), 2U);
+  EXPECT_TRUE(plan.stuck.empty()) << "nobody was asked";
 }
 
 }  // namespace
