@@ -35,9 +35,14 @@ class ProductFits {
   Warnings warnings_;
 };
 
-/// The fits of one body with bodies of the product, found without the others' fits.
-/// `contacts`: of the product, where they are known. Errors: as of findObjectFits().
-Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
+/// What is known of a product before the fits of one of its bodies are asked for; null where it is not.
+struct KnownOfProduct {
+  const ContactReport* contacts = nullptr;
+  const ThinnableMesh* thinnable = nullptr;  ///< of the body
+};
+
+/// The fits of one body with bodies of the product. Errors: as of findObjectFits().
+Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const KnownOfProduct& known,
                               const StopToken& stop);
 
 }  // namespace glissade

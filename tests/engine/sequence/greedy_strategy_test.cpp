@@ -1,3 +1,5 @@
+#include "engine/sequence/greedy_strategy.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +31,9 @@ class RuledTrial final : public RemovalTrial {
     }
     // Asked again although nobody of those in the way has left?
     auto& last = asked_[{body, effort}];
-    if (last) EXPECT_NE(*last, blocking) << body << " with effort " << effort;
+    if (last) {
+      EXPECT_NE(*last, blocking) << body << " with effort " << effort;
+    }
     last = blocking;
     if (!blocking.empty() || effort < rules_[body].effort) return Refused{blocking, false};
     Path path{{{Pose::identity(), Author::Computer}, {Pose::translation({1.0, 0.0, 0.0}), Author::Computer}}, {}};
