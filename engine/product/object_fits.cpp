@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "engine/base/tolerances.h"
+#include "engine/geometry/thinned_mesh.h"
 #include "engine/product/fit_rules.h"
 
 namespace glissade {
@@ -130,7 +131,6 @@ class FitFinder {
   }
 
   const ThinnableMesh* thinnable() {
-    if (question_.thinnable != nullptr) return question_.thinnable;
     if (!measuredObject_) {
       measuredObject_ = true;
       thinnable_ = ThinnableMesh::of(*question_.object.mesh);

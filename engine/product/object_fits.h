@@ -6,7 +6,6 @@
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/collision_query.h"
-#include "engine/geometry/thinned_mesh.h"
 #include "engine/product/contact_report.h"
 
 namespace glissade {
@@ -37,7 +36,6 @@ struct FitQuestion {
   const FitSettings& settings;
   /// The contacts of the object at its only end, where they are known: `b` is the object, `a` the obstacle's index.
   const std::vector<Contact>* contacts = nullptr;
-  const ThinnableMesh* thinnable = nullptr;  ///< of the object's mesh, where it is known and can be thinned
 };
 
 /// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. What

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/geometry/thinned_mesh.h"
+
 namespace glissade {
 namespace {
 
@@ -54,39 +56,25 @@ std::vector<Vector3> axesOf(const std::vector<Contact>& contacts) {
 /// Meshes of a product thinned by what fits allow, each once.
 class ThinnedMeshes {
  public:
-  ThinnedMeshes(const std::vector<RigidBody>& bodies, ThreadTeam& team) {
-    for (const RigidBody& body : bodies) {
-      if (places_.try_emplace(body.mesh, meshes_.size()).second) meshes_.push_back(body.mesh);
-    }
-    thinnable_.resize(meshes_.size());
-    team.run(meshes_.size(), [&](std::size_t i) { thinnable_[i] = ThinnableMesh::of(*meshes_[i]); });
-  }
-
-  /// Null where the mesh cannot be thinned.
-  const ThinnableMesh* of(const MeshPtr& mesh) const {
-    const auto& thinnable = thinnable_[places_.at(mesh)];
-    return thinnable ? &*thinnable : nullptr;
-  }
-
   /// The mesh itself where it cannot be thinned so.
   const MeshPtr& thinned(const MeshPtr& mesh, double allowance) {
     MeshPtr& known = thinned_[{mesh, allowance}];
     if (known) return known;
-    auto thinner = of(mesh) != nullptr && allowance > 0.0 ? of(mesh)->thinned(allowance) : std::nullopt;
+    auto& thinnable = thinnable_.try_emplace(mesh).first->second;
+    if (!thinnable) thinnable = ThinnableMesh::of(*mesh);
+    auto thinner = thinnable && allowance > 0.0 ? thinnable->thinned(allowance) : std::nullopt;
     known = thinner ? std::make_shared<const TriangleMesh>(std::move(*thinner)) : mesh;
     return known;
   }
 
  private:
-  std::vector<MeshPtr> meshes_;
-  std::map<MeshPtr, std::size_t> places_;
-  std::vector<std::optional<ThinnableMesh>> thinnable_;
+  std::map<MeshPtr, std::optional<ThinnableMesh>> thinnable_;
   std::map<std::pair<MeshPtr, double>, MeshPtr> thinned_;
 };
 
 }  // namespace
 
-Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const KnownOfProduct& known,
+Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
                               const StopToken& stop) {
   // The body itself is no obstacle: those behind it move up by one.
   std::vector<RigidBody> obstacles = product.bodies;
@@ -97,9 +85,8 @@ Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body,
   deflections.push_back(product.deflections[body]);
   FitQuestion question{obstacles, product.bodies[body], {product.bodies[body].X_WB}, deflections, product.fits};
   std::vector<Contact> own;
-  question.thinnable = known.thinnable;
-  if (known.contacts != nullptr) {
-    own = contactsOf(body, *known.contacts);
+  if (contacts != nullptr) {
+    own = contactsOf(body, *contacts);
     for (Contact& contact : own) contact.a -= contact.a > body ? 1 : 0;
     question.contacts = &own;
   }
@@ -116,14 +103,13 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
   found.moving_.resize(product.bodies.size());
   const bool on = product.fits.on;
   const ContactReport contacts = on ? contactsOf(product, stop) : ContactReport();
-  ThinnedMeshes meshes(on ? product.bodies : std::vector<RigidBody>(), team);
   std::vector<Result<ObjectFits>> fits(product.bodies.size(), ObjectFits());
   team.run(fits.size(), [&](std::size_t body) {
     Moving& moving = found.moving_[body];
     moving.whole = product.bodies[body].mesh;
     if (!on || stop.stopRequested()) return;
     moving.axes = glissade::axesOf(contactsOf(body, contacts));
-    fits[body] = fitsOfBody(product, body, {&contacts, meshes.of(moving.whole)}, stop);
+    fits[body] = fitsOfBody(product, body, &contacts, stop);
     if (fits[body]) moving.allowed = fits[body]->allowed;
   });
   if (stop.stopRequested()) {
@@ -133,6 +119,7 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     if (!ofBody) return ofBody.error();
     for (const Diagnostic& warning : ofBody->warnings) found.warnings_.push_back(warning);
   }
+  ThinnedMeshes meshes;
   for (Moving& moving : found.moving_) {
     for (const Fit& fit : moving.allowed) moving.thinned.push_back(meshes.thinned(moving.whole, fit.allowance));
   }

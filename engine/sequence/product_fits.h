@@ -35,14 +35,9 @@ class ProductFits {
   Warnings warnings_;
 };
 
-/// What is known of a product before the fits of one of its bodies are asked for; null where it is not.
-struct KnownOfProduct {
-  const ContactReport* contacts = nullptr;
-  const ThinnableMesh* thinnable = nullptr;  ///< of the body
-};
-
-/// The fits of one body with bodies of the product. Errors: as of findObjectFits().
-Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const KnownOfProduct& known,
+/// The fits of one body with bodies of the product. `contacts`: of the product, where they are known; or null.
+/// Errors: as of findObjectFits().
+Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
                               const StopToken& stop);
 
 }  // namespace glissade

@@ -30,7 +30,7 @@ TEST(ProductFits, AreThoseOfEachBodyAlone) {
   const AssembledProduct product = boltAndNut();
   const ProductFits fits = test::fitsOf(product);
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    const auto alone = fitsOfBody(product, body, {}, {});
+    const auto alone = fitsOfBody(product, body, nullptr, {});
     ASSERT_TRUE(alone.ok());
     ASSERT_EQ(alone->allowed.size(), fits.fitsOf(body).size());
     for (std::size_t i = 0; i < alone->allowed.size(); ++i) {
