@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "app/cli/plan_check.h"
 #include "engine/collision/independent_check.h"
 #include "engine/planning/path_bounds.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/path_examination.h"
 #include "engine/scenario/path_reader.h"
+#include "engine/scenario/plan_file.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
@@ -50,6 +52,7 @@ Judgement outsideWorkspace(std::size_t configuration) {
 }  // namespace
 
 int runCheck(const CheckOptions& options) {
+  if (isPlanFile(options.path)) return runPlanCheck(options);
   auto loaded = loadScenario(options.scenario);
   if (!loaded) return reportError(loaded.error(), options.format);
   const Interrupt interrupt;

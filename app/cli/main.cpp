@@ -15,6 +15,7 @@
 #include "app/cli/plan_command.h"
 #include "app/cli/printable_output.h"
 #include "app/cli/replay_command.h"
+#include "app/cli/sequence_command.h"
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
 #include "engine/base/guarded.h"
@@ -122,8 +123,11 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
 
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Certify any path independently");
-  check->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
-  check->add_option("PATH", options.path, "Path: " + readablePathFormats())->required();
+  check
+      ->add_option("SCENARIO", options.scenario,
+                   "Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence")
+      ->required();
+  check->add_option("PATH", options.path, "Assembly plan, or path: " + readablePathFormats())->required();
   addLength(
       *check, std::string(specOf(ParameterId::RequiredClearance).option),
       [&options](double value) { options.requiredClearance = value; },
@@ -170,6 +174,27 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
   addFormat(*fits, options.format);
   return fits;
+}
+
+CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
+  CLI::App* sequence = app.add_subcommand("sequence", "Find in which order the parts of a product leave, with motions");
+  sequence
+      ->add_option("FILE", options.file, "Scenario, STEP file, an assembly in one (product.step:pump), or URDF file")
+      ->required();
+  sequence->add_option("--out", options.out, "Write the assembly plan (.json); what was found, where it ends early");
+  sequence->add_option("--resume", options.resume, "Go on from a plan that has not ended");
+  sequence->add_option("--strategy", options.strategy, "How the order is searched")->capture_default_str();
+  sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");
+  sequence->add_option("--lanes", options.lanes, "Threads; they do not change the plan")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  sequence
+      ->add_option("--time-limit", options.timeLimit, "Seconds after which the plan so far is what there is; 0: none")
+      ->capture_default_str();
+  sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
+  addFitOptions(*sequence, options.fits, "on, or the scenario's");
+  addFormat(*sequence, options.format);
+  return sequence;
 }
 
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
@@ -270,6 +295,7 @@ int run(int argc, char** argv) {
   ReplayOptions replay;
   InfoOptions info;
   FitsOptions fits;
+  SequenceOptions sequence;
   ConvertOptions convert;
   NewOptions fresh;
   StudyOptions study;
@@ -282,6 +308,7 @@ int run(int argc, char** argv) {
   const CLI::App* smoothCommand = addSmooth(app, smooth);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* fitsCommand = addFits(app, fits);
+  const CLI::App* sequenceCommand = addSequence(app, sequence);
   const CLI::App* studyCommand = addStudy(app, study);
   const CLI::App* mergeCommand = addMerge(app, merge);
   const CLI::App* reportCommand = addReport(app, report);
@@ -299,6 +326,7 @@ int run(int argc, char** argv) {
   if (smoothCommand->parsed()) return runSmooth(smooth);
   if (infoCommand->parsed()) return runInfo(info);
   if (fitsCommand->parsed()) return runFits(fits);
+  if (sequenceCommand->parsed()) return runSequence(sequence);
   if (studyCommand->parsed()) return runStudyCommand(study);
   if (mergeCommand->parsed()) return runMerge(merge);
   if (reportCommand->parsed()) return runReport(report);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "engine/base/stop_token.h"
@@ -87,6 +88,9 @@ struct ObjectVariant {
   std::vector<int> obstacles;  ///< indices; no obstacle is in two variants
 };
 
+struct PreparedObstacle;
+struct PreparedObject;
+
 /// The geometry that a planner plans in: obstacles in place and the object's mesh. Immutable, shared
 /// by all threads.
 class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
@@ -94,6 +98,11 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty.
   static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object,
                                                      CollisionBackend backend = CollisionBackend::Kernel);
+  /// A world of bodies that were prepared before: each obstacle with the object as it is taken against it. Nothing
+  /// is prepared again. The kernel answers. All were prepared by one PreparedBodies.
+  static std::shared_ptr<const CollisionWorld> compose(
+      const PreparedObject& object,
+      const std::vector<std::pair<const PreparedObstacle*, const PreparedObject*>>& obstacles);
   ~CollisionWorld();
   CollisionWorld(const CollisionWorld&) = delete;
   CollisionWorld& operator=(const CollisionWorld&) = delete;

@@ -7,6 +7,7 @@
 #include "engine/collision/grouped_query.h"
 #include "engine/collision/kernel/kernel_query.h"
 #include "engine/collision/motion_certificate.h"
+#include "engine/collision/prepared_bodies.h"
 #include "engine/collision/solids.h"
 
 namespace glissade {
@@ -112,6 +113,16 @@ std::unique_ptr<CollisionWorld::Impl> prepared(std::vector<RigidBody> obstacles,
   return impl;
 }
 
+void addTo(std::vector<ObjectVariant>& variants, const MeshPtr& object, int obstacle) {
+  const auto known = std::find_if(variants.begin(), variants.end(),
+                                  [&](const ObjectVariant& variant) { return variant.object == object; });
+  if (known != variants.end()) {
+    known->obstacles.push_back(obstacle);
+  } else {
+    variants.push_back({object, {obstacle}});
+  }
+}
+
 }  // namespace
 
 CollisionWorld::CollisionWorld(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -121,6 +132,35 @@ CollisionWorldPtr CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPt
   auto solids = std::make_shared<const Solids>(obstacles, *object);
   auto impl = prepared(std::move(obstacles), *object, backend, std::move(solids));
   return finished(std::move(impl), std::move(object));
+}
+
+CollisionWorldPtr CollisionWorld::compose(
+    const PreparedObject& object,
+    const std::vector<std::pair<const PreparedObstacle*, const PreparedObject*>>& obstacles) {
+  const auto about = [](const PreparedObject& moving) {
+    auto impl = std::make_unique<Impl>();
+    impl->object = moving.mesh;
+    impl->objectRadius = moving.radius;
+    impl->motionBound = moving.motionBound;
+    return impl;
+  };
+  auto impl = about(object);
+  std::vector<RigidBody> bodies;
+  for (const auto& [obstacle, moving] : obstacles) {
+    const auto number = static_cast<int>(bodies.size());
+    bodies.push_back(obstacle->body);
+    impl->obstaclesBox.extend(obstacle->box);
+    if (moving->mesh != object.mesh) addTo(impl->variants, moving->mesh, number);
+    auto pair = about(*moving);
+    pair->obstacles = std::make_shared<const std::vector<RigidBody>>(1, obstacle->body);
+    pair->obstaclesBox = obstacle->box;
+    pair->solids = std::make_shared<const Solids>(obstacle->solid, moving->solid);
+    pair->kernel = std::make_shared<const KernelGeometry>(obstacle->scale, obstacle->tree, moving->tree);
+    impl->groups.push_back({CollisionWorldPtr(new CollisionWorld(std::move(pair))), {number}});
+  }
+  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(bodies));
+  if (impl->groups.empty()) return build({}, object.mesh);
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {

@@ -13,8 +13,8 @@ struct ObstacleGroup {
   std::vector<int> bodies;  ///< the group's obstacles as the whole world numbers them, ascending
 };
 
-/// Asks every group and unites the answers: what is said of the object is said of each variant against its own
-/// obstacles.
+/// Asks every group whose box the object may reach and unites the answers: what is said of the object is said of each
+/// variant against its own obstacles.
 class GroupedQuery final : public CollisionQuery {
  public:
   /// The motion bound is that of the whole object, which holds the variants.
@@ -35,11 +35,18 @@ class GroupedQuery final : public CollisionQuery {
   struct Part {
     std::unique_ptr<CollisionQuery> query;
     std::vector<int> bodies;
+    Box3 box;            ///< of the group's obstacles
+    double coordinates;  ///< the largest of them
   };
+
+  double leastDistance(const Part& part, const Pose& X_WB) const;
+  double lessRounding(const Part& part, double distance, const Vector3& position) const;
+  bool mayReach(const Part& part, const Pose& from, const Pose& to, double required) const;
 
   std::vector<Part> parts_;
   std::shared_ptr<const MotionBound> motionBound_;
   QueryCounts counts_;
+  std::size_t lastNearest_ = 0;
 };
 
 }  // namespace glissade

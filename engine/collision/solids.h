@@ -21,6 +21,13 @@ class Solids {
   Solids(const Solids& other, const std::vector<RigidBody>& before, const std::vector<RigidBody>& obstacles,
          const TriangleMesh* object);
 
+  /// What is known of a mesh, in the frame that its vertices are in.
+  struct Solid;
+  using SolidPtr = std::shared_ptr<const Solid>;
+  static SolidPtr prepare(const TriangleMesh& mesh);
+  /// Of prepared ones: the obstacle is prepared in the world, the object in B.
+  Solids(SolidPtr obstacle, SolidPtr object);
+
   /// The lowest obstacle that contains the object, or that the object contains; nothing where none
   /// does. Precondition: the surfaces do not touch.
   std::optional<int> containment(const Pose& X_WB) const;
@@ -31,12 +38,7 @@ class Solids {
     Vector3 point;
     Box3 box;
   };
-  struct Solid {
-    Box3 box;                               ///< in the world for obstacles, in B for the object
-    std::optional<SolidInterior> interior;  ///< of a closed mesh
-    std::vector<Component> components;
-  };
-  using SolidPtr = std::shared_ptr<const Solid>;
+  using SolidsPtr = std::shared_ptr<const std::vector<SolidPtr>>;
   /// A component that may lie in some solids.
   struct Guest {
     Vector3 point;
@@ -48,20 +50,25 @@ class Solids {
     std::size_t obstacle;
   };
 
-  Solids(std::vector<SolidPtr> obstacles, SolidPtr object);
-  static SolidPtr makeSolid(const TriangleMesh& mesh);
-  static std::vector<SolidPtr> makeSolids(const std::vector<RigidBody>& bodies);
-  static std::vector<SolidPtr> makeSolids(const std::vector<RigidBody>& bodies, const std::vector<RigidBody>& before,
-                                          const std::vector<SolidPtr>& known);
+  Solids(SolidsPtr obstacles, SolidPtr object);
+  static SolidsPtr makeSolids(const std::vector<RigidBody>& bodies);
+  static SolidsPtr makeSolids(const std::vector<RigidBody>& bodies, const std::vector<RigidBody>& before,
+                              const std::vector<SolidPtr>& known);
   /// The lowest obstacle, if it is below `limit`; else that.
   std::size_t aroundObject(const Pose& X_WB, std::size_t limit) const;
   std::size_t insideObject(const Pose& X_WB, std::size_t limit) const;
 
-  std::vector<SolidPtr> obstacles_;
+  SolidsPtr obstacles_;
   SolidPtr object_;
   double squaredReach_ = 0.0;  ///< of the object's box from its reference point
   std::vector<Guest> guests_;  ///< components of the object
   std::vector<Core> cores_;    ///< the lowest obstacle first
+};
+
+struct Solids::Solid {
+  Box3 box;                               ///< in the world for obstacles, in B for the object
+  std::optional<SolidInterior> interior;  ///< of a closed mesh
+  std::vector<Component> components;
 };
 
 }  // namespace glissade

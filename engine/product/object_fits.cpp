@@ -82,6 +82,12 @@ class FitFinder {
   }
 
   void findContactsAtEnds() {
+    if (question_.contacts != nullptr) {
+      for (const Contact& contact : *question_.contacts) {
+        contacts_.emplace(contact.a, FoundContact{contact, {question_.ends.front()}});
+      }
+      return;
+    }
     std::vector<ContactBody> bodies;
     for (std::size_t i = 0; i < question_.obstacles.size(); ++i) {
       const RigidBody& body = question_.obstacles[i];

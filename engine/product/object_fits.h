@@ -34,6 +34,8 @@ struct FitQuestion {
   std::vector<Pose> ends;           ///< configurations in which the product may be assembled: start and goal
   std::vector<double> deflections;  ///< as of ContactBody, of each obstacle, and of the object last
   const FitSettings& settings;
+  /// The contacts of the object at its only end, where they are known: `b` is the object, `a` the obstacle's index.
+  const std::vector<Contact>* contacts = nullptr;
 };
 
 /// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. What

@@ -25,6 +25,7 @@ class JsonCursor {
 
   const Json& json() const { return *value_; }
   const std::string& file() const { return file_; }
+  const std::string& pointer() const { return pointer_; }
   bool isString() const { return value_->is_string(); }
   bool has(const std::string& key) const { return value_->is_object() && value_->contains(key); }
   void expectObject() const;

@@ -545,6 +545,66 @@ TEST_F(Cli, AClashIsAcceptedByAPersonOnly) {
   EXPECT_NE(unknown.err.find("/fits/pairs/0"), std::string::npos) << unknown.err;
 }
 
+TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string plan = (folder / "plan.json").string();
+  const std::string command = "sequence " + product + " --accept-clashes 3mm";
+  const Finished found = run(command + " --json --out " + plan);
+  ASSERT_EQ(found.exitCode, 0) << found.err << found.out;
+  const Json report = Json::parse(found.out);
+  EXPECT_EQ(report["parts"], 7);
+  EXPECT_EQ(report["removed"], 7);
+  EXPECT_EQ(report["staying"], Json({"plate"}));
+  EXPECT_EQ(report["certified"], true);
+  EXPECT_TRUE(report["stuck"].empty());
+  EXPECT_GT(report["wall_s"], 0.0);
+  EXPECT_NE(found.err.find("step 7 of 7"), std::string::npos) << found.err;
+
+  const Json check = Json::parse(run("check " + product + " " + plan + " --accept-clashes 3mm --json").out);
+  EXPECT_EQ(check["valid"], true) << check;
+  EXPECT_EQ(check["steps_valid"], 7);
+  EXPECT_EQ(run("check " + product + " " + plan + " --fits off").exitCode, 1) << "whole parts do not leave";
+  EXPECT_EQ(run("check " + glissade::test::stepFile("unit.step") + " " + plan).exitCode, 3);
+
+  const std::string again = (folder / "again.json").string();
+  ASSERT_EQ(run(command + " --lanes 2 --out " + again).exitCode, 0);
+  EXPECT_EQ(read(again), read(plan)) << "threads do not change the plan";
+  const std::string cut = (folder / "cut.json").string();
+  EXPECT_EQ(run(command + " --time-limit 1e-6 --out " + cut).exitCode, 5);
+  EXPECT_EQ(Json::parse(read(cut))["end"], "time_limit");
+  ASSERT_EQ(run(command + " --resume " + cut + " --out " + again).exitCode, 0);
+  EXPECT_EQ(read(again), read(plan)) << "what is resumed becomes the same plan";
+}
+
+TEST_F(Cli, WrongUseOfASequenceIsNamed) {
+  const std::string product = glissade::test::stepFile("unit.step");
+  EXPECT_EQ(run("sequence").exitCode, 2);
+  EXPECT_EQ(run("sequence " + product + " --lanes 0").exitCode, 2);
+  EXPECT_EQ(run("sequence " + product + " --strategy best").exitCode, 2);
+  const Finished stay = run("sequence " + product + " --stay lid");
+  EXPECT_EQ(stay.exitCode, 2);
+  EXPECT_NE(stay.err.find("'lid'"), std::string::npos) << stay.err;
+  EXPECT_EQ(run("sequence gone.step").exitCode, 3);
+  EXPECT_EQ(run("sequence " + glissade::test::stepFile("box.step")).exitCode, 3) << "one body";
+  const Finished resume =
+      run("sequence " + product + " --resume " + write("plan.json", R"({"format": "glissade-plan"})"));
+  EXPECT_EQ(resume.exitCode, 3);
+  EXPECT_NE(resume.err.find("/version"), std::string::npos) << resume.err;
+}
+
+TEST_F(Cli, AScenarioIsTakenApartWhereFitsAreOff) {
+  const std::string file = scenario([](Json& json) {
+    json["bodies"].push_back({{"id", "lid"},
+                              {"geometry", {{"box", {0.5, 0.5, 0.1}}}},
+                              {"pose", {{"position", {0, 0, 0.6}}, {"orientation", {0, 0, 0, 1}}}}});
+  });
+  const Finished found = run("sequence " + file + " --json");
+  ASSERT_EQ(found.exitCode, 0) << found.err;
+  const Json report = Json::parse(found.out);
+  EXPECT_EQ(report["staying"], Json({"wall"}));
+  EXPECT_EQ(report["removed"], 2);
+}
+
 TEST_F(Cli, TheSamplesAreCanonicalAndSolvable) {
   for (const std::string name : {"environment-1", "environment-2", "sliding-plane"}) {
     fs::copy(fs::path(sample(name)).parent_path(), folder / name);

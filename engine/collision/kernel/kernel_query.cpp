@@ -19,14 +19,6 @@ constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
 constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
-/// One over the size of the obstacles, as a power of two.
-double scaleFor(const std::vector<RigidBody>& obstacles) {
-  Box3 box;
-  for (const RigidBody& body : obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
-  const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
-  return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
-}
-
 void addTriangles(const TriangleMesh& mesh, double scale, int body, std::vector<OwnedTriangle>& triangles) {
   for (const auto& [a, b, c] : mesh.triangles) {
     triangles.push_back({{scale * mesh.vertices[a], scale * mesh.vertices[b], scale * mesh.vertices[c]}, body});
@@ -55,21 +47,40 @@ float widenedBound(double value) {
 
 }  // namespace
 
+double kernelScale(const std::vector<RigidBody>& obstacles) {
+  Box3 box;
+  for (const RigidBody& body : obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+  const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
+  return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
+}
+
+std::shared_ptr<const BoxTree> kernelObstacle(const RigidBody& body, double scale) {
+  return std::make_shared<const BoxTree>(trianglesOf(std::vector<RigidBody>{body}, scale), kMostInALeafOfObstacles);
+}
+
+std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale) {
+  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObject);
+}
+
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : scale(scaleFor(obstacleBodies)),
+    : scale(kernelScale(obstacleBodies)),
       obstacles(std::make_shared<const BoxTree>(trianglesOf(obstacleBodies, scale), kMostInALeafOfObstacles)),
-      object(trianglesOf(objectMesh, scale), kMostInALeafOfObject) {}
+      object(kernelObject(objectMesh, scale)) {}
 
 KernelGeometry::KernelGeometry(const KernelGeometry& other, const TriangleMesh& objectMesh)
-    : scale(other.scale), obstacles(other.obstacles), object(trianglesOf(objectMesh, scale), kMostInALeafOfObject) {}
+    : scale(other.scale), obstacles(other.obstacles), object(kernelObject(objectMesh, scale)) {}
+
+KernelGeometry::KernelGeometry(double commonScale, std::shared_ptr<const BoxTree> obstacleTree,
+                               std::shared_ptr<const BoxTree> objectTree)
+    : scale(commonScale), obstacles(std::move(obstacleTree)), object(std::move(objectTree)) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)),
       functions_(functions),
-      traversal_(*geometry_->obstacles, geometry_->object, functions) {}
+      traversal_(*geometry_->obstacles, *geometry_->object, functions) {}
 
 bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
-  if (geometry_->obstacles->empty() || geometry_->object.empty()) return false;
+  if (geometry_->obstacles->empty() || geometry_->object->empty()) return false;
   traversal_.placed.moveTo(scaled(X_WB));
   return traversal_.placed.sphereGap() <= bound;
 }
@@ -293,7 +304,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double metres) {
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
                                                     SeekViolation seek, const StopToken& stop) {
-  if (geometry_->obstacles->empty() || geometry_->object.empty())
+  if (geometry_->obstacles->empty() || geometry_->object->empty())
     return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
   std::uint64_t tried = 0;
   if (seek == SeekViolation::Any) {

@@ -15,11 +15,20 @@ struct KernelGeometry {
   KernelGeometry(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
   /// Another object among the same obstacles.
   KernelGeometry(const KernelGeometry& other, const TriangleMesh& object);
+  /// Of trees that were made for this scale.
+  KernelGeometry(double commonScale, std::shared_ptr<const BoxTree> obstacleTree,
+                 std::shared_ptr<const BoxTree> objectTree);
 
   double scale;
   std::shared_ptr<const BoxTree> obstacles;  ///< world frame
-  BoxTree object;                            ///< frame B
+  std::shared_ptr<const BoxTree> object;     ///< frame B
 };
+
+/// One over the size of the obstacles, as a power of two.
+double kernelScale(const std::vector<RigidBody>& obstacles);
+/// The tree of one obstacle, which has the number 0.
+std::shared_ptr<const BoxTree> kernelObstacle(const RigidBody& body, double scale);
+std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale);
 
 /// Our own kernel: wide hierarchies searched on vector units in single precision, which only ever rule
 /// pairs out; what remains is decided in double precision, yes/no by exact predicates. So every answer

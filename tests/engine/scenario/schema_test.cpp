@@ -6,8 +6,10 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "engine/scenario/plan_file.h"
 #include "engine/scenario/run_record.h"
 #include "tests/engine/scenario/broken_semantics.h"
+#include "tests/engine/scenario/some_plan.h"
 #include "tests/engine/scenario/some_run_record.h"
 #include "tests/engine/study/broken_studies.h"
 #include "tests/engine/support/directories.h"
@@ -69,6 +71,14 @@ TEST(ScenarioSchema, RefusesWhatTheReaderRefuses) {
       EXPECT_EQ(schema.complaint(test::broken(row)).empty(), !row.schemaSees) << row.patch;
     }
   }
+}
+
+TEST(PlanSchema, AcceptsWhatIsWritten) {
+  Schema schema("plan-1");
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(savePlan(test::somePlan(), "product.step", folder / "plan.json").ok());
+  EXPECT_EQ(schema.complaint(test::readWhole(folder / "plan.json")), "");
+  EXPECT_NE(schema.complaint(R"({"format": "glissade-plan", "version": 1})"), "");
 }
 
 TEST(RunSchema, AcceptsWhatIsWritten) {

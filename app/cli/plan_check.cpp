@@ -1,0 +1,86 @@
+#include "app/cli/plan_check.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/interrupt.h"
+#include "engine/scenario/plan_file.h"
+#include "engine/scenario/product_file.h"
+#include "engine/sequence/plan_judge.h"
+
+namespace glissade::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const StepJudgement& judgement, const AssembledProduct& product) {
+  const int nearest = judgement.certificate.nearest.body;
+  return {{"body", judgement.body},
+          {"valid", judgement.valid()},
+          {"certified", judgement.certificate.status == CertificateStatus::Certified},
+          {"ends_outside", judgement.endsOutside},
+          {"allowances_as_fits", judgement.allowancesAsFits},
+          {"min_clearance_m", number(judgement.certificate.minClearance)},
+          {"nearest", nearest < 0 ? Json(nullptr) : Json(product.bodies[static_cast<std::size_t>(nearest)].id)}};
+}
+
+void print(const StepJudgement& judgement, std::size_t number, const AssembledProduct& product) {
+  if (judgement.valid()) return;
+  std::cout << "step " << number << " (" << judgement.body << ") is invalid:";
+  if (judgement.certificate.status != CertificateStatus::Certified) {
+    const int body = judgement.certificate.nearest.body;
+    std::cout << " its motion is "
+              << (judgement.certificate.status == CertificateStatus::Violated ? "violated" : "undecided") << " on edge "
+              << judgement.certificate.edge;
+    if (body >= 0) std::cout << " by '" << product.bodies[static_cast<std::size_t>(body)].name << "'";
+    std::cout << ";";
+  }
+  if (!judgement.endsOutside) std::cout << " it does not end outside of the others' bounding box;";
+  if (!judgement.allowancesAsFits) std::cout << " it allows for more than the fits of the product;";
+  std::cout << "\n";
+}
+
+}  // namespace
+
+int runPlanCheck(const CheckOptions& options) {
+  const Interrupt interrupt;
+  auto loaded = loadProduct(options.scenario, interrupt.token());
+  if (!loaded) return reportError(loaded.error(), options.format);
+  AssembledProduct& product = loaded->product;
+  product.fits = withOptions(product.fits, options.fits);
+  const auto plan = readPlan(options.path);
+  if (!plan) return reportError(plan.error(), options.format);
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  if (const Outcome same = checkSameBodies(*plan, ids, options.path); !same) {
+    return reportError(same.error(), options.format);
+  }
+  reportWarnings(loaded->warnings);
+  const auto judgements = judgePlan(*plan, product, options.requiredClearance, interrupt.token());
+  if (!judgements) return reportError(judgements.error(), options.format);
+  std::size_t valid = 0;
+  for (const StepJudgement& judgement : *judgements) valid += judgement.valid() ? 1 : 0;
+  const bool all = valid == plan->steps.size();
+  if (options.format == Format::Json) {
+    Json report{{"valid", all},
+                {"complete", plan->steps.size() == plan->parts()},
+                {"parts", plan->parts()},
+                {"steps_valid", valid},
+                {"steps", Json::array()}};
+    for (const StepJudgement& judgement : *judgements) report["steps"].push_back(toJson(judgement, product));
+    report["surface_deviation_m"] = loaded->deviation;
+    printJson(report);
+  } else {
+    for (std::size_t i = 0; i < judgements->size(); ++i) print((*judgements)[i], i + 1, product);
+    std::cout << (all ? "valid" : "invalid") << ": " << valid << " of " << plan->steps.size()
+              << " steps are certified, " << plan->parts() - plan->steps.size() << " of " << plan->parts()
+              << " parts have no step\n";
+    if (loaded->deviation > 0.0) {
+      std::cout << "the certificates are about triangles: surfaces may be " << loaded->deviation * 1e3
+                << " mm nearer than they are\n";
+    }
+  }
+  return all ? 0 : exitCode(ErrorKind::NoPath);
+}
+
+}  // namespace glissade::cli

@@ -1,0 +1,198 @@
+#include "app/cli/sequence_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cli/interrupt.h"
+#include "engine/scenario/plan_file.h"
+#include "engine/scenario/product_file.h"
+#include "engine/sequence/motion_trial.h"
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// A line on standard error for each wave, and for each search.
+class ProgressHost final : public SequenceHost {
+ public:
+  ProgressHost(StopToken stop, ThreadTeam& team, const AssembledProduct& product, Clock::time_point begin)
+      : stop_(std::move(stop)), team_(team), product_(product), begin_(begin) {}
+
+  const StopToken& stopToken() const override { return stop_; }
+  ThreadTeam& team() override { return team_; }
+
+  void asking(std::size_t bodies, int effort) override {
+    if (effort > 0) line() << "searching motions of " << bodies << " parts, effort " << effort << "\n";
+  }
+
+  void stepFound(const AssemblyPlan& plan) override {
+    for (; reported_ < plan.steps.size(); ++reported_) {
+      const AssemblyStep& step = plan.steps[reported_];
+      line() << "step " << reported_ + 1 << " of " << plan.parts() << ": " << nameOf(step.body) << " leaves ("
+             << step.method << ")\n";
+    }
+  }
+
+  std::string nameOf(const std::string& id) const { return product_.bodies[*product_.indexOf(id)].name; }
+  void skip(std::size_t steps) { reported_ = steps; }
+
+ private:
+  std::ostream& line() {
+    return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin_)
+                     << " s: " << std::defaultfloat;
+  }
+
+  StopToken stop_;
+  ThreadTeam& team_;
+  const AssembledProduct& product_;
+  Clock::time_point begin_;
+  std::size_t reported_ = 0;
+};
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The bodies of these ids, or whose ids end in "/" and this; the largest where none is named.
+Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& ids) {
+  BodySet staying(product.bodies.size(), false);
+  if (ids.empty()) staying[largestBody(product)] = true;
+  for (const std::string& id : ids) {
+    bool found = false;
+    for (std::size_t body = 0; body < staying.size(); ++body) {
+      const std::string& own = product.bodies[body].id;
+      if (own != id && !endsWith(own, "/" + id)) continue;
+      staying[body] = found = true;
+    }
+    if (!found) {
+      return Diagnostic{ErrorKind::Usage, "", "--stay", "names '" + id + "', which is no body of the product",
+                        "See 'glissade-cli fits' for the names."};
+    }
+  }
+  return staying;
+}
+
+/// The plan that is resumed, checked against the product and the options.
+Result<AssemblyPlan> resumedPlan(const SequenceOptions& options, const AssembledProduct& product) {
+  auto plan = readPlan(options.resume);
+  if (!plan) return plan;
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  if (const Outcome same = checkSameBodies(*plan, ids, options.resume); !same) return same.error();
+  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed) || !options.staying.empty()) {
+    return Diagnostic{ErrorKind::Usage, options.resume, "", "has a strategy, a seed and staying bodies of its own",
+                      "Leave out --strategy, --seed and --stay, or plan anew."};
+  }
+  return plan;
+}
+
+void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const AssemblyStep& step = plan.steps[i];
+    std::cout << std::setw(4) << i + 1 << "  " << host.nameOf(step.body) << ": " << step.method;
+    if (!step.proof.nearest.empty()) {
+      std::cout << ", clearance " << step.proof.minClearance * 1e3 << " mm to '" << host.nameOf(step.proof.nearest)
+                << "'";
+    }
+    std::cout << "\n";
+    for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
+  }
+  for (const StuckBody& stuck : plan.stuck) {
+    std::cout << "stuck: " << host.nameOf(stuck.body);
+    const char* separator = ", blocked by ";
+    for (const std::string& other : stuck.blockedBy) {
+      std::cout << separator << host.nameOf(other);
+      separator = ", ";
+    }
+    std::cout << "\n";
+  }
+  std::cout << plan.steps.size() << " of " << plan.parts() << " parts leave, every motion certified, " << seconds
+            << " s\n";
+}
+
+int exitCodeOf(const AssemblyPlan& plan) {
+  switch (plan.end) {
+    case PlanEnd::Complete: return 0;
+    case PlanEnd::Stuck: return exitCode(ErrorKind::NoPath);
+    case PlanEnd::TimeLimit: return exitCode(ErrorKind::LimitReached);
+    case PlanEnd::Interrupted: break;
+  }
+  return exitCode(ErrorKind::Interrupted);
+}
+
+Outcome checkOptions(const SequenceOptions& options) {
+  if (makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
+    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy, "Choose greedy."};
+  }
+  if (!(options.timeLimit >= 0.0)) {
+    return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
+  }
+  return Done{};
+}
+
+StopToken limited(const StopToken& stop, double seconds) {
+  constexpr double kLongest = 1e9;
+  if (seconds <= 0.0) return stop;
+  const std::chrono::duration<double> limit(std::min(seconds, kLongest));
+  return stop.withDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
+}
+
+}  // namespace
+
+int runSequence(const SequenceOptions& options) {
+  if (const Outcome sound = checkOptions(options); !sound) return reportError(sound.error(), options.format);
+  const Interrupt interrupt;
+  const auto begin = Clock::now();
+  const StopToken stop = limited(interrupt.token(), options.timeLimit);
+  auto loaded = loadProduct(options.file, interrupt.token());
+  if (!loaded) return reportError(loaded.error(), options.format);
+  AssembledProduct& product = loaded->product;
+  product.fits = withOptions(product.fits, options.fits);
+  std::optional<AssemblyPlan> earlier;
+  if (!options.resume.empty()) {
+    auto read = resumedPlan(options, product);
+    if (!read) return reportError(read.error(), options.format);
+    earlier = std::move(*read);
+  }
+  const auto staying = stayingBodies(product, earlier ? earlier->staying : options.staying);
+  if (!staying) return reportError(staying.error(), options.format);
+  ThreadTeam team(options.lanes - 1);
+  const auto fits = ProductFits::find(product, team, interrupt.token());
+  if (!fits) return reportError(fits.error(), options.format);
+  reportWarnings(loaded->warnings);
+  reportWarnings(fits->warnings());
+
+  const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
+  MotionTrial trial(product, *fits, seed);
+  ProgressHost host(stop, team, product, begin);
+  if (earlier) host.skip(earlier->steps.size());
+  const auto strategy = makeSequenceStrategyRegistry().find(options.strategy)->make();
+  AssemblyPlan plan = strategy->plan({product, *staying, seed, trial, earlier ? &*earlier : nullptr}, host);
+  if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
+  const double seconds = secondsSince(begin);
+
+  if (!options.out.empty()) {
+    if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
+      return reportError(saved.error(), options.format);
+    }
+  }
+  if (options.format == Format::Json) {
+    nlohmann::ordered_json report = planJson(plan, options.file);
+    report["wall_s"] = seconds;
+    report["surface_deviation_m"] = loaded->deviation;
+    printJson(report);
+  } else {
+    printPlan(plan, host, seconds);
+  }
+  return exitCodeOf(plan);
+}
+
+}  // namespace glissade::cli

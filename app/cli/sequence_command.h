@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/fit_options.h"
+#include "app/cli/report.h"
+
+namespace glissade::cli {
+
+struct SequenceOptions {
+  std::string file;  ///< a scenario, or a part file as usualPart() takes it
+  std::string strategy = "greedy";
+  std::optional<std::uint64_t> seed;  ///< 1, or that of the plan that is resumed
+  double timeLimit = 0.0;             ///< seconds; 0: none
+  std::size_t lanes = 1;              ///< threads; they do not change the plan
+  std::vector<std::string> staying;   ///< ids or ends of ids; empty: the largest body
+  std::string out;                    ///< plan file to write; empty: none
+  std::string resume;                 ///< plan file to go on from; empty: none
+  FitOptions fits;
+  Format format = Format::Text;
+};
+
+/// glissade-cli sequence: in which order the parts of a product leave, with certified motions. Exit code 0 all parts
+/// but those that stay leave, 1 some are stuck, 5 time limit, 130 interrupted; the plan so far is written always.
+int runSequence(const SequenceOptions& options);
+
+}  // namespace glissade::cli

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+
+#include "engine/collision/collision_query.h"
+#include "engine/collision/kernel/kernel_query.h"
+#include "engine/collision/solids.h"
+
+namespace glissade {
+
+/// A body in its place, as the kernel wants an obstacle. Immutable.
+struct PreparedObstacle {
+  RigidBody body;
+  Box3 box;  ///< world frame
+  double scale = 1.0;
+  std::shared_ptr<const BoxTree> tree;
+  Solids::SolidPtr solid;
+};
+
+/// A mesh, as the kernel wants the object. Immutable.
+struct PreparedObject {
+  MeshPtr mesh;
+  double radius = 0.0;
+  std::shared_ptr<const MotionBound> motionBound;
+  std::shared_ptr<const BoxTree> tree;
+  Solids::SolidPtr solid;
+};
+
+/// Bodies of a product, for worlds of any choice of them: each is prepared once, when it is first needed, as an
+/// obstacle; each mesh once as an object. A world then costs microseconds a body. Worlds keep what they need. May be
+/// asked by several threads at a time.
+class PreparedBodies {
+ public:
+  explicit PreparedBodies(std::vector<RigidBody> bodies);
+
+  /// An obstacle of a world, by its index, and the mesh that the object is taken to be against it.
+  struct Against {
+    std::size_t body;
+    MeshPtr object;
+  };
+  /// The world's obstacles are numbered as they are listed here. The meshes are in one frame, inside `object`.
+  CollisionWorldPtr world(const MeshPtr& object, const std::vector<Against>& obstacles);
+
+  const std::vector<RigidBody>& bodies() const { return bodies_; }
+  const Box3& boxOf(std::size_t body) const { return boxes_[body]; }
+
+ private:
+  const PreparedObstacle& obstacle(std::size_t body);
+  const PreparedObject& object(const MeshPtr& mesh);
+
+  std::vector<RigidBody> bodies_;
+  std::vector<Box3> boxes_;
+  double scale_;
+  std::mutex mutex_;  ///< of what follows
+  std::map<std::size_t, PreparedObstacle> obstacles_;
+  std::map<MeshPtr, PreparedObject> objects_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,291 @@
+#include "engine/scenario/plan_file.h"
+
+#include <glissade/version.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "engine/base/file.h"
+#include "engine/base/file_save.h"
+#include "engine/base/limits.h"
+#include "engine/base/tolerances.h"
+#include "engine/product/contact_report.h"
+#include "engine/scenario/author_names.h"
+#include "engine/scenario/json_checksum.h"
+#include "engine/scenario/json_reader.h"
+
+namespace glissade {
+namespace {
+
+using Json = JsonCursor::Json;
+
+constexpr const char* kFormat = "glissade-plan";
+constexpr std::size_t kMostBytes = 256U << 20;
+constexpr std::size_t kMostConfigurations = 1'000'000;
+constexpr std::size_t kMostEffort = 64;
+constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
+                                                                    {PlanEnd::Stuck, "stuck"},
+                                                                    {PlanEnd::TimeLimit, "time_limit"},
+                                                                    {PlanEnd::Interrupted, "interrupted"}}};
+
+const char* endName(PlanEnd end) {
+  const auto found =
+      std::find_if(kEndNames.begin(), kEndNames.end(), [&](const auto& each) { return each.first == end; });
+  return found->second;
+}
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json toJson(const StepProof& proof) {
+  return {{"status", "certified"},
+          {"after_steps", proof.afterSteps},
+          {"required_m", proof.required},
+          {"proved_clearance_m", number(proof.provedClearance)},
+          {"min_clearance_m", number(proof.minClearance)},
+          {"nearest", proof.nearest.empty() ? Json(nullptr) : Json(proof.nearest)}};
+}
+
+Json toJson(const StepAllowance& allowance) {
+  return {{"body", allowance.body},
+          {"kind", kindName(allowance.kind)},
+          {"overlap_m", allowance.overlap},
+          {"allowance_m", allowance.allowance},
+          {"text", allowance.text}};
+}
+
+Json toJson(const AssemblyStep& step) {
+  Json json{{"bodies", {step.body}},       {"method", step.method},
+            {"wave", step.wave},           {"certificate", toJson(step.proof)},
+            {"allowances", Json::array()}, {"path", Json::array()}};
+  for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
+  for (const PathPoint& point : step.path) {
+    Json configuration = toJson(point.q);
+    configuration["author"] = authorName(point.author);
+    json["path"].push_back(std::move(configuration));
+  }
+  return json;
+}
+
+/// Reads one document. Throws JsonError.
+class PlanReader {
+ public:
+  AssemblyPlan read(const JsonCursor& at) {
+    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "parts", "removed", "end", "certified",
+                  "bodies", "staying", "steps", "stuck", "refusals"});
+    if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
+    if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
+    plan_.strategy = at.at("strategy").nonEmptyText();
+    plan_.seed = at.at("seed").wholeNumber();
+    plan_.end = readEnd(at.at("end"));
+    readBodies(at.at("bodies"));
+    plan_.staying = readIds(at.at("staying"));
+    for (std::size_t i = 0; i < plan_.staying.size(); ++i) {
+      if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail("is there twice");
+    }
+    const JsonCursor steps = at.at("steps");
+    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) readStep(steps.element(i));
+    const JsonCursor stuck = at.at("stuck");
+    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) readStuck(stuck.element(i));
+    const JsonCursor refusals = at.at("refusals");
+    for (std::size_t i = 0; i < refusals.sizeUpTo(kMostEffort * limits::kMostBodies); ++i) {
+      readRefusal(refusals.element(i));
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  static PlanEnd readEnd(const JsonCursor& at) {
+    const std::string text = at.text();
+    for (const auto& [end, name] : kEndNames) {
+      if (text == name) return end;
+    }
+    at.fail("is not complete, stuck, time_limit or interrupted");
+  }
+
+  void readBodies(const JsonCursor& at) {
+    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.bodies.push_back(at.element(i).nonEmptyText());
+      if (!known_.insert(plan_.bodies.back()).second) at.element(i).fail("is there twice");
+    }
+  }
+
+  std::string readId(const JsonCursor& at) const {
+    std::string id = at.text();
+    if (known_.count(id) == 0) at.fail("is none of the plan's bodies");
+    return id;
+  }
+
+  std::vector<std::string> readIds(const JsonCursor& at) const {
+    std::vector<std::string> ids;
+    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) ids.push_back(readId(at.element(i)));
+    return ids;
+  }
+
+  /// Of steps that were carried out before something was found.
+  std::size_t readAfter(const JsonCursor& at) const {
+    const std::uint64_t after = at.wholeNumber();
+    if (after > plan_.steps.size()) at.fail("is more than the steps before it");
+    return static_cast<std::size_t>(after);
+  }
+
+  static double readLength(const JsonCursor& at) {
+    if (at.json().is_null()) return std::numeric_limits<double>::infinity();
+    const double value = at.coordinate();
+    if (value < 0.0) at.fail("is below zero");
+    return value;
+  }
+
+  void readStep(const JsonCursor& at) {
+    at.allowOnly({"bodies", "method", "wave", "certificate", "allowances", "path"});
+    AssemblyStep step;
+    const JsonCursor bodies = at.at("bodies");
+    if (bodies.size() != 1) bodies.fail("does not hold one body");
+    step.body = readId(bodies.element(0));
+    if (!gone_.insert(step.body).second) bodies.element(0).fail("stays, or has left before");
+    step.method = at.at("method").text();
+    step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
+    step.proof = readProof(at.at("certificate"));
+    const JsonCursor allowances = at.at("allowances");
+    for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
+      step.allowances.push_back(readAllowance(allowances.element(i)));
+    }
+    step.path = readPath(at.at("path"));
+    plan_.steps.push_back(std::move(step));
+  }
+
+  StepProof readProof(const JsonCursor& at) const {
+    at.allowOnly({"status", "after_steps", "required_m", "proved_clearance_m", "min_clearance_m", "nearest"});
+    if (at.at("status").text() != "certified") at.at("status").fail("is not \"certified\"");
+    StepProof proof;
+    proof.afterSteps = readAfter(at.at("after_steps"));
+    proof.required = at.at("required_m").positiveNumber();
+    proof.provedClearance = readLength(at.at("proved_clearance_m"));
+    proof.minClearance = readLength(at.at("min_clearance_m"));
+    if (!at.at("nearest").json().is_null()) proof.nearest = readId(at.at("nearest"));
+    return proof;
+  }
+
+  StepAllowance readAllowance(const JsonCursor& at) const {
+    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text"});
+    const auto kind = kindByName(at.at("kind").text());
+    if (!kind) at.at("kind").fail("is no kind of fit");
+    return {readId(at.at("body")), *kind, readLength(at.at("overlap_m")), readLength(at.at("allowance_m")),
+            at.at("text").text()};
+  }
+
+  static std::vector<PathPoint> readPath(const JsonCursor& at) {
+    std::vector<PathPoint> path;
+    for (std::size_t i = 0; i < at.sizeUpTo(kMostConfigurations); ++i) {
+      const JsonCursor point = at.element(i);
+      point.allowOnly({"position", "orientation", "author"});
+      const Json pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
+      const auto author = authorByName(point.at("author").text());
+      if (!author) point.at("author").fail("is not computer, operator or contact");
+      path.push_back({JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i)).pose(), *author});
+    }
+    if (path.empty()) at.fail("is empty", "Give a path.");
+    return path;
+  }
+
+  void readStuck(const JsonCursor& at) {
+    at.allowOnly({"part", "blocked_by"});
+    plan_.stuck.push_back({readId(at.at("part")), readIds(at.at("blocked_by"))});
+    if (gone_.count(plan_.stuck.back().body) != 0) at.at("part").fail("stays, or has left");
+  }
+
+  void readRefusal(const JsonCursor& at) {
+    at.allowOnly({"part", "effort", "after_steps", "blocked_by"});
+    const std::uint64_t effort = at.at("effort").wholeNumber();
+    if (effort >= kMostEffort) at.at("effort").fail("is too large");
+    plan_.refusals.push_back({readId(at.at("part")), static_cast<int>(effort), readAfter(at.at("after_steps")),
+                              readIds(at.at("blocked_by"))});
+  }
+
+  std::set<std::string> known_;
+  std::set<std::string> gone_;
+  AssemblyPlan plan_;
+};
+
+}  // namespace
+
+Json planJson(const AssemblyPlan& plan, const std::string& product) {
+  Json json{{"format", kFormat},
+            {"version", 1},
+            {"program", std::string("Glissade ") + kVersion},
+            {"product", product},
+            {"strategy", plan.strategy},
+            {"seed", plan.seed},
+            {"parts", plan.parts()},
+            {"removed", plan.steps.size()},
+            {"end", endName(plan.end)},
+            {"certified", true},
+            {"bodies", plan.bodies},
+            {"staying", plan.staying},
+            {"steps", Json::array()},
+            {"stuck", Json::array()},
+            {"refusals", Json::array()}};
+  for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
+  for (const StuckBody& stuck : plan.stuck) {
+    json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}});
+  }
+  for (const RefusedRemoval& refused : plan.refusals) {
+    json["refusals"].push_back({{"part", refused.body},
+                                {"effort", refused.effort},
+                                {"after_steps", refused.afterSteps},
+                                {"blocked_by", refused.blockedBy}});
+  }
+  return json;
+}
+
+Outcome savePlan(const AssemblyPlan& plan, const std::string& product, const std::string& file) {
+  Json json = planJson(plan, product);
+  addChecksum(json);
+  const SaveResult saved = saveFile(file, jsonText(json, 2) + "\n");
+  return saved ? Outcome(Done{}) : Outcome(saved.why);
+}
+
+Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file) {
+  auto document = parseJson(text, file);
+  if (!document) return document.error();
+  const ChecksumState checksum = takeChecksum(*document);
+  try {
+    auto plan = PlanReader().read(JsonCursor(*document, file, ""));
+    if (checksum == ChecksumState::Wrong) {
+      return wrongChecksum(file, "Plan again. To use an edited plan, remove its checksum.");
+    }
+    return plan;
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+Result<AssemblyPlan> readPlan(const std::string& file) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return text.error();
+  return parsePlan(*text, file);
+}
+
+bool isPlanFile(const std::string& file) {
+  const auto text = readFile(file, kMostBytes);
+  if (!text) return false;
+  const std::size_t first = text->find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || (*text)[first] != '{') return false;
+  const auto document = parseJson(*text, file);
+  return document && document->is_object() && document->value("format", Json()) == kFormat;
+}
+
+Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>& bodies, const std::string& file) {
+  if (plan.bodies == bodies) return Done{};
+  const auto missing = std::find_if(plan.bodies.begin(), plan.bodies.end(), [&](const std::string& id) {
+    return std::find(bodies.begin(), bodies.end(), id) == bodies.end();
+  });
+  const std::string reason = missing != plan.bodies.end() ? "is about a product that has '" + *missing + "'"
+                                                          : "is about a product with other bodies";
+  return Diagnostic{ErrorKind::MalformedInput, file, "/bodies", reason, "Give the product that was planned."};
+}
+
+}  // namespace glissade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/base/stop_token.h"
+#include "engine/sequence/assembled_product.h"
+
+namespace glissade {
+
+/// A product as it is loaded.
+struct ProductFile {
+  AssembledProduct product;
+  double deviation = 0.0;  ///< metres that two surfaces may be off their triangles, together
+  Warnings warnings;
+};
+
+/// The bodies of a part file (`file` as usualPart() takes it: a STEP file, an assembly in one, a URDF or mesh file), or
+/// of a scenario with its object at the start. Fits are on for part files, and as the scenario says.
+/// Errors: those of the importers, MalformedInput where there are less than two bodies, Interrupted.
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {});
+
+}  // namespace glissade

@@ -1,0 +1,56 @@
+#include "engine/sequence/assembled_product.h"
+
+#include <algorithm>
+#include <map>
+
+namespace glissade {
+
+std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) const {
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return body.id == id; });
+  if (found == bodies.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - bodies.begin());
+}
+
+std::vector<std::size_t> bodiesIn(const BodySet& set) {
+  std::vector<std::size_t> indices;
+  for (std::size_t body = 0; body < set.size(); ++body) {
+    if (set[body]) indices.push_back(body);
+  }
+  return indices;
+}
+
+std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies) {
+  struct Middle {
+    Vector3 point;
+    MeshPtr mesh;
+  };
+  std::map<MeshPtr, Middle> known;
+  for (RigidBody& body : bodies) {
+    Middle& middle = known[body.mesh];
+    if (!middle.mesh) {
+      middle.point = boundingBox(*body.mesh).center();
+      middle.mesh = std::make_shared<const TriangleMesh>(transformed(*body.mesh, Pose::translation(-middle.point)));
+    }
+    body.X_WB.position = body.X_WB * middle.point;
+    body.mesh = middle.mesh;
+  }
+  return bodies;
+}
+
+Box3 boxOf(const AssembledProduct& product, const BodySet& set) {
+  Box3 box;
+  for (const std::size_t body : bodiesIn(set)) {
+    box.extend(boundingBox(*product.bodies[body].mesh, product.bodies[body].X_WB));
+  }
+  return box;
+}
+
+double boxVolume(const RigidBody& body) { return boundingBox(*body.mesh).sizes().prod(); }
+
+std::size_t largestBody(const AssembledProduct& product) {
+  const auto smaller = [](const RigidBody& a, const RigidBody& b) { return boxVolume(a) < boxVolume(b); };
+  const auto largest = std::max_element(product.bodies.begin(), product.bodies.end(), smaller);
+  return static_cast<std::size_t>(largest - product.bodies.begin());
+}
+
+}  // namespace glissade

@@ -1,0 +1,39 @@
+#include "engine/sequence/removal_directions.h"
+
+#include <algorithm>
+
+#include "engine/planning/automatic/contact_faces.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kFaces = 6;
+constexpr double kAlike = 1.0 - 1e-9;
+
+}  // namespace
+
+std::vector<Vector3> removalDirections(const AssembledProduct& product, const ProductFits& fits, std::size_t body) {
+  std::vector<Vector3> directions;
+  const auto add = [&](const Vector3& direction) {
+    const auto alike = [&](const Vector3& other) { return other.dot(direction) > kAlike; };
+    if (std::none_of(directions.begin(), directions.end(), alike)) directions.push_back(direction);
+  };
+  const auto addBoth = [&](const Vector3& direction) {
+    add(direction);
+    add(-direction);
+  };
+  // An axis of the world is that exactly, not what a cylinder was fitted to.
+  const auto exact = [](const Vector3& direction) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(direction[axis]) > kAlike) return Vector3(std::copysign(1.0, direction[axis]) * Vector3::Unit(axis));
+    }
+    return direction;
+  };
+  for (const Vector3& axis : fits.axesOf(body)) addBoth(exact(axis));
+  for (const int axis : {2, 0, 1}) addBoth(Vector3::Unit(axis));
+  const RigidBody& own = product.bodies[body];
+  for (const Vector3& normal_B : largestFaceNormals(*own.mesh, kFaces)) addBoth(exact(own.X_WB.orientation * normal_B));
+  return directions;
+}
+
+}  // namespace glissade

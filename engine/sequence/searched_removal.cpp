@@ -1,0 +1,60 @@
+#include "engine/sequence/searched_removal.h"
+
+#include "engine/base/random_stream.h"
+#include "engine/planning/automatic/automatic_planner.h"
+#include "engine/sequence/motion_world.h"
+
+namespace glissade {
+namespace {
+
+/// Lets a planner work for so many steps.
+class BudgetHost final : public PlannerHost {
+ public:
+  BudgetHost(ParameterValues parameters, std::uint64_t steps, const StopToken& stop)
+      : parameters_(std::move(parameters)), left_(steps), stop_(stop) {}
+
+  std::optional<OperatorSample> operatorSample() override { return std::nullopt; }
+  const ParameterValues& parameters() const override { return parameters_; }
+  bool afterStep() override { return --left_ > 0 && !stop_.stopRequested(); }
+  const StopToken& stopToken() const override { return stop_; }
+
+ private:
+  ParameterValues parameters_;
+  std::uint64_t left_;
+  const StopToken& stop_;
+};
+
+/// Room to leave on every side.
+Box3 roomAbout(Box3 box, const RigidBody& body) {
+  box.extend(body.X_WB.position);
+  const Vector3 margin = Vector3::Constant(3.0 * radiusAboutOrigin(*body.mesh));
+  return {box.min() - margin, box.max() + margin};
+}
+
+}  // namespace
+
+RemovalAnswer SearchedRemoval::tryRemoval(std::size_t body, const BodySet& present, std::uint64_t steps,
+                                          const StopToken& stop) const {
+  const RigidBody& own = product_.bodies[body];
+  const ParameterValues parameters = motionParameters(own);
+  const MotionWorld motion = motionWorld(product_, fits_, prepared_, body, present);
+  Problem problem{motion.world, own.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), own), nullptr, {}};
+  if (!motion.world->makeQuery()->clearAbove(own.X_WB, parameters[ParameterId::RequiredClearance])) return Refused{};
+  AutomaticPlanner planner(problem, seedOf(body, present, steps), 1);
+  BudgetHost host(parameters, steps, stop);
+  if (planner.solve(host)) {
+    Path path = *planner.path();
+    nameByProduct(path.certificate, motion.bodies);
+    return Removed{std::move(path), "auto: " + planner.member(), fits_.fitsOf(body, present)};
+  }
+  return Refused{{}, stop.stopRequested()};
+}
+
+/// Of its own for each question, so that it does not matter which were asked before.
+std::uint64_t SearchedRemoval::seedOf(std::size_t body, const BodySet& present, std::uint64_t steps) const {
+  const std::string question =
+      product_.bodies[body].id + "/" + std::to_string(bodiesIn(present).size()) + "/" + std::to_string(steps);
+  return RandomStream(seed_, question).bits();
+}
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/collision/prepared_bodies.h"
+#include "engine/sequence/product_fits.h"
+#include "engine/sequence/removal_trial.h"
+
+namespace glissade {
+
+/// Removal by the automatic planner. Budgets are counted in its steps, each a fixed amount of work, so that the answer
+/// does not depend on the machine.
+class SearchedRemoval {
+ public:
+  SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared,
+                  std::uint64_t seed)
+      : product_(product), fits_(fits), prepared_(prepared), seed_(seed) {}
+
+  /// `steps` of the planner at most. The refusal names nobody: a search does not know who was in its way.
+  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, std::uint64_t steps, const StopToken& stop) const;
+
+ private:
+  std::uint64_t seedOf(std::size_t body, const BodySet& present, std::uint64_t steps) const;
+
+  const AssembledProduct& product_;
+  const ProductFits& fits_;
+  PreparedBodies& prepared_;
+  std::uint64_t seed_;
+};
+
+}  // namespace glissade

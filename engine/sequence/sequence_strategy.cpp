@@ -1,0 +1,23 @@
+#include "engine/sequence/sequence_strategy.h"
+
+#include <algorithm>
+
+#include "engine/sequence/greedy_strategy.h"
+
+namespace glissade {
+
+const SequenceStrategyEntry* SequenceStrategyRegistry::find(std::string_view id) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& entry) { return entry.id == id; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+SequenceStrategyRegistry makeSequenceStrategyRegistry() {
+  SequenceStrategyRegistry registry;
+  registry.add({"greedy", "Greedy",
+                "Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its "
+                "way has left.",
+                [] { return std::make_unique<GreedyStrategy>(); }});
+  return registry;
+}
+
+}  // namespace glissade

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/base/thread_team.h"
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/removal_trial.h"
+
+namespace glissade {
+
+/// What is asked of a strategy. Refers to its members for the time of the call.
+struct SequenceQuestion {
+  const AssembledProduct& product;
+  BodySet staying;  ///< bodies that are not to leave
+  std::uint64_t seed = 1;
+  RemovalTrial& trial;
+  const AssemblyPlan* resumed = nullptr;  ///< a plan of the same product, seed and strategy that had not ended; or null
+};
+
+/// What a strategy tells while it works, and asks. Called on the strategy's thread.
+class SequenceHost {
+ public:
+  virtual ~SequenceHost() = default;
+  virtual const StopToken& stopToken() const = 0;
+  /// Threads that carry out trials. Their number does not change the plan.
+  virtual ThreadTeam& team() = 0;
+  /// So many bodies are asked now, with this effort.
+  virtual void asking(std::size_t bodies, int effort) = 0;
+  virtual void stepFound(const AssemblyPlan& plan) = 0;
+};
+
+/// In which order bodies are asked and leave.
+class SequenceStrategy {
+ public:
+  virtual ~SequenceStrategy() = default;
+  /// The plan as far as it was found; its end says Interrupted after a stop. Seed and question decide the plan.
+  virtual AssemblyPlan plan(const SequenceQuestion& question, SequenceHost& host) = 0;
+};
+
+/// How a strategy is known and made. Registered by explicit calls.
+struct SequenceStrategyEntry {
+  std::string id;
+  std::string label;
+  std::string description;  ///< one sentence
+  std::function<std::unique_ptr<SequenceStrategy>()> make;
+};
+
+class SequenceStrategyRegistry {
+ public:
+  void add(SequenceStrategyEntry entry) { entries_.push_back(std::move(entry)); }
+  /// Null where the id is unknown.
+  const SequenceStrategyEntry* find(std::string_view id) const;
+  const std::vector<SequenceStrategyEntry>& entries() const { return entries_; }
+
+ private:
+  std::vector<SequenceStrategyEntry> entries_;
+};
+
+/// greedy.
+SequenceStrategyRegistry makeSequenceStrategyRegistry();
+
+}  // namespace glissade

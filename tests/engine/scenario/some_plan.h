@@ -1,0 +1,29 @@
+#pragma once
+
+#include "engine/sequence/assembly_plan.h"
+
+namespace glissade::test {
+
+/// A plan that has something of everything.
+inline AssemblyPlan somePlan() {
+  AssemblyPlan plan;
+  plan.strategy = "greedy";
+  plan.seed = 7;
+  plan.bodies = {"plate", "nut", "bolt", "rod"};
+  plan.staying = {"plate"};
+  const Pose away{{0.1, 0.25, -3.0}, fromRollPitchYaw(0.1, 0.2, 0.3)};
+  AssemblyStep nut{
+      "nut",
+      {{Pose::identity(), Author::Computer}, {away, Author::Contact}},
+      "straight",
+      1,
+      {0, 1e-6, 2e-6, 3e-6, "bolt"},
+      {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, "nut taken 0.41 mm thinner on the thread of bolt (thread)"}}};
+  plan.steps.push_back(nut);
+  plan.refusals = {{"bolt", 0, 0, {"nut", "plate"}}, {"bolt", 1, 1, {"plate"}}, {"rod", 0, 1, {}}};
+  plan.stuck = {{"bolt", {"plate"}}, {"rod", {}}};
+  plan.end = PlanEnd::Stuck;
+  return plan;
+}
+
+}  // namespace glissade::test

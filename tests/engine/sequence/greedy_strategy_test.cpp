@@ -1,0 +1,153 @@
+#include "engine/sequence/greedy_strategy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "engine/base/random_stream.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+/// Bodies that may leave when certain others have left, each with an effort.
+class RuledTrial final : public RemovalTrial {
+ public:
+  struct Rule {
+    std::set<std::size_t> blockedBy;
+    int effort = 0;
+  };
+  explicit RuledTrial(std::vector<Rule> rules) : rules_(std::move(rules)) {}
+
+  int efforts() const override { return 3; }
+  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, int effort, const StopToken&) override {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::size_t> blocking;
+    for (const std::size_t other : rules_[body].blockedBy) {
+      if (present[other]) blocking.push_back(other);
+    }
+    // Asked again although nobody of those in the way has left?
+    auto& last = asked_[{body, effort}];
+    if (last) {
+      EXPECT_NE(*last, blocking) << body << " with effort " << effort;
+    }
+    last = blocking;
+    if (!blocking.empty() || effort < rules_[body].effort) return Refused{blocking, false};
+    Path path{{{Pose::identity(), Author::Computer}, {Pose::translation({1.0, 0.0, 0.0}), Author::Computer}}, {}};
+    return Removed{path, "ruled", {}};
+  }
+  void learn(std::size_t body, const std::vector<PathPoint>&) override { learned.push_back(body); }
+
+  std::vector<std::size_t> learned;
+
+ private:
+  std::vector<Rule> rules_;
+  std::mutex mutex_;
+  std::map<std::pair<std::size_t, int>, std::optional<std::vector<std::size_t>>> asked_;
+};
+
+AssembledProduct boxes(std::size_t count) {
+  std::vector<RigidBody> bodies;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = 2.0 * static_cast<double>(i);
+    bodies.push_back(boxBody(std::to_string(i), Vector3::Constant(1.0), Pose::translation({x, 0.0, 0.0})));
+  }
+  return test::productOf(bodies);
+}
+
+/// Interrupted after so many waves.
+AssemblyPlan planned(const AssembledProduct& product, RemovalTrial& trial, const AssemblyPlan* resumed = nullptr,
+                     std::size_t waves = 1000) {
+  test::QuietHost host(1, waves);
+  BodySet staying(product.bodies.size(), false);
+  staying[0] = true;
+  return GreedyStrategy().plan({product, staying, 1, trial, resumed}, host);
+}
+
+/// Bodies are blocked by bodies of lower or higher numbers; some chains end in a circle.
+std::vector<RuledTrial::Rule> randomRules(RandomStream& random, std::size_t count) {
+  std::vector<RuledTrial::Rule> rules(count);
+  for (std::size_t body = 1; body < count; ++body) {
+    for (std::size_t other = 1; other < count; ++other) {
+      const double chance = other > body ? 0.15 : 0.01;
+      if (other != body && random.uniform() < chance) rules[body].blockedBy.insert(other);
+    }
+    rules[body].effort = static_cast<int>(random.uniform(0.0, 3.0));
+  }
+  return rules;
+}
+
+/// Whoever can leave in any order: what remains is the largest set that blocks itself.
+std::set<std::size_t> leftForEver(const std::vector<RuledTrial::Rule>& rules) {
+  std::set<std::size_t> left;
+  for (std::size_t body = 1; body < rules.size(); ++body) left.insert(body);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const std::size_t body : std::set<std::size_t>(left)) {
+      const bool blocked = std::any_of(rules[body].blockedBy.begin(), rules[body].blockedBy.end(),
+                                       [&](std::size_t other) { return left.count(other) != 0; });
+      if (blocked) continue;
+      left.erase(body);
+      changed = true;
+    }
+  }
+  return left;
+}
+
+TEST(GreedyStrategy, TakesOutWhateverCanLeaveAndNamesWhatIsInTheWay) {
+  RandomStream random(1, "greedy");
+  for (int round = 0; round < 50; ++round) {
+    const AssembledProduct product = boxes(12);
+    const auto rules = randomRules(random, 12);
+    RuledTrial trial(rules);
+    const AssemblyPlan plan = planned(product, trial);
+    const std::set<std::size_t> left = leftForEver(rules);
+    EXPECT_EQ(plan.steps.size(), 11 - left.size());
+    EXPECT_EQ(plan.end, left.empty() ? PlanEnd::Complete : PlanEnd::Stuck);
+    ASSERT_EQ(plan.stuck.size(), left.size());
+    for (const StuckBody& stuck : plan.stuck) {
+      std::vector<std::string> blocking;
+      for (const std::size_t other : rules[*product.indexOf(stuck.body)].blockedBy) {
+        if (left.count(other) != 0) blocking.push_back(std::to_string(other));
+      }
+      EXPECT_EQ(stuck.blockedBy.size(), blocking.size());
+      EXPECT_TRUE(std::is_permutation(blocking.begin(), blocking.end(), stuck.blockedBy.begin()));
+    }
+  }
+}
+
+TEST(GreedyStrategy, GoesOnFromAnyWaveToTheSamePlan) {
+  RandomStream random(2, "greedy");
+  for (int round = 0; round < 20; ++round) {
+    const AssembledProduct product = boxes(10);
+    const auto rules = randomRules(random, 10);
+    RuledTrial whole(rules);
+    const AssemblyPlan plan = planned(product, whole);
+    if (plan.steps.empty()) continue;
+    for (std::size_t waves = 1; waves <= plan.steps.back().wave; ++waves) {
+      RuledTrial begun(rules);
+      const AssemblyPlan cut = planned(product, begun, nullptr, waves);
+      EXPECT_EQ(cut.steps.back().wave, waves);
+      RuledTrial rest(rules);
+      const AssemblyPlan resumed = planned(product, rest, &cut);
+      EXPECT_EQ(test::orderOf(resumed), test::orderOf(plan));
+      EXPECT_EQ(resumed.refusals.size(), plan.refusals.size());
+      EXPECT_EQ(rest.learned.size(), plan.steps.size());
+    }
+  }
+}
+
+TEST(GreedyStrategy, StopsWithThePlanSoFar) {
+  const AssembledProduct product = boxes(3);
+  RuledTrial trial(std::vector<RuledTrial::Rule>(3));
+  const AssemblyPlan plan = planned(product, trial, nullptr, 0);
+  EXPECT_TRUE(plan.steps.empty());
+  EXPECT_EQ(plan.end, PlanEnd::Interrupted);
+  EXPECT_TRUE(plan.stuck.empty()) << "nobody was asked";
+}
+
+}  // namespace
+}  // namespace glissade

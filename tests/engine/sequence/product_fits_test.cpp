@@ -1,0 +1,70 @@
+#include "engine/sequence/product_fits.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/sequence/plan_judge.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+RigidBody ring(const std::string& name, double inner, double outer, double length, double z) {
+  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, z}));
+  body.mesh = std::make_shared<const TriangleMesh>(test::makeRing(inner, outer, length, 24));
+  return body;
+}
+
+/// A washer and a nut on a bolt that has a head, all with the bolt's radius; lengths in metres as of M8.
+AssembledProduct boltAndNut() {
+  RigidBody bolt = ring("bolt", 0.0, 0.004, 0.04, 0.0);
+  TriangleMesh head = transformed(test::makeRing(0.0, 0.008, 0.006, 24), Pose::translation({0.0, 0.0, -0.022}));
+  TriangleMesh mesh = *bolt.mesh;
+  append(mesh, head);
+  bolt.mesh = std::make_shared<const TriangleMesh>(mesh);
+  return test::productOf({bolt, ring("washer", 0.004, 0.009, 0.002, 0.0), ring("nut", 0.004, 0.007, 0.006, 0.004)},
+                         true);
+}
+
+TEST(ProductFits, AreThoseOfEachBodyAlone) {
+  const AssembledProduct product = boltAndNut();
+  const ProductFits fits = test::fitsOf(product);
+  for (std::size_t body = 0; body < product.bodies.size(); ++body) {
+    const auto alone = fitsOfBody(product, body, nullptr, {});
+    ASSERT_TRUE(alone.ok());
+    ASSERT_EQ(alone->allowed.size(), fits.fitsOf(body).size());
+    for (std::size_t i = 0; i < alone->allowed.size(); ++i) {
+      EXPECT_EQ(alone->allowed[i].obstacle, fits.fitsOf(body)[i].obstacle);
+      EXPECT_EQ(alone->allowed[i].allowance, fits.fitsOf(body)[i].allowance);
+      EXPECT_EQ(alone->allowed[i].role, fits.fitsOf(body)[i].role);
+    }
+  }
+}
+
+TEST(ProductFits, ThinAgainstTheirOwnAndHaveTheAxis) {
+  const AssembledProduct product = boltAndNut();
+  const ProductFits fits = test::fitsOf(product);
+  EXPECT_NE(fits.meshAgainst(2, 0), product.bodies[2].mesh);
+  EXPECT_NE(fits.meshAgainst(2, 1), product.bodies[2].mesh);
+  ASSERT_EQ(fits.axesOf(2).size(), 1U);
+  EXPECT_NEAR(std::abs(fits.axesOf(2)[0].z()), 1.0, 1e-9);
+}
+
+TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
+  const AssembledProduct product = boltAndNut();
+  const AssemblyPlan plan = test::planOf(product, "bolt");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "washer"}));
+  EXPECT_EQ(plan.steps[0].allowances.size(), 2U);
+  EXPECT_EQ(plan.steps[1].allowances.size(), 1U);
+  const auto judgements = judgePlan(plan, product, std::nullopt);
+  ASSERT_TRUE(judgements.ok());
+  for (const StepJudgement& judgement : *judgements) EXPECT_TRUE(judgement.valid()) << judgement.body;
+  AssembledProduct strict = product;
+  strict.fits.on = false;
+  const auto whole = judgePlan(plan, strict, std::nullopt);
+  ASSERT_TRUE(whole.ok());
+  EXPECT_FALSE((*whole)[0].valid()) << "the whole nut does not leave";
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,67 @@
+// What every registered strategy has to keep.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/sequence/plan_judge.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+class SequenceStrategies : public testing::TestWithParam<std::string> {};
+
+TEST_P(SequenceStrategies, TakesADrawerApartInItsOnlyOrder) {
+  const AssemblyPlan plan = test::planOf(test::lockedDrawer(), "cabinet", 1, GetParam());
+  EXPECT_EQ(plan.strategy, GetParam());
+  EXPECT_EQ(plan.end, PlanEnd::Complete);
+  EXPECT_EQ(test::orderOf(plan), (std::vector<std::string>{"cap", "pin", "drawer"}));
+  EXPECT_EQ(plan.staying, std::vector<std::string>{"cabinet"});
+}
+
+TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = test::planOf(product, "cabinet", 1, GetParam());
+  const auto judgements = judgePlan(plan, product, std::nullopt);
+  ASSERT_TRUE(judgements.ok());
+  for (std::size_t i = 0; i < judgements->size(); ++i) {
+    EXPECT_TRUE((*judgements)[i].valid()) << plan.steps[i].body;
+    EXPECT_LE(plan.steps[i].proof.afterSteps, i);
+    EXPECT_GE(plan.steps[i].proof.provedClearance, plan.steps[i].proof.required);
+  }
+}
+
+TEST_P(SequenceStrategies, RefusesInterlockedBodiesWithTheRightBlocker) {
+  const AssemblyPlan plan = test::planOf(test::chain(), "one", 1, GetParam());
+  EXPECT_EQ(plan.end, PlanEnd::Stuck);
+  EXPECT_EQ(test::orderOf(plan), std::vector<std::string>{"block"});
+  ASSERT_EQ(plan.stuck.size(), 1U);
+  EXPECT_EQ(plan.stuck[0].body, "other");
+  EXPECT_EQ(plan.stuck[0].blockedBy, std::vector<std::string>{"one"});
+}
+
+TEST_P(SequenceStrategies, ThreadsDoNotChangeThePlan) {
+  for (const auto& [product, staying] : {std::pair{test::lockedDrawer(), "cabinet"}, std::pair{test::chain(), "one"}}) {
+    const AssemblyPlan one = test::planOf(product, staying, 1, GetParam());
+    const AssemblyPlan two = test::planOf(product, staying, 2, GetParam());
+    ASSERT_EQ(test::orderOf(one), test::orderOf(two));
+    for (std::size_t i = 0; i < one.steps.size(); ++i) {
+      EXPECT_EQ(one.steps[i].method, two.steps[i].method);
+      EXPECT_EQ(configurationsOf(one.steps[i].path), configurationsOf(two.steps[i].path));
+    }
+  }
+}
+
+std::vector<std::string> strategies() {
+  std::vector<std::string> ids;
+  const SequenceStrategyRegistry registry = makeSequenceStrategyRegistry();
+  for (const SequenceStrategyEntry& entry : registry.entries()) ids.push_back(entry.id);
+  return ids;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SequenceStrategies, testing::ValuesIn(strategies()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace glissade
