@@ -99,7 +99,8 @@ void WorkController::cancelAll() {
   if (task_.isBusy()) {
     task_.cancel();
   } else if (cancelOther_) {
-    std::function<void()>(cancelOther_)();
+    const auto cancelOther = cancelOther_;  // it is forgotten on the way
+    cancelOther();
   } else {
     bridge_.post(command::Stop{});
   }
