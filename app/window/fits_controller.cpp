@@ -87,11 +87,13 @@ void FitsController::isolateChosen() {
 void FitsController::editChosen(const QString& text, const std::function<void(FitEdit&)>& change) {
   const PairFit* fit = panel_->chosen();
   if (fit == nullptr) return;
-  Scenario after = bench_.document.current();
-  change(editOfPair(after.fits, *fit));
-  auto& pairs = after.fits.pairs;
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), saysNothing), pairs.end());
-  if (const Outcome edited = bench_.document.edit(text, after); !edited) {
+  const auto changeFits = [fit = *fit, change](Scenario& scenario) {
+    change(editOfPair(scenario.fits, fit));
+    auto& pairs = scenario.fits.pairs;
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), saysNothing), pairs.end());
+    return Outcome(Done{});
+  };
+  if (const Outcome edited = bench_.document.edit(text, changeFits); !edited) {
     bench_.messages.showError(tr("This cannot be said about the fit"), edited.error());
   }
 }
