@@ -73,7 +73,7 @@ Solids::SolidPtr Solids::prepare(const TriangleMesh& mesh) {
 }
 
 std::optional<int> Solids::containment(const Pose& X_WB) const {
-  const std::size_t none = obstacles_.size();
+  const std::size_t none = obstacles_->size();
   const std::size_t lowest = insideObject(X_WB, aroundObject(X_WB, none));
   return lowest < none ? std::optional<int>(static_cast<int>(lowest)) : std::nullopt;
 }

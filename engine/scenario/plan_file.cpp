@@ -25,7 +25,7 @@ using Json = JsonCursor::Json;
 
 constexpr const char* kFormat = "glissade-plan";
 constexpr std::size_t kMostBytes = 256U << 20;
-constexpr std::size_t kMostConfigurations = 1'000'000;
+constexpr std::size_t kMostPlanConfigurations = 1'000'000;
 constexpr std::size_t kMostEffort = 64;
 constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
                                                                     {PlanEnd::Stuck, "stuck"},
@@ -179,7 +179,7 @@ class PlanReader {
 
   static std::vector<PathPoint> readPath(const JsonCursor& at) {
     std::vector<PathPoint> path;
-    for (std::size_t i = 0; i < at.sizeUpTo(kMostConfigurations); ++i) {
+    for (std::size_t i = 0; i < at.sizeUpTo(kMostPlanConfigurations); ++i) {
       const JsonCursor point = at.element(i);
       point.allowOnly({"position", "orientation", "author"});
       const Json pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};

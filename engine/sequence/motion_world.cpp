@@ -17,7 +17,7 @@ MotionWorld motionWorld(const AssembledProduct& product, const ProductFits& fits
 
 ParameterValues motionParameters(const RigidBody& body) {
   ParameterValues parameters(radiusAboutOrigin(*body.mesh));
-  static_cast<void>(parameters.set(ParameterId::Lanes, 1.0));
+  static_cast<void>(parameters.set(ParameterId::Slots, 1.0));
   return parameters;
 }
 

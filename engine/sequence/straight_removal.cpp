@@ -14,7 +14,7 @@ namespace {
 
 /// A body ends so far beyond the product's box, as a share of its radius.
 constexpr double kMargin = 0.05;
-constexpr double kAlike = 1.0 - 1e-9;
+constexpr double kSameLine = 1.0 - 1e-9;
 
 /// The shortest way along the direction after which the inner box is beyond the outer one, by the margin.
 double wayOut(const Box3& inner, const Box3& outer, const Vector3& direction, double margin) {
@@ -105,7 +105,7 @@ std::vector<StraightRemoval::Line*> StraightRemoval::inOrder(std::size_t body, L
   if (hint == learned_.end()) return order;
   const Vector3 direction = own.X_WB.orientation * hint->second;
   std::stable_partition(order.begin(), order.end(),
-                        [&](const Line* line) { return line->direction.dot(direction) > kAlike; });
+                        [&](const Line* line) { return line->direction.dot(direction) > kSameLine; });
   return order;
 }
 

@@ -15,14 +15,14 @@ namespace glissade {
 namespace {
 
 /// Depths of erosion, as shares of the object's radius; 0: it is too near, and does not touch.
-constexpr std::array<double, 9> kDepths{0.0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
+constexpr std::array<double, 9> kClearanceDepths{0.0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2};
 /// Edges of the eroded object have moved by less than its faces.
-constexpr std::array<double, 3> kDemands{1.05, 1.5, 2.0};
+constexpr std::array<double, 3> kClearanceDemands{1.05, 1.5, 2.0};
 /// The object slides by these shares of its radius, each so much longer than the one before.
-constexpr double kShortestSlide = 0.01;
-constexpr double kLongestSlide = 4.0;
-constexpr double kSlideFactor = 1.25;
-constexpr std::size_t kFaces = 6;
+constexpr double kShortestWayOut = 0.01;
+constexpr double kLongestWayOut = 4.0;
+constexpr double kWayOutFactor = 1.25;
+constexpr std::size_t kWayOutFaces = 6;
 
 class MoveToClearance {
  public:
@@ -32,10 +32,10 @@ class MoveToClearance {
   bool isFree() { return query_->clearAbove(q_, clearance_); }
 
   std::optional<Pose> retract() {
-    for (const double depth : kDepths) {
+    for (const double depth : kClearanceDepths) {
       const double by = depth * world_->objectRadius();
       const auto erodedQuery = eroded_.at(by)->makeQuery();
-      for (const double demand : kDemands) {
+      for (const double demand : kClearanceDemands) {
         if (stop_.stopRequested()) return std::nullopt;
         const auto found = retracted(*erodedQuery, q_, demand * (by + clearance_), world_->objectRadius());
         if (found && query_->clearAbove(*found, clearance_)) return *found;
@@ -47,7 +47,7 @@ class MoveToClearance {
   /// The shortest slide that the least eroded object makes.
   std::optional<Pose> slideOut() {
     const std::vector<Pose> ends = slideEnds();
-    for (const double depth : kDepths) {
+    for (const double depth : kClearanceDepths) {
       const double by = depth * world_->objectRadius();
       const auto erodedQuery = eroded_.at(by)->makeQuery();
       const double required = kErodedShare * (by + clearance_);
@@ -65,7 +65,7 @@ class MoveToClearance {
     const auto body = static_cast<std::size_t>(colliding ? *colliding : query_->nearestObstacle(q_).body);
     std::ostringstream reason;
     reason << "the object " << (colliding ? overlapWith(body) : nearnessTo(body))
-           << ", and no clear position was found within " << 1e3 * kLongestSlide * world_->objectRadius() << " mm";
+           << ", and no clear position was found within " << 1e3 * kLongestWayOut * world_->objectRadius() << " mm";
     return {ErrorKind::InCollision, "", "", reason.str(),
             "Switch fits on, put the object elsewhere, or check the parts and their unit."};
   }
@@ -77,7 +77,7 @@ class MoveToClearance {
   std::vector<Vector3> directions() const {
     std::vector<Vector3> directions;
     for (int axis = 0; axis < 3; ++axis) directions.push_back(Vector3::Unit(axis));
-    for (const Vector3& normal_B : largestFaceNormals(world_->object(), kFaces)) {
+    for (const Vector3& normal_B : largestFaceNormals(world_->object(), kWayOutFaces)) {
       directions.push_back(q_.orientation * normal_B);
     }
     const std::size_t count = directions.size();
@@ -90,7 +90,7 @@ class MoveToClearance {
     std::vector<std::pair<double, Pose>> found;
     for (const Vector3& direction : directions()) {
       if (stop_.stopRequested()) break;
-      for (double way = kShortestSlide; way <= kLongestSlide; way *= kSlideFactor) {
+      for (double way = kShortestWayOut; way <= kLongestWayOut; way *= kWayOutFactor) {
         Pose end = q_;
         end.position += way * world_->objectRadius() * direction;
         if (!query_->clearAbove(end, clearance_)) continue;

@@ -13,7 +13,7 @@ namespace glissade {
 namespace {
 
 constexpr double kAllowance = 0.02;
-constexpr double kRequired = 1e-4;
+constexpr double kVariantClearance = 1e-4;
 
 RigidBody ringBody(const std::string& name, double inner, double outer, const Pose& X_WB) {
   RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, X_WB);
@@ -78,17 +78,17 @@ TEST(ObjectVariants, BothBackendsAndTheJudgeAgree) {
     EXPECT_NEAR(distance, fcl->nearestObstacle(from).distance, 1e-8);
     EXPECT_NEAR(query->distanceUpTo(from, 0.1), std::min(0.1, distance), 1e-12);
     EXPECT_EQ(query->clearAbove(from, 0.01), distance > 0.01);
-    const MotionCheck check = query->checkMotion(from, to, kRequired, SeekViolation::Any, {});
-    const MotionCertificate judged = judge.check({from, to}, {{0.9 * kRequired, false}});
+    const MotionCheck check = query->checkMotion(from, to, kVariantClearance, SeekViolation::Any, {});
+    const MotionCertificate judged = judge.check({from, to}, {{0.9 * kVariantClearance, false}});
     if (check.status == CertificateStatus::Certified) {
       EXPECT_EQ(judged.status, CertificateStatus::Certified);
     }
     certified += check.status == CertificateStatus::Certified ? 1 : 0;
-    const MotionCheck first = query->checkMotion(from, to, kRequired, SeekViolation::First, {});
+    const MotionCheck first = query->checkMotion(from, to, kVariantClearance, SeekViolation::First, {});
     EXPECT_EQ(first.status, check.status);
     if (first.status == CertificateStatus::Violated) {
       EXPECT_LE(first.certified, first.at);
-      EXPECT_FALSE(query->clearAbove(interpolate(from, to, first.at), kRequired));
+      EXPECT_FALSE(query->clearAbove(interpolate(from, to, first.at), kVariantClearance));
     }
   }
   EXPECT_GT(certified, 30);
@@ -145,9 +145,9 @@ TEST(ObjectVariants, MotionsAreFreeWhereTheTrueBodyIsAndBlockedWhereItsCoreIs) {
     to.position = from.position + 0.2 * (to.position - from.position);
     to.orientation = from.orientation.slerp(0.1 * random.uniform(), to.orientation);
     const bool isFree =
-        query->checkMotion(from, to, kRequired, SeekViolation::Any, {}).status == CertificateStatus::Certified;
+        query->checkMotion(from, to, kVariantClearance, SeekViolation::Any, {}).status == CertificateStatus::Certified;
     const bool trueIsFree =
-        whole->checkMotion(from, to, kRequired, SeekViolation::Any, {}).status == CertificateStatus::Certified;
+        whole->checkMotion(from, to, kVariantClearance, SeekViolation::Any, {}).status == CertificateStatus::Certified;
     ASSERT_FALSE(trueIsFree && !isFree) << "the thinned body is larger than the true one";
     free += isFree ? 1 : 0;
     onlyThinned += isFree && !trueIsFree ? 1 : 0;
