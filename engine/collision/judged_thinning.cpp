@@ -1,6 +1,6 @@
 #include "engine/collision/judged_thinning.h"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -180,7 +180,8 @@ class JudgedBody {
       mean += angle * normals_[f];
       angles += angle;
     }
-    const Vector3 move = -((sum + kDamping * angles * Eigen::Matrix3d::Identity()).inverse() * right);
+    const Eigen::Matrix3d damped = sum + kDamping * angles * Eigen::Matrix3d::Identity();
+    const Vector3 move = -damped.colPivHouseholderQr().solve(right);
     if (const double share = shareOf(move, faces, allowance); share >= 0.0) return share * move;
     const Vector3 plain = mean.norm() > 0.0 ? Vector3(-allowance * mean / mean.norm()) : Vector3(Vector3::Zero());
     return std::max(0.0, shareOf(plain, faces, allowance)) * plain;
