@@ -48,6 +48,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolBar { border: none; border-bottom: 1px solid %2; padding: 3px 6px; spacing: 2px; }"
              "QToolButton { padding: 3px 6px; border: 1px solid transparent; border-radius: 4px; }"
              "QDockWidget QToolButton { border: 1px solid %2; background: %3; }"
+             "#qt_toolbar_ext_button { padding: 0px; min-width: 14px; }"  // what a narrow window has no room for
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"
              "QToolButton:focus { border: 1px solid %4; }"

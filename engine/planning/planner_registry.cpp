@@ -62,7 +62,7 @@ void addOmplPlanners(PlannerRegistry& registry) {
 /// To be measured beside ours.
 void addPeers(PlannerRegistry& registry) {
   const auto add = [&](std::string id, const std::string& algorithm, OmplAlgorithm which) {
-    registry.add({std::move(id), "OMPL as it is: " + algorithm,
+    registry.add({std::move(id), "OMPL unmodified: " + algorithm,
                   algorithm + " as OMPL's users run it: collisions by FCL, edges looked at every so often; the first "
                               "path is judged by our certificate.",
                   false, false, [which](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {

@@ -609,7 +609,7 @@
     </message>
     <message>
         <source>Play the r&amp;eplay</source>
-        <translation>&amp;Lire la relecture</translation>
+        <translation>&amp;Lancer la relecture</translation>
     </message>
     <message>
         <source>Let the replayed run pass, or hold it</source>
@@ -768,8 +768,8 @@
         <translation>Ne plus dessiner les obstacles sélectionnés ; la planification les connaît toujours</translation>
     </message>
     <message>
-        <source>Sho&amp;w them alone</source>
-        <translation>Montrer eux &amp;seuls</translation>
+        <source>&amp;Isolate the selected bodies</source>
+        <translation>&amp;Isoler les corps sélectionnés</translation>
     </message>
     <message>
         <source>Draw the selected obstacles and no others</source>
@@ -916,7 +916,7 @@
         <translation>Lire un chemin de ce scénario, prouver qu&apos;il tient ou voir où il est bloqué</translation>
     </message>
     <message>
-        <source>Remove edits that count n&amp;owhere</source>
+        <source>Remove edits with&amp;out effect</source>
         <translation>Retirer les m&amp;odifications sans effet</translation>
     </message>
     <message>
@@ -1208,7 +1208,7 @@
     </message>
     <message>
         <source>Required clearance</source>
-        <translation>Distance exigée</translation>
+        <translation>Jeu exigé</translation>
     </message>
     <message>
         <source>Repulsion</source>
@@ -1328,24 +1328,24 @@
         <translation>OMPL : EST</translation>
     </message>
     <message>
-        <source>OMPL as it is: RRT-Connect</source>
-        <translation>OMPL tel quel : RRT-Connect</translation>
+        <source>OMPL unmodified: RRT-Connect</source>
+        <translation>OMPL non modifié : RRT-Connect</translation>
     </message>
     <message>
-        <source>OMPL as it is: RRT</source>
-        <translation>OMPL tel quel : RRT</translation>
+        <source>OMPL unmodified: RRT</source>
+        <translation>OMPL non modifié : RRT</translation>
     </message>
     <message>
-        <source>OMPL as it is: TRRT</source>
-        <translation>OMPL tel quel : TRRT</translation>
+        <source>OMPL unmodified: TRRT</source>
+        <translation>OMPL non modifié : TRRT</translation>
     </message>
     <message>
-        <source>OMPL as it is: BiTRRT</source>
-        <translation>OMPL tel quel : BiTRRT</translation>
+        <source>OMPL unmodified: BiTRRT</source>
+        <translation>OMPL non modifié : BiTRRT</translation>
     </message>
     <message>
-        <source>OMPL as it is: BKPIECE</source>
-        <translation>OMPL tel quel : BKPIECE</translation>
+        <source>OMPL unmodified: BKPIECE</source>
+        <translation>OMPL non modifié : BKPIECE</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -2147,16 +2147,16 @@
         <translation>Combien</translation>
     </message>
     <message>
-        <source>Object and</source>
-        <translation>Objet et</translation>
+        <source>Nearest body</source>
+        <translation>Corps le plus proche</translation>
     </message>
     <message>
         <source>Place on the way of least penetration</source>
         <translation>Place sur le chemin de moindre pénétration</translation>
     </message>
     <message>
-        <source>Nothing was looked into yet.</source>
-        <translation>Rien n&apos;a encore été examiné.</translation>
+        <source>Not analysed yet.</source>
+        <translation>Pas encore analysé.</translation>
     </message>
     <message>
         <source>With &lt;b&gt;%1&lt;/b&gt; given between the object and &lt;b&gt;%2&lt;/b&gt; there is a way.</source>
@@ -3181,7 +3181,7 @@
     </message>
     <message>
         <source>Reset %1</source>
-        <translation>Rendre %1</translation>
+        <translation>Réinitialiser %1</translation>
     </message>
     <message>
         <source>Rename place</source>
@@ -3205,7 +3205,7 @@
     </message>
     <message>
         <source>Reset milestone</source>
-        <translation>Rendre le jalon</translation>
+        <translation>Réinitialiser le jalon</translation>
     </message>
     <message>
         <source>Remove edits that count nowhere</source>

@@ -26,7 +26,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
     : QWidget(parent), summary_(new QLabel(this)), rows_(new QTreeWidget(this)), slider_(new WaySlider(this)) {
   summary_->setWordWrap(true);
   rows_->setObjectName(QStringLiteral("difficulty"));
-  rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Object and")});
+  rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Nearest body")});
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
   rows_->setAlternatingRowColors(true);
@@ -47,7 +47,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   });
   connect(slider_, &WaySlider::poseShown, this, [this](const Pose& pose, double /*share*/) { emit poseShown(pose); });
   connect(slider_, &WaySlider::playbackEnded, this, &DifficultyPanel::playbackEnded);
-  summary_->setText(tr("Nothing was looked into yet."));
+  summary_->setText(tr("Not analysed yet."));
 }
 
 void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const LoadedScenario& scenario) {
@@ -59,7 +59,7 @@ void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const Loade
   }
   const bool way = difficulty && difficulty->leastPenetration;
   slider_->setWay(way ? difficulty->leastPenetration->way : std::vector<Pose>(), scenario.problem.metric());
-  if (!difficulty) summary_->setText(tr("Nothing was looked into yet."));
+  if (!difficulty) summary_->setText(tr("Not analysed yet."));
   emit poseShown(std::nullopt);
 }
 

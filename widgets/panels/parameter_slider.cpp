@@ -14,6 +14,8 @@ namespace glissade {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+/// Metres: numbers in millimetres have three decimals.
+constexpr double kSmallestInMillimetres = 1e-5;
 /// Of what sets itself: Okabe and Ito's orange, which nothing else in the panels has.
 constexpr QRgb kTunedColour = 0xffe69f00;
 
@@ -43,7 +45,6 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setKeyboardTracking(false);
   number_->setFixedWidth(std::max(96, number_->fontMetrics().horizontalAdvance(QStringLiteral("0000.0 mm")) + 24));
   number_->setAlignment(Qt::AlignRight);
-  if (spec.unit == "m") number_->setSuffix(QStringLiteral(" mm"));
   const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());
   setToolTip(help);
   auto* layout = new QGridLayout(this);
@@ -63,11 +64,24 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
 
 void ParameterSlider::setObjectRadius(double radius) {
   const QSignalBlocker blockNumber(number_);
+  const double before = value();
   range_ = rangeOf(id_, radius);
+  showUnit(radius);
   logarithmic_ = range_.minimum > 0.0 && range_.maximum / range_.minimum > 100.0;
   number_->setRange(range_.minimum * shownPerUnit_, range_.maximum * shownPerUnit_);
+  number_->setValue(before * shownPerUnit_);
   const double step = (range_.maximum - range_.minimum) * shownPerUnit_ / 100.0;
   number_->setSingleStep(specOf(id_).integer ? 1.0 : step);
+}
+
+/// Micrometres where the usual value would be shown as 0 mm.
+void ParameterSlider::showUnit(double radius) {
+  const ParameterSpec& spec = specOf(id_);
+  if (spec.unit != "m") return;
+  const double usual = spec.scale == ParameterScale::ObjectRadius ? radius * spec.defaultValue : spec.defaultValue;
+  const bool micrometres = usual < kSmallestInMillimetres;
+  shownPerUnit_ = micrometres ? 1e6 : 1e3;
+  number_->setSuffix(micrometres ? QStringLiteral(" µm") : QStringLiteral(" mm"));
 }
 
 void ParameterSlider::setValue(double value) {

@@ -36,6 +36,7 @@ class ParameterSlider final : public QWidget {
   void tuningChosen(bool tuned);
 
  private:
+  void showUnit(double radius);
   double fromPosition(int position) const;
   int toPosition(double value) const;
   void sliderMoved(int position);
@@ -43,7 +44,7 @@ class ParameterSlider final : public QWidget {
   QToolButton* makeTuningButton();
 
   ParameterId id_;
-  double shownPerUnit_;  ///< millimetres per metre, or 1
+  double shownPerUnit_;  ///< millimetres or micrometres per metre, or 1
   ParameterRange range_{0.0, 1.0};
   bool logarithmic_ = false;
   QSlider* slider_;
