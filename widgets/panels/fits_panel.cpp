@@ -102,7 +102,7 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   setFits(nullptr);
 }
 
-void FitsPanel::setFits(const ProductFits& fits) {
+void FitsPanel::setFits(const PairFitsPtr& fits) {
   fits_ = fits;
   table_->setSortingEnabled(false);
   table_->clear();

@@ -13,7 +13,7 @@
 
 namespace glissade {
 
-using ProductFits = std::shared_ptr<const std::vector<PairFit>>;
+using PairFitsPtr = std::shared_ptr<const std::vector<PairFit>>;
 
 /// The pairs of bodies that touch or overlap as loaded: kind, gap or overlap, allowance, status. The table can be
 /// sorted by every column and filtered by a text.
@@ -24,8 +24,8 @@ class FitsPanel final : public QWidget {
   explicit FitsPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   /// Null: not analysed yet, or not any more.
-  void setFits(const ProductFits& fits);
-  const ProductFits& fits() const { return fits_; }
+  void setFits(const PairFitsPtr& fits);
+  const PairFitsPtr& fits() const { return fits_; }
   /// The pair of the current row; null: none.
   const PairFit* chosen() const;
   /// Makes the row of this pair the current one. False: there is none.
@@ -41,7 +41,7 @@ class FitsPanel final : public QWidget {
   void filter(const QString& text);
   QString summary() const;
 
-  ProductFits fits_;
+  PairFitsPtr fits_;
   QLabel* summary_;
   QLineEdit* filter_;
   QTreeWidget* table_;
