@@ -67,22 +67,5 @@ build_and_run release ""
 build_and_run asan "import_test scenario_test mutate_readers" -L 'import|scenario|fuzz'
 build_and_run tsan "session_test operator_test haptic_test slots_test" -L 'session|operator|slots'
 
-# clang-tidy of some of what differs from main, on main of what the last commit changed. All files take an hour:
-# packaging/lint.sh --all. It compiles each file alone, which the builds above do not.
-lint_changes() {
-  local revision
-  revision=$(git merge-base HEAD main 2>/dev/null) || revision=
-  if [ -z "$revision" ] || [ "$revision" = "$(git rev-parse HEAD)" ]; then revision=HEAD~1; fi
-  if ! git rev-parse --verify --quiet "$revision^{commit}" >/dev/null; then
-    echo "clang-tidy: skipped, there is no earlier revision"
-    skipped=$((skipped + 1))
-  elif packaging/lint.sh --since "$revision" --at-most 10; then
-    passed=$((passed + 1))
-  else
-    failed=$((failed + 1))
-  fi
-}
-lint_changes
-
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]
