@@ -9,39 +9,12 @@
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
 #include "engine/product/product_fits.h"
-#include "engine/scenario/part_files.h"
-#include "engine/scenario/scenario_fits.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/scenario/product_file.h"
 
 namespace glissade::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Bodies = std::vector<ContactBody>;
-
-/// A product and what a person says about its fits.
-struct Product {
-  Bodies bodies;
-  FitSettings settings;
-};
-
-Result<Product> productOfParts(const std::string& file, const StopToken& stop) {
-  GeometryCache read;
-  const auto geometry = readPart(usualPart(file), read, stop);
-  if (!geometry) return geometry.error();
-  Bodies bodies;
-  for (const GeometryPart& part : (*geometry)->parts) {
-    bodies.push_back({part.name.empty() ? file : part.name, part.mesh, part.X_BP, part.deflection});
-  }
-  return Product{std::move(bodies), {}};
-}
-
-Result<Product> productOfScenario(const std::string& file, const StopToken& stop) {
-  const auto loaded = loadScenario(file, stop);
-  if (!loaded) return loaded.error();
-  reportWarnings(loaded->warnings);
-  return Product{contactBodiesOf(*loaded), loaded->scenario.fits};
-}
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -127,12 +100,12 @@ Outcome checkLimits(const ContactLimits& limits) {
 int runFits(const FitsOptions& options) {
   if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
-  const bool parts = isPartFile(usualPart(options.file).path);
-  const auto product =
-      parts ? productOfParts(options.file, interrupt.token()) : productOfScenario(options.file, interrupt.token());
-  if (!product) return reportError(product.error(), options.format);
+  const auto loaded = readProduct(options.file, interrupt.token());
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  const AssembledProduct& product = loaded->product;
   const std::vector<PairFit> rows =
-      findProductFits(product->bodies, product->settings, options.limits, interrupt.token());
+      findProductFits(contactBodiesOf(product), product.fits, options.limits, interrupt.token());
   if (interrupt.requested()) {
     return reportError({ErrorKind::Interrupted, options.file, "", "was interrupted", "Start again."}, options.format);
   }
@@ -141,7 +114,7 @@ int runFits(const FitsOptions& options) {
   } else if (options.csv) {
     printCsv(rows);
   } else {
-    printTable(rows, product->bodies.size());
+    printTable(rows, product.bodies.size());
   }
   return 0;
 }

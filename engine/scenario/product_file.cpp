@@ -48,15 +48,20 @@ double largestTwo(std::vector<double> values) {
 
 }  // namespace
 
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop) {
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop) {
   auto loaded = isPartFile(usualPart(file).path) ? productOfParts(file, stop) : productOfScenario(file, stop);
+  if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
+  return loaded;
+}
+
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop) {
+  auto loaded = readProduct(file, stop);
   if (!loaded) return loaded;
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",
                       "Give a product of several parts."};
   }
   loaded->product.bodies = aboutTheirMiddles(std::move(loaded->product.bodies));
-  loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
 }
 

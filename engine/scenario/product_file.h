@@ -15,9 +15,13 @@ struct ProductFile {
   Warnings warnings;
 };
 
-/// The bodies of a part file (`file` as usualPart() takes it: a STEP file, an assembly in one, a URDF or mesh file), or
-/// of a scenario with its object at the start. Fits are on for part files, and as the scenario says.
-/// Errors: those of the importers, MalformedInput where there are less than two bodies, Interrupted.
+/// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
+/// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,
+/// and as the scenario says. Errors: those of the importers, Interrupted.
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {});
+
+/// The same with each body about its middle, as what moves is. Errors: as of readProduct(), and MalformedInput where
+/// there are less than two bodies.
 Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {});
 
 }  // namespace glissade

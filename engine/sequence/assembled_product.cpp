@@ -11,6 +11,15 @@ std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) cons
   return static_cast<std::size_t>(found - bodies.begin());
 }
 
+std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product) {
+  std::vector<ContactBody> bodies;
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    const RigidBody& body = product.bodies[i];
+    bodies.push_back({body.id, body.mesh, body.X_WB, product.deflections[i]});
+  }
+  return bodies;
+}
+
 std::vector<std::size_t> bodiesIn(const BodySet& set) {
   std::vector<std::size_t> indices;
   for (std::size_t body = 0; body < set.size(); ++body) {

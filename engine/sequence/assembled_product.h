@@ -19,6 +19,9 @@ struct AssembledProduct {
   std::optional<std::size_t> indexOf(const std::string& id) const;
 };
 
+/// The bodies as findContacts() takes them, in their order.
+std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product);
+
 /// Which bodies of a product are there: one entry each.
 using BodySet = std::vector<bool>;
 

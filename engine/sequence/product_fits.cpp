@@ -32,12 +32,7 @@ std::vector<Contact> contactsOf(std::size_t body, const ContactReport& report) {
 }
 
 ContactReport contactsOf(const AssembledProduct& product, const StopToken& stop) {
-  std::vector<ContactBody> bodies;
-  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
-    const RigidBody& body = product.bodies[i];
-    bodies.push_back({body.id, body.mesh, body.X_WB, product.deflections[i]});
-  }
-  return findContacts(bodies, {}, stop);
+  return findContacts(contactBodiesOf(product), {}, stop);
 }
 
 std::vector<Vector3> axesOf(const std::vector<Contact>& contacts) {
