@@ -94,7 +94,7 @@ void FitsController::editChosen(const QString& text, const std::function<void(Fi
     return Outcome(Done{});
   };
   if (const Outcome edited = bench_.document.edit(text, changeFits); !edited) {
-    bench_.messages.showError(tr("This cannot be said about the fit"), edited.error());
+    bench_.messages.showError(tr("The fit cannot be changed"), edited.error());
   }
 }
 

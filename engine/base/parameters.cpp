@@ -59,10 +59,11 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::GuidanceAttraction, "guidance_attraction", "--guidance-attraction", "", "Attraction", "", 0.0, 1.0, 0.3,
      Scale::Absolute, false, true, "Guidance: how strongly the path or the next milestone draws the hand; 0 is off."},
     {Id::OmplRange, "ompl_range", "--ompl-range", "", "OMPL's range", "", 0.0, 1.0, 0.0, Scale::Absolute, false, false,
-     "Longest edge of the planners that are OMPL as it is, as a share of the space's extent; 0 is OMPL's default."},
+     "Longest edge of the planners of unmodified OMPL, as a share of the space's extent; 0 is OMPL's default."},
     {Id::OmplResolution, "ompl_resolution", "--ompl-resolution", "", "OMPL's resolution", "", 1e-5, 0.5, 0.01,
      Scale::Absolute, false, false,
-     "The planners that are OMPL as it is look at an edge every so often, as a share of the space's extent."},
+     "Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space's "
+     "extent."},
     {Id::Tuning, "tuning", "--tuning", "", "Automatic tuning", "", 0.0, 7.0, 0.0, Scale::Absolute, true, true,
      "What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three."},
     {Id::Slots, "lanes", "--lanes", "", "Planners side by side", "", 1.0, 32.0, 4.0, Scale::Absolute, true, false,

@@ -8,7 +8,7 @@
 
 namespace glissade {
 
-/// A product whose bodies may leave one by one. The frame B of each body is where it turns best: in the middle of its
+/// A product whose bodies may leave one by one. The origin of the frame B of each body is the middle of its
 /// bounding box. Bodies of the same geometry share their mesh. Immutable while a sequence is planned.
 struct AssembledProduct {
   std::vector<RigidBody> bodies;    ///< X_WB is the assembled configuration

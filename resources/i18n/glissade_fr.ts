@@ -40,8 +40,8 @@
         <translation>&amp;Garder le graphe</translation>
     </message>
     <message>
-        <source>Draw the roadmap in full while a path is shown; else it is faint then</source>
-        <translation>Dessiner le graphe en entier pendant qu&apos;un chemin est affiché ; sinon il est alors estompé</translation>
+        <source>Draw the roadmap in full, not faint, while a path is shown</source>
+        <translation>Dessiner le graphe en entier, sans l&apos;estomper, pendant qu&apos;un chemin est affiché</translation>
     </message>
     <message>
         <source>Shaded with &amp;edges</source>
@@ -3564,8 +3564,8 @@
         <translation>Recherche des ajustements</translation>
     </message>
     <message>
-        <source>This cannot be said about the fit</source>
-        <translation>Ceci ne peut pas être dit de l&apos;ajustement</translation>
+        <source>The fit cannot be changed</source>
+        <translation>L&apos;ajustement ne peut pas être modifié</translation>
     </message>
 </context>
 <context>

@@ -193,7 +193,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"view.path-authors", QT_TRANSLATE_NOOP("Actions", "Path by &author"), "Ctrl+Shift+A",
        QT_TRANSLATE_NOOP("Actions", "Colour the path by who made each segment: computer, operator, contact"), true},
       {"view.keep-roadmap", QT_TRANSLATE_NOOP("Actions", "&Keep the roadmap"), "",
-       QT_TRANSLATE_NOOP("Actions", "Draw the roadmap in full while a path is shown; else it is faint then"), true},
+       QT_TRANSLATE_NOOP("Actions", "Draw the roadmap in full, not faint, while a path is shown"), true},
       {"display.shaded-edges", QT_TRANSLATE_NOOP("Actions", "Shaded with &edges"), "Ctrl+Shift+1",
        QT_TRANSLATE_NOOP("Actions", "Draw bodies opaque, with their edges"), true},
       {"display.shaded", QT_TRANSLATE_NOOP("Actions", "&Shaded"), "Ctrl+Shift+2",

@@ -36,7 +36,7 @@ std::vector<Vector3> boxEdges(const Box3& box);
 
 /// For lines and points: unlit, and drawn after the see-through surfaces, which would paint over them.
 void makeDrawing(osg::Node& node);
-/// Drawn over everything that was drawn before it, whatever its parts say of depth.
+/// Drawn over everything that was drawn before it: the depth tests of its parts are overridden.
 void makeOverlay(osg::Node& node);
 /// For surfaces that are seen through: blended, hiding nothing.
 void makeTransparent(osg::Node& node);

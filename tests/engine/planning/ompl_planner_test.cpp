@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(Algorithms, OmplPlannerTest,
                                          OmplAlgorithm::Est),
                          testName);
 
-/// Planners that are OMPL as it is.
+/// Planners of unmodified OMPL.
 class OmplPeerTest : public testing::TestWithParam<OmplAlgorithm> {
  protected:
   std::unique_ptr<OmplPlanner> make(const Problem& problem) const {
