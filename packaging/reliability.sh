@@ -2,7 +2,9 @@
 # Runs everything that attacks Glissade, and writes what it came to as a table: packaging/RELIABILITY.md.
 # Takes hours; --quick, some minutes. Rows are kept in build/reliability/COMMIT and not run again for that commit, so
 # that the command can be interrupted, and rows can be run one by one. The table names rows that were not run.
-# usage: packaging/reliability.sh [--quick] [--seed N] [--only PATTERN] [--out FILE] [--work DIR] [--no-build] [--list]
+# usage: packaging/reliability.sh [--quick] [--seed N] [--fuzz-seconds N] [--only PATTERN] [--out FILE] [--work DIR]
+#        [--no-build] [--list]
+# --fuzz-seconds  libFuzzer runs so long on each target (600)
 # --only    runs the campaigns whose names hold the PATTERN (a regular expression), and writes the table with all rows
 # --work    keeps the rows in another folder
 # --no-build runs what is built already (release, asan, fuzz)
@@ -11,16 +13,17 @@ set -uo pipefail
 cd "$(dirname "$0")/.." || exit 2
 
 usage() {
-  sed -n 's/^# usage: /usage: /p' "$0" >&2
+  sed -n '/^# usage: /,/^#  /s/^# //p' "$0" >&2
   exit 2
 }
-quick='' seed=1 out=packaging/RELIABILITY.md build=yes work='' only='' list=''
+quick='' seed=1 fuzz_seconds='' out=packaging/RELIABILITY.md build=yes work='' only='' list=''
 while [ $# -gt 0 ]; do
   case "$1" in
     --quick) quick=--quick ;;
     --no-build) build='' ;;
     --list) list=yes ;;
     --seed) [ $# -ge 2 ] || usage; seed=$2; shift ;;
+    --fuzz-seconds) [ $# -ge 2 ] || usage; fuzz_seconds=$2; shift ;;
     --only) [ $# -ge 2 ] || usage; only=$2; shift ;;
     --out) [ $# -ge 2 ] || usage; out=$2; shift ;;
     --work) [ $# -ge 2 ] || usage; work=$2; shift ;;
@@ -30,10 +33,11 @@ while [ $# -gt 0 ]; do
 done
 
 if [ -n "$quick" ]; then
-  variants=20 truncations=20 paths=300 mutations=2000 fuzz_seconds=10 kills=100 soak_minutes=1
+  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 soak_minutes=1
 else
-  variants=200 truncations=1000000 paths=10000 mutations=80000 fuzz_seconds=600 kills=1000 soak_minutes=20
+  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 soak_minutes=20
 fi
+: "${fuzz_seconds:=$default_fuzz_seconds}"
 
 # The commit that is tried; with what was changed since.
 commit=$(git rev-parse --short HEAD 2>/dev/null || echo unknown)
