@@ -1,6 +1,7 @@
 #include "app/script/script_runner.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 
 namespace glissade {
 
@@ -20,6 +21,8 @@ std::optional<Diagnostic> runScript(const std::vector<ScriptLine>& lines, const 
     const Outcome outcome = commands.carryOut(line.name, line.words);
     if (!outcome) return atLine(outcome.error(), file, line);
     QCoreApplication::processEvents();
+    // Only the application's own loop would delete these, and a script runs inside of it.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     if (const auto why = takeFailure()) return atLine(*why, file, line);
   }
   return std::nullopt;

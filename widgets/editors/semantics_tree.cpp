@@ -2,8 +2,8 @@
 
 #include <QHeaderView>
 #include <QLocale>
-#include <QPixmap>
 
+#include "widgets/commands/colour_swatch.h"
 #include "widgets/document/complexity_colour.h"
 
 namespace glissade {
@@ -12,11 +12,7 @@ namespace {
 constexpr int kKeyRole = Qt::UserRole;         // number of the place, or id of the body
 constexpr int kSearchRole = Qt::UserRole + 1;  // what the filter looks at
 
-QIcon swatch(const Colour& colour) {
-  QPixmap pixmap(14, 14);
-  pixmap.fill(QColor::fromRgbF(colour[0], colour[1], colour[2]));
-  return pixmap;
-}
+QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
 QTreeWidgetItem* makeGroup(QTreeWidget* tree) {
   auto* group = new QTreeWidgetItem(tree);

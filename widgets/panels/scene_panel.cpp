@@ -2,8 +2,9 @@
 
 #include <QHeaderView>
 #include <QLocale>
-#include <QPixmap>
 #include <QSignalBlocker>
+
+#include "widgets/commands/colour_swatch.h"
 
 namespace glissade {
 namespace {
@@ -12,11 +13,7 @@ constexpr int kBodyRole = Qt::UserRole;     // of bodies
 constexpr int kEndRole = Qt::UserRole + 1;  // of start and goal: AssemblyItem::Kind
 constexpr int kObstacleRole = Qt::UserRole + 2;
 
-QIcon swatch(const Colour& colour) {
-  QPixmap pixmap(14, 14);
-  pixmap.fill(QColor::fromRgbF(colour[0], colour[1], colour[2]));
-  return pixmap;
-}
+QIcon swatch(const Colour& colour) { return colourSwatch(QColor::fromRgbF(colour[0], colour[1], colour[2])); }
 
 QString place(const Pose& pose) {
   const QLocale locale;
