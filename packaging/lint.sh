@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Checks the style of the C++ sources: clang-format for the layout, clang-tidy for suspicious code.
 # usage: packaging/lint.sh --format        layout of all files: some seconds. The test Style.Format.
-#        packaging/lint.sh [--since REV [--at-most N]]
-#                                          layout of all files, clang-tidy of the files changed since REV
-#                                          (default: HEAD, that is what is not committed); of more than N changed
-#                                          files, N are chosen, others in each revision
-#        packaging/lint.sh --all           layout of all files, clang-tidy of all files
+#        packaging/lint.sh --since REV     layout of all files, clang-tidy of the files changed since REV
+#        packaging/lint.sh --unrecorded    the same of the files whose content packaging/lint_clean.txt does not list;
+#                                          part of packaging/test.sh
+#        packaging/lint.sh --record        the same; if all are clean, writes packaging/lint_clean.txt anew
+#        packaging/lint.sh --all           layout and clang-tidy of all files: 15 minutes of the processor
+# clang-tidy takes seconds for a file. So the contents that it found clean are recorded, and checked when they change.
 # JOBS: how many files at once (default: the number of cores).
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -13,6 +14,7 @@ cd "$(dirname "$0")/.."
 folders=(engine widgets app tests samples)
 jobs=${JOBS:-$(nproc)}
 build=build/lint
+record=packaging/lint_clean.txt
 
 require() {
   command -v "$1" >/dev/null && return
@@ -36,11 +38,12 @@ check_format() {
   echo "clang-format: $found files are clean"
 }
 
-# Writes the compile database. clang-tidy cannot read GCC's precompiled headers, so this build has none.
+# configure UNITY: writes the compile database. clang-tidy cannot read GCC's precompiled headers, so this build has none.
 configure() {
+  build=build/lint-$1
   mkdir -p build
   if ! cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGLISSADE_TESTS=ON -DGLISSADE_BENCHMARKS=ON \
-       -DGLISSADE_PRECOMPILE=OFF -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$build.log" 2>&1; then
+       -DGLISSADE_PRECOMPILE=OFF -DGLISSADE_UNITY="$1" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$build.log" 2>&1; then
     tail -n 20 "$build.log" >&2
     return 1
   fi
@@ -51,11 +54,10 @@ compiled_sources() {
   sed -n "s|^ *\"file\": \"$PWD/\(.*\.cpp\)\".*|\1|p" "$build/compile_commands.json" | grep -v '^build/' | sort -u
 }
 
-# Prints the compiled sources that show what has changed since the revision $1: the changed sources, and of each
-# changed header its own source or, where it has none, one source that includes it.
-changed_sources() {
+# Reads names of changed files. Prints the compiled sources that show them: the changed sources, and of each changed
+# header its own source or, where it has none, one source that includes it.
+sources_showing() {
   local file
-  { git diff --name-only --diff-filter=d "$1" -- "${folders[@]}"; git ls-files --others --exclude-standard -- "${folders[@]}"; } |
   while read -r file; do
     case "$file" in
       *.cpp) echo "$file" ;;
@@ -66,6 +68,21 @@ changed_sources() {
   done | sort -u | comm -12 - <(compiled_sources)
 }
 
+changed_since() {
+  git diff --name-only --diff-filter=d "$1" -- "${folders[@]}"
+  git ls-files --others --exclude-standard -- "${folders[@]}"
+}
+
+# Prints a line for each file: its content's digest and its name. Other checks make other digests.
+digests() {
+  local checks
+  checks=$(sha256sum .clang-tidy | cut -c1-8)
+  find "${folders[@]}" -name '*.h' -o -name '*.cpp' | LC_ALL=C sort | xargs sha256sum |
+    awk -v checks="$checks" '{ print checks substr($1, 1, 16), $2 }'
+}
+
+unrecorded() { digests | LC_ALL=C sort | LC_ALL=C comm -23 - <(LC_ALL=C sort "$record" 2>/dev/null) | cut -d' ' -f2; }
+
 # Runs clang-tidy on the sources that standard input names.
 check_tidy() {
   local files
@@ -74,8 +91,9 @@ check_tidy() {
     echo "clang-tidy: no file has changed"
     return 0
   fi
-  # Warnings that only GCC knows are in the compile commands.
+  # Sources that are compiled together are included by one that CMake writes.
   if ! printf '%s\0' "${files[@]}" | xargs -0 -P "$jobs" -n 1 clang-tidy --quiet -p "$build" \
+       --checks=-bugprone-suspicious-include --header-filter="^$PWD/(engine|widgets|app|tests|samples)/" \
        >"$build-tidy.log" 2>"$build-tidy.err"; then
     grep -E 'error:|warning:' "$build-tidy.log" | sort -u
     echo "lint.sh: clang-tidy has findings in ${#files[@]} files, listed above (details: $build-tidy.log)" >&2
@@ -84,37 +102,44 @@ check_tidy() {
   echo "clang-tidy: ${#files[@]} files are clean"
 }
 
-# Of more than $1 lines of standard input, prints $1; which ones, depends on the revision.
-choose() {
-  local lines
-  mapfile -t lines
-  if [ "${#lines[@]}" -gt "$1" ]; then
-    echo "clang-tidy: $1 of ${#lines[@]} changed files" >&2
-    printf '%s\n' "${lines[@]}" | shuf --random-source=<(git rev-parse HEAD | sed 'h;G;G;G;G;G;G;G;G;G;G;G;G;G;G;G') -n "$1"
-  elif [ "${#lines[@]}" -gt 0 ]; then
-    printf '%s\n' "${lines[@]}"
+# All sources, compiled together by folder: headers are read once for all sources of a folder.
+check_all() {
+  configure ON || return 1
+  sed -n 's|^ *"file": "\(.*\)".*|\1|p' "$build/compile_commands.json" | grep -vE '_autogen/|\.qrc|qrc_' | sort -u | check_tidy
+}
+
+# Checks the files that standard input names; of many, all files are checked, which is quicker.
+check_changed() {
+  local changed sources
+  changed=$(cat)
+  configure OFF || return 1
+  sources=$(sources_showing <<<"$changed")
+  if [ "$(grep -c . <<<"$sources")" -gt 150 ]; then
+    check_all
+  else
+    { grep . <<<"$sources" || true; } | check_tidy
   fi
 }
 
 usage() {
-  sed -n '3,9s/^# //p' "$0" >&2
+  sed -n '3,10s/^# //p' "$0" >&2
   exit 2
 }
 
-mode=${1:---since}
+mode=${1:-}
 case "$mode" in
-  --format|--all) [ $# -eq 1 ] ;;
-  --since) [ $# -eq 0 ] || [ $# -eq 2 ] || { [ $# -eq 4 ] && [ "$3" = --at-most ] && [ "$4" -gt 0 ]; } ;;
+  --format|--all|--unrecorded|--record) [ $# -eq 1 ] ;;
+  --since) [ $# -eq 2 ] ;;
   *) false ;;
 esac || usage
 check_format || exit 1
 [ "$mode" != --format ] || exit 0
 require clang-tidy
-configure || exit 1
-if [ "$mode" = --all ]; then
-  compiled_sources | check_tidy
-else
-  revision=${2:-HEAD}
-  git rev-parse --verify --quiet "$revision^{commit}" >/dev/null || { echo "lint.sh: there is no revision '$revision'" >&2; exit 2; }
-  changed_sources "$revision" | choose "${4:-100000}" | check_tidy
-fi
+case "$mode" in
+  --all) check_all ;;
+  --since)
+    git rev-parse --verify --quiet "$2^{commit}" >/dev/null || { echo "lint.sh: there is no revision '$2'" >&2; exit 2; }
+    changed_since "$2" | check_changed ;;
+  --unrecorded) unrecorded | check_changed ;;
+  --record) unrecorded | check_changed && digests >"$record" ;;
+esac

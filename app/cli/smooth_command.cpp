@@ -37,7 +37,8 @@ int runSmooth(const SmoothOptions& options) {
   path.certificate = certifyPath(*problem.world->makeQuery(), path.points, loaded->parameters, interrupt.token());
   if (path.certificate.status != CertificateStatus::Certified) {
     return reportError({ErrorKind::NoPath, options.input, "edge " + std::to_string(path.certificate.edge),
-                        inWords(path.certificate, *problem.world), "Only certified paths are smoothed."},
+                        inWords(path.certificate, *problem.world),
+                        "Only certified paths are smoothed. glissade-cli check says more about the path."},
                        options.format);
   }
   const Path shorter =

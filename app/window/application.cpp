@@ -145,8 +145,8 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   if (parser.isSet("screenshot")) {
     const QString file = parser.value("screenshot");
-    const Outcome saved = savePicture(pictureOf(window), file);
-    if (!saved) return fail(saved.error());
+    const SaveResult saved = savePicture(pictureOf(window), file);
+    if (!saved) return fail(saved.why);
   }
   return batch ? 0 : QApplication::exec();
 }

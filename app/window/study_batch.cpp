@@ -65,8 +65,8 @@ std::optional<Diagnostic> takePicture(const StudyFolder& folder, const StudyRun&
   bench.scene.view().fit();
   QApplication::processEvents();
   const std::string name = pictureName(folder, run.cell);
-  const Outcome picture = savePicture(bench.scene.picture(), QString::fromStdString(name + ".png"));
-  if (!picture) return picture.error();
+  const SaveResult picture = savePicture(bench.scene.picture(), QString::fromStdString(name + ".png"));
+  if (!picture) return picture.why;
   const Outcome saved =
       writeFileAtomically(name + ".txt", captionOf(folder.plan().study.cells[run.cell], run, outcome));
   return saved ? std::nullopt : std::optional<Diagnostic>(saved.error());
@@ -109,9 +109,10 @@ std::optional<Diagnostic> writeFolderPdf(const QString& path) {
   const auto report = isStudy ? studyReport(path, warnings) : benchmarkPage(path.toStdString(), warnings);
   if (!report) return report.error();
   say(warnings);
-  const Outcome written =
+  const SaveResult written =
       writeReportPdf(*report, path + QStringLiteral("/%1.pdf").arg(isStudy ? "report" : "benchmarks"));
-  return written ? std::nullopt : std::optional<Diagnostic>(written.error());
+  say(written.warnings);
+  return written ? std::nullopt : std::optional<Diagnostic>(written.why);
 }
 
 }  // namespace glissade

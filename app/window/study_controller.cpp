@@ -56,16 +56,19 @@ void StudyController::choosePdf() {
       QFileDialog::getSaveFileName(&bench_.window, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
   if (file.isEmpty()) return;
   Warnings warnings;
-  const Outcome written = writeReportPdf(reportOf(folder, warnings, studyLanguage()), file);
-  if (!written) bench_.messages.showError(tr("The report cannot be written"), written.error());
+  showSaved(writeReportPdf(reportOf(folder, warnings, studyLanguage()), file), tr("The report cannot be written"));
 }
 
 void StudyController::choosePlotFile() {
   const QString file = QFileDialog::getSaveFileName(browser_, tr("Save the plot"), QStringLiteral("plot.svg"),
                                                     tr("Drawings (*.svg);;Pictures (*.png)"));
-  if (file.isEmpty() || browser_->plot()->save(file)) return;
-  bench_.messages.showError(tr("The plot cannot be saved"), {ErrorKind::Internal, file.toStdString(), "",
-                                                             "cannot be written", "Choose another folder."});
+  if (!file.isEmpty()) showSaved(browser_->plot()->save(file), tr("The plot cannot be saved"));
+}
+
+void StudyController::showSaved(const SaveResult& saved, const QString& failure) {
+  if (!saved) return bench_.messages.showError(failure, saved.why);
+  if (saved.warnings.empty()) return;
+  bench_.messages.showError(tr("The file was saved, with a warning"), saved.warnings.front());
 }
 
 void StudyController::enablePlotActions() {

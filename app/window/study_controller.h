@@ -41,6 +41,8 @@ class StudyController final : public QObject {
   void choose();
   void choosePdf();
   void choosePlotFile();
+  /// Says why a file was not saved, or what of it is not as expected.
+  void showSaved(const SaveResult& saved, const QString& failure);
   void enablePlotActions();
   void watch(const SnapshotPtr& snapshot);
 

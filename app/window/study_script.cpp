@@ -37,12 +37,12 @@ Outcome selectPlot(StudyBrowser& browser, const std::string& word) {
 
 Outcome savePlot(StudyBrowser& browser, const std::string& file) {
   const PlotView* plot = browser.plot();
-  if (plot != nullptr && plot->save(QString::fromStdString(file))) return Done{};
-  return wrongCommand("the plot cannot be saved", "Check the folder.");
+  if (plot == nullptr) return wrongCommand("no plot is shown");
+  return outcomeOf(plot->save(QString::fromStdString(file)));
 }
 
 Outcome saveBrowser(StudyBrowser& browser, const std::string& file) {
-  return savePicture(browser.grab().toImage(), QString::fromStdString(file));
+  return outcomeOf(savePicture(browser.grab().toImage(), QString::fromStdString(file)));
 }
 
 Outcome zoom(StudyBrowser& browser, const Words& words) {

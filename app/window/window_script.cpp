@@ -82,7 +82,7 @@ void addWindowCommands(const Workbench& bench) {
                 [&bench](const Words& words) { return pressMouse(bench.scene.widget(), words); });
   }
   scripts.add("screenshot", 1, [&bench](const Words& words) -> Outcome {
-    return savePicture(pictureOf(bench.window), QString::fromStdString(words[0]));
+    return outcomeOf(savePicture(pictureOf(bench.window), QString::fromStdString(words[0])));
   });
   QElapsedTimer since;
   since.start();

@@ -3442,6 +3442,10 @@
         <source>The plot cannot be saved</source>
         <translation>La courbe ne peut pas être enregistrée</translation>
     </message>
+    <message>
+        <source>The file was saved, with a warning</source>
+        <translation>Le fichier a été enregistré, avec un avertissement</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ViewController</name>

@@ -50,7 +50,8 @@ start() {
 start_of() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["start"]["position"])' "$1"; }
 swapped() { [ "$(start_of "$scenario")" = "$(python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["goal"]["position"])' "$source_dir/samples/teaching/scenario.json")" ]; }
 unsaved() { ls "$work"/data/Glissade/unsaved/* 2>/dev/null | grep -q .; }
-edits_kept() { grep -rqs 'glissade-scenario' "$work/data/Glissade/unsaved"; }
+# Not the file that is being written: it counts once it is renamed.
+edits_kept() { grep -qs 'glissade-scenario' "$work"/data/Glissade/unsaved/*.edits; }
 
 until_true 10 "no display" xdotool getdisplaygeometry
 before=$(sha256sum "$scenario")

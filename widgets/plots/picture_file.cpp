@@ -3,19 +3,17 @@
 #include <QBuffer>
 #include <QFileInfo>
 
-#include "engine/base/file.h"
-
 namespace glissade {
 
-Outcome savePicture(const QImage& picture, const QString& file) {
+SaveResult savePicture(const QImage& picture, const QString& file) {
   const std::string name = file.toStdString();
   QBuffer content;
   content.open(QIODevice::WriteOnly);
   if (!picture.save(&content, QFileInfo(file).suffix().toLatin1().constData())) {
-    return Diagnostic{ErrorKind::Usage, name, "", "the picture cannot be written in this format",
-                      "Choose a name that ends in .png or .jpg."};
+    return notSaved({ErrorKind::Usage, name, "", "the picture cannot be written in this format",
+                     "Choose a name that ends in .png or .jpg."});
   }
-  return writeFileAtomically(name, content.data().toStdString());
+  return saveFile(name, content.data().toStdString());
 }
 
 }  // namespace glissade

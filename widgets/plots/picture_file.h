@@ -3,12 +3,12 @@
 #include <QImage>
 #include <QString>
 
-#include "engine/base/result.h"
+#include "engine/base/file_save.h"
 
 namespace glissade {
 
 /// Saves a picture as a whole or not at all (saveFile of file_save.h), in the format that the name's ending says.
 /// Errors: an ending that Qt writes no pictures for, or a file that cannot be written.
-Outcome savePicture(const QImage& picture, const QString& file);
+SaveResult savePicture(const QImage& picture, const QString& file);
 
 }  // namespace glissade

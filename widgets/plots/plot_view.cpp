@@ -216,15 +216,16 @@ QImage PlotView::image() const {
   return picture;
 }
 
-bool PlotView::save(const QString& file) const {
-  if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return savePicture(image(), file).ok();
+SaveResult PlotView::save(const QString& file) const {
+  if (!file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) return savePicture(image(), file);
   constexpr double kMillimetresAPixel = 25.4 / 96.0;
   constexpr std::size_t kMostBytes = 256U << 20;
   const QTemporaryDir folder;  // Qwt writes SVG into files only
   const QString drawn = folder.filePath(QStringLiteral("plot.svg"));
   QwtPlotRenderer().renderDocument(view_, drawn, QStringLiteral("svg"), QSizeF(view_->size()) * kMillimetresAPixel, 96);
   const auto content = readFile(drawn.toStdString(), kMostBytes);
-  return content && !content->empty() && writeFileAtomically(file.toStdString(), *content).ok();
+  if (!content) return notSaved(content.error());
+  return saveFile(file.toStdString(), *content);
 }
 
 void PlotView::copy() const { QGuiApplication::clipboard()->setImage(image()); }

@@ -3,6 +3,7 @@
 #include <QRectF>
 #include <QWidget>
 
+#include "engine/base/file_save.h"
 #include "engine/study/plot.h"
 
 class QwtPlot;
@@ -23,7 +24,7 @@ class PlotView final : public QWidget {
   void zoomOut();
   bool isZoomed() const { return part_ != whole(); }
   /// As it is seen, PNG or SVG by the ending of the name. False: it cannot be written.
-  bool save(const QString& file) const;
+  SaveResult save(const QString& file) const;
   void copy() const;
 
  signals:

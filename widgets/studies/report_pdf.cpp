@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/base/file.h"
 #include "engine/study/svg_plot.h"
 
 namespace glissade {
@@ -256,7 +255,7 @@ void drawPages(QTextDocument& document, const QString& title, QPdfWriter& writer
 
 }  // namespace
 
-Outcome writeReportPdf(const StudyReport& report, const QString& file) {
+SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
   QBuffer content;
   content.open(QIODevice::WriteOnly);
   QPdfWriter writer(&content);
@@ -289,7 +288,7 @@ Outcome writeReportPdf(const StudyReport& report, const QString& file) {
     }
   }
   drawPages(document, text(report.title), writer);
-  return writeFileAtomically(file.toStdString(), content.data().toStdString());
+  return saveFile(file.toStdString(), content.data().toStdString());
 }
 
 }  // namespace glissade
