@@ -37,7 +37,7 @@ Outcome selectPlot(StudyBrowser& browser, const std::string& word) {
 
 Outcome savePlot(StudyBrowser& browser, const std::string& file) {
   const PlotView* plot = browser.plot();
-  if (plot == nullptr) return wrongCommand("no plot is shown");
+  if (plot == nullptr) return wrongCommand("no plot is shown", "Open a study.");
   return outcomeOf(plot->save(QString::fromStdString(file)));
 }
 
