@@ -145,8 +145,10 @@ Result<std::vector<PathPoint>> readJsonPath(const std::string& text, const std::
 Result<std::vector<PathPoint>> readPath(const std::string& file) {
   const auto text = readFile(file, kMostPathBytes);
   if (!text) return text.error();
-  if (text->rfind("glTF", 0) == 0) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is an animation (GLB), which is there to be looked at",
+  const auto exporter = pathExporterFor(file);
+  const bool writtenOnly = exporter && !exporter->readBackError;
+  if (writtenOnly || text->rfind("glTF", 0) == 0) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is in a format that is only written",
                       "Give the path as one of: " + readablePathFormats() + "."};
   }
   const std::size_t first = text->find_first_not_of(" \t\r\n");
