@@ -19,8 +19,11 @@
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/guidance_layer.h"
+#include "widgets/scene3d/kept_paths_layer.h"
+#include "widgets/scene3d/measure_layer.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/path_layer.h"
+#include "widgets/scene3d/refusal_layer.h"
 #include "widgets/scene3d/roadmap_layer.h"
 #include "widgets/scene3d/section_layer.h"
 
@@ -46,12 +49,15 @@ struct SceneView::Impl {
   CoarsePlanPtr drawnPlan;
   std::optional<std::size_t> shownStep;
   std::shared_ptr<const Difficulty> difficulty;
+  std::shared_ptr<const EndConflicts> refusal;
+  std::vector<KeptPathPicture> keptPaths;
+  MeasurePicture measure;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
-  bool drawnSeeThrough = false;                 ///< since places or cells are shown
+  std::vector<DisplayMode> drawnModes;          ///< of the obstacles, as they are drawn
   std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
   SectionClip sectionClip;
-  osg::ref_ptr<osg::Group> caps = new osg::Group;
+  osg::ref_ptr<osg::Group> caps = new osg::Group;  ///< a group for each section, with a node for each obstacle
   std::vector<Plane> sections;
   std::set<std::string> hidden;  ///< obstacles, by id
   std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
@@ -139,18 +145,34 @@ struct SceneView::Impl {
            std::any_of(kSpace.begin(), kSpace.end(), [this](SceneLayer id) { return visible(id); });
   }
 
-  /// Draws the bodies anew where the layers that are shown ask for another display mode.
+  /// Draws the obstacles anew whose display mode is another one now.
   void showModes() {
-    if (!scenario || drawnSeeThrough == showsSpace()) return;
-    showBodies();
+    if (!scenario) return;
+    osg::Group& bodies = layer(SceneLayer::Bodies);
+    for (std::size_t i = 0; i < drawnModes.size(); ++i) {
+      const DisplayMode wanted = modeOf(scenario->obstacles[i]);
+      if (wanted == drawnModes[i]) continue;
+      osg::ref_ptr<osg::MatrixTransform> drawn = drawBody(i);
+      auto* before = static_cast<osg::MatrixTransform*>(bodies.getChild(static_cast<unsigned>(i)));
+      drawn->setMatrix(before->getMatrix());  // it may be in somebody's hand
+      drawn->setNodeMask(before->getNodeMask());
+      bodies.setChild(static_cast<unsigned>(i), drawn);
+      drawnModes[i] = wanted;
+    }
+  }
+
+  osg::ref_ptr<osg::MatrixTransform> drawBody(std::size_t obstacle) {
+    const RigidBody& body = scenario->obstacles[obstacle];
+    return makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette);
   }
 
   void showBodies() {
-    drawnSeeThrough = showsSpace();
     osg::Group& bodies = layer(SceneLayer::Bodies);
     bodies.removeChildren(0, bodies.getNumChildren());
-    for (const RigidBody& body : scenario->obstacles) {
-      bodies.addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
+    drawnModes.clear();
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      bodies.addChild(drawBody(i));
+      drawnModes.push_back(modeOf(scenario->obstacles[i]));
     }
     showHidden();
   }
@@ -162,19 +184,31 @@ struct SceneView::Impl {
     for (std::size_t i = 0; i < std::min(sections.size(), kMostSections); ++i) showCaps(i);
   }
 
+  bool hasCaps(std::size_t obstacle) const {
+    return hidden.count(scenario->obstacles[obstacle].id) == 0 && inHand.count(obstacle) == 0;
+  }
+
   /// The caps of one section are cut by the others.
   void showCaps(std::size_t section) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
-      const RigidBody& body = scenario->obstacles[i];
-      if (hidden.count(body.id) != 0 || inHand.count(i) != 0) continue;
-      if (const auto cap = makeCap(body, sections[section], palette)) group->addChild(cap);
+      osg::ref_ptr<osg::Group> cap;
+      if (hasCaps(i)) cap = makeCap(scenario->obstacles[i], sections[section], palette);
+      if (!cap) cap = new osg::Group;
+      group->addChild(cap);
     }
     for (std::size_t other = 0; other < sections.size(); ++other) {
       if (other != section)
         group->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(other), osg::StateAttribute::ON);
     }
     caps->addChild(group);
+  }
+
+  /// A body in somebody's hand has no caps: the others keep theirs.
+  void dropCaps(std::size_t obstacle) {
+    for (unsigned section = 0; section < caps->getNumChildren(); ++section) {
+      caps->getChild(section)->asGroup()->getChild(static_cast<unsigned>(obstacle))->setNodeMask(0U);
+    }
   }
 
   /// The layer's children are the obstacles in their order.
@@ -187,6 +221,16 @@ struct SceneView::Impl {
     showSections();
   }
 
+  void showRefusal() {
+    const bool shown = refusal && scenario;
+    fill(SceneLayer::Refusal, shown ? makeRefusal(*refusal, *scenario, shapes, palette) : nullptr);
+  }
+
+  void showOverlays() {
+    fill(SceneLayer::KeptPaths, makeKeptPaths(keptPaths, palette));
+    fill(SceneLayer::Measure, makeMeasure(measure, palette));
+  }
+
   void rebuild() {
     backdrop->removeChildren(0, backdrop->getNumChildren());
     backdrop->addChild(makeBackdrop(palette));
@@ -197,8 +241,11 @@ struct SceneView::Impl {
     object = nullptr;
     drawnPath.reset();
     drawnRefusal.reset();
+    drawnModes.clear();
     showEnvironment();
     showDifficulty();
+    showRefusal();
+    showOverlays();
     if (!scenario) return;
     showPlan();
     showBodies();
@@ -301,6 +348,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->hidden.clear();
   impl_->ownModes.clear();
   impl_->sections.clear();
+  impl_->keptPaths.clear();
   rearrange(std::move(scenario));
   fit();
 }
@@ -313,16 +361,18 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->drawnPlan.reset();
   impl_->shownStep.reset();
   impl_->difficulty.reset();
+  impl_->refusal.reset();
+  impl_->measure = {};
   impl_->inHand.clear();
   impl_->roadmap.clear();
   impl_->rebuild();
 }
 
 void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
-  impl_->inHand.insert(obstacle);
   impl_->place(SceneLayer::Bodies, obstacle, X_WB);
+  if (!impl_->inHand.insert(obstacle).second) return;
   impl_->showSelection();
-  if (!impl_->sections.empty()) impl_->showSections();
+  impl_->dropCaps(obstacle);
 }
 
 void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 0, X_WB); }
@@ -358,14 +408,14 @@ const std::set<std::string>& SceneView::hiddenBodies() const { return impl_->hid
 void SceneView::setDisplayMode(DisplayMode mode) {
   if (mode == impl_->mode) return;
   impl_->mode = mode;
-  if (impl_->scenario) impl_->showBodies();
+  impl_->showModes();
 }
 
 DisplayMode SceneView::displayMode() const { return impl_->mode; }
 
 void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes) {
   impl_->ownModes = modes;
-  if (impl_->scenario) impl_->showBodies();
+  impl_->showModes();
 }
 
 const std::map<std::string, DisplayMode>& SceneView::bodyDisplayModes() const { return impl_->ownModes; }
@@ -395,9 +445,52 @@ void SceneView::setDifficulty(std::shared_ptr<const Difficulty> difficulty) {
   impl_->showDifficulty();
 }
 
+void SceneView::setRefusal(std::shared_ptr<const EndConflicts> conflicts) {
+  impl_->refusal = std::move(conflicts);
+  impl_->showRefusal();
+}
+
+void SceneView::setKeptPaths(std::vector<KeptPathPicture> paths) {
+  impl_->keptPaths = std::move(paths);
+  impl_->showOverlays();
+}
+
+void SceneView::setMeasure(MeasurePicture measure) {
+  impl_->measure = std::move(measure);
+  impl_->showOverlays();
+}
+
+Box3 SceneView::extentOf(const std::set<std::string>& bodyIds) const {
+  Box3 box;
+  if (!impl_->scenario) return box;
+  for (const RigidBody& body : impl_->scenario->obstacles) {
+    if (bodyIds.count(body.id) != 0) box.extend(boundingBox(*body.mesh, body.X_WB));
+  }
+  const RigidBody& object = impl_->scenario->object;
+  if (bodyIds.count(object.id) != 0) box.extend(boundingBox(*object.mesh, objectPose()));
+  return box;
+}
+
+Pose SceneView::objectPose() const {
+  if (impl_->playback) return *impl_->playback;
+  if (impl_->snapshot) return impl_->snapshot->device.q_device;
+  return impl_->scenario ? impl_->scenario->object.X_WB : Pose::identity();
+}
+
+SceneLabel lengthLabel(const Vector3& p_W, double metres, bool strong) {
+  SceneLabel label{p_W, {}, strong};
+  label.length = metres;
+  return label;
+}
+
 std::vector<SceneLabel> SceneView::labels() const {
   std::vector<SceneLabel> labels;
   if (impl_->difficulty && layerVisible(SceneLayer::Difficulty)) labels = difficultyLabels(*impl_->difficulty);
+  if (impl_->refusal) labels = refusalLabels(*impl_->refusal);
+  for (const KeptPathPicture& path : impl_->keptPaths) {
+    if (!path.way.empty()) labels.push_back({path.way[path.way.size() / 2], path.name});
+  }
+  labels.insert(labels.end(), impl_->measure.labels.begin(), impl_->measure.labels.end());
   const EnvironmentPicture& environment = impl_->environment;
   if (!environment.knowledge) return labels;
   const auto& places = environment.knowledge->environment->map.places;
