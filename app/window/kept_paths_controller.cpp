@@ -207,10 +207,10 @@ void KeptPathsController::showFailure(const Outcome& outcome) {
   if (!outcome) bench_.messages.showError(tr("This cannot be done with the path"), outcome.error());
 }
 
-/// Of scripts: a name, or #1 for the first of the list.
+/// Of scripts: a name, or @1 for the first of the list.
 Result<KeptPathPtr> KeptPathsController::named(const std::string& word) const {
   const KeptPaths& paths = bench_.document.paths().paths();
-  if (!word.empty() && word.front() == '#') {
+  if (!word.empty() && word.front() == '@') {
     const auto number = toNumber(word.substr(1));
     const bool inList = number && *number >= 1.0 && *number <= static_cast<double>(paths.size());
     if (inList) return paths[static_cast<std::size_t>(*number) - 1];

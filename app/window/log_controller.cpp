@@ -44,9 +44,8 @@ LogController::LogController(const Workbench& bench)
     run_ = 0;
     const LoadedScenario& scenario = *bench_.document.scenario();
     const QString name = QString::fromStdString(scenario.scenario.name);
-    bench_.messages.log().add(
-        LogLevel::Information,
-        tr("Opened '%1': %n obstacle(s).", nullptr, static_cast<int>(scenario.obstacles.size())).arg(name));
+    bench_.messages.log().add(LogLevel::Information,
+                              tr("Opened '%1', obstacles: %2").arg(name).arg(scenario.obstacles.size()));
     for (const Diagnostic& warning : scenario.warnings) {
       bench_.messages.log().add(LogLevel::Warning, diagnosticText(warning));
     }

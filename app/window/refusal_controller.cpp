@@ -10,7 +10,7 @@ namespace glissade {
 namespace {
 
 /// Room for the view cube.
-constexpr int kCubeRoom = 116;
+constexpr int kCubeRoom = 104;
 /// Bodies that are named one by one.
 constexpr std::size_t kMostNamed = 4;
 /// What is looked at is this much larger than where the surfaces meet.
@@ -97,16 +97,14 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
   const bool atEnds = why.location == "start" || why.location == "goal";
   if (atEnds) notice.title = why.location == "start" ? tr("The start is refused.") : tr("The goal is refused.");
   switch (why.kind) {
-    case ErrorKind::InCollision:
-      notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"};
-      examineEnds();
-      break;
+    case ErrorKind::InCollision: notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"}; break;
     case ErrorKind::MalformedInput: notice.actions = {"assembly.fit-workspace"}; break;
     case ErrorKind::NoPath:
     case ErrorKind::LimitReached: notice.actions = {"difficulty.find", "run.restart-new-seed"}; break;
     default: break;
   }
   bar_->showNotice(notice);
+  if (why.kind == ErrorKind::InCollision) examineEnds();
 }
 
 void RefusalController::showRefusedPath(const PathExamination& refused) {

@@ -12,16 +12,8 @@
         <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>Boucle</translation>
-    </message>
-    <message>
         <source>Begin again when the path was played to its end</source>
         <translation>Recommencer quand le chemin a été joué jusqu&apos;au bout</translation>
-    </message>
-    <message>
-        <source>Backwards</source>
-        <translation>À rebours</translation>
     </message>
     <message>
         <source>Play the path from its goal to its start</source>
@@ -384,32 +376,16 @@
         <translation>Définir un attribut à vous sur les lieux ou les corps</translation>
     </message>
     <message>
-        <source>Re&amp;name...</source>
-        <translation>Re&amp;nommer...</translation>
-    </message>
-    <message>
         <source>Rename the attribute of the current row, where it is your own</source>
         <translation>Renommer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>Suppri&amp;mer</translation>
     </message>
     <message>
         <source>Remove the attribute of the current row, where it is your own</source>
         <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
     </message>
     <message>
-        <source>&amp;Forbid</source>
-        <translation>&amp;Interdire</translation>
-    </message>
-    <message>
         <source>Let no path lead through the selected places, or allow it again</source>
         <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
-    </message>
-    <message>
-        <source>&amp;Prefer</source>
-        <translation>&amp;Préférer</translation>
     </message>
     <message>
         <source>Favour ways through the selected places, or no longer</source>
@@ -530,14 +506,6 @@
     <message>
         <source>Bring the path and its certificate to the front</source>
         <translation>Mettre le chemin et son certificat au premier plan</translation>
-    </message>
-    <message>
-        <source>&amp;Milestone</source>
-        <translation>&amp;Jalon</translation>
-    </message>
-    <message>
-        <source>R&amp;eset</source>
-        <translation>R&amp;endre</translation>
     </message>
     <message>
         <source>Fi&amp;ner cells</source>
@@ -692,10 +660,6 @@
         <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
     </message>
     <message>
-        <source>&amp;Forget these</source>
-        <translation>&amp;Oublier ces fichiers</translation>
-    </message>
-    <message>
         <source>Empty the list of the files opened last</source>
         <translation>Vider la liste des derniers fichiers ouverts</translation>
     </message>
@@ -822,10 +786,6 @@
     <message>
         <source>Put parts from mesh or URDF files into the scene</source>
         <translation>Mettre dans la scène des pièces de fichiers de maillage ou URDF</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Retirer</translation>
     </message>
     <message>
         <source>Take the selected bodies out of the scene</source>
@@ -1146,6 +1106,70 @@
     <message>
         <source>Put versions, scenario, settings and the log into the clipboard</source>
         <translation>Copier dans le presse-papiers les versions, le scénario, les réglages et le journal</translation>
+    </message>
+    <message>
+        <source>Forbid</source>
+        <translation>Interdire</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Préférer</translation>
+    </message>
+    <message>
+        <source>Milestone</source>
+        <translation>Jalon</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Rename...</source>
+        <translation>Renommer...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the recent files</source>
+        <translation>&amp;Oublier les fichiers récents</translation>
+    </message>
+    <message>
+        <source>Re&amp;name the attribute...</source>
+        <translation>Re&amp;nommer l&apos;attribut...</translation>
+    </message>
+    <message>
+        <source>Re&amp;move the attribute</source>
+        <translation>Suppri&amp;mer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>&amp;Forbid the place</source>
+        <translation>&amp;Interdire le lieu</translation>
+    </message>
+    <message>
+        <source>&amp;Prefer the place</source>
+        <translation>&amp;Préférer le lieu</translation>
+    </message>
+    <message>
+        <source>Set the &amp;milestone</source>
+        <translation>Placer le &amp;jalon</translation>
+    </message>
+    <message>
+        <source>R&amp;eset the milestone</source>
+        <translation>Réinitialis&amp;er le jalon</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the bodies</source>
+        <translation>&amp;Retirer les corps</translation>
+    </message>
+    <message>
+        <source>Play in a &amp;loop</source>
+        <translation>Jouer en &amp;boucle</translation>
+    </message>
+    <message>
+        <source>Play back&amp;wards</source>
+        <translation>Jouer à re&amp;bours</translation>
     </message>
 </context>
 <context>
@@ -3140,12 +3164,9 @@
         <source>No path is kept yet. A path that is found can be kept in the scenario.</source>
         <translation>Aucun chemin n&apos;est encore conservé. Un chemin trouvé peut être conservé dans le scénario.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n path(s) kept in the scenario.</source>
-        <translation>
-            <numerusform>%n chemin conservé dans le scénario.</numerusform>
-            <numerusform>%n chemins conservés dans le scénario.</numerusform>
-        </translation>
+    <message>
+        <source>Kept in the scenario: %1</source>
+        <translation>Conservés dans le scénario : %1</translation>
     </message>
 </context>
 <context>
@@ -3185,13 +3206,6 @@
 </context>
 <context>
     <name>glissade::LogController</name>
-    <message numerus="yes">
-        <source>Opened &apos;%1&apos;: %n obstacle(s).</source>
-        <translation>
-            <numerusform>« %1 » ouvert : %n obstacle.</numerusform>
-            <numerusform>« %1 » ouvert : %n obstacles.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>The report is in the clipboard. Read it before you send it: it names files.</source>
         <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer : il nomme des fichiers.</translation>
@@ -3203,6 +3217,10 @@
     <message>
         <source>%1 (%2 s, %3 nodes)</source>
         <translation>%1 (%2 s, %3 nœuds)</translation>
+    </message>
+    <message>
+        <source>Opened &apos;%1&apos;, obstacles: %2</source>
+        <translation>« %1 » ouvert, obstacles : %2</translation>
     </message>
 </context>
 <context>
@@ -3887,7 +3905,7 @@
     </message>
     <message>
         <source>The recording was saved</source>
-        <translation>L&apos;enregistrement est sauvé</translation>
+        <translation>L&apos;enregistrement est sauvegardé</translation>
     </message>
     <message>
         <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
@@ -3899,7 +3917,7 @@
     </message>
     <message>
         <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
-        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvé. Il est toujours là.</translation>
+        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvegardé. Il est toujours là.</translation>
     </message>
     <message>
         <source>&amp;Save...</source>
@@ -4336,8 +4354,8 @@
         <translation>Réinitialiser le jalon</translation>
     </message>
     <message>
-        <source>Remove edits that count nowhere</source>
-        <translation>Retirer les modifications sans effet</translation>
+        <source>Remove edits without effect</source>
+        <translation>Supprimer les modifications sans effet</translation>
     </message>
 </context>
 <context>

@@ -28,13 +28,13 @@ TEST(ViewCube, LooksFromTheFaceTheEdgeOrTheCornerThatIsClicked) {
   scene.resize(640, 480);
   ViewCube cube(view, &scene);
   view.camera().setStandardView(StandardView::Front);
-  EXPECT_EQ(*cube.directionAt({52, 52}), -Vector3::UnitY());
-  EXPECT_EQ(*cube.directionAt({52, 28}), Vector3(0, -1, 1));
-  EXPECT_EQ(*cube.directionAt({76, 28}), Vector3(1, -1, 1));
+  EXPECT_EQ(*cube.directionAt({46, 46}), -Vector3::UnitY());
+  EXPECT_EQ(*cube.directionAt({46, 22}), Vector3(0, -1, 1));
+  EXPECT_EQ(*cube.directionAt({70, 22}), Vector3(1, -1, 1));
   EXPECT_FALSE(cube.directionAt({3, 3}));
   Vector3 asked = Vector3::Zero();
   QObject::connect(&cube, &ViewCube::lookFrom, [&](const Vector3& from) { asked = from; });
-  QTest::mouseClick(&cube, Qt::LeftButton, {}, {76, 52});
+  QTest::mouseClick(&cube, Qt::LeftButton, {}, {70, 46});
   EXPECT_EQ(asked, Vector3(1, -1, 0));
   view.camera().lookFrom(asked);
   EXPECT_LT((view.camera().R_WV() * Vector3::UnitZ() - asked.normalized()).norm(), 1e-12);

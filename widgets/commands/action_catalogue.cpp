@@ -4,10 +4,22 @@
 #include <QKeySequence>
 #include <QToolButton>
 
+#include <utility>
+
 namespace glissade {
 namespace {
 
 QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
+
+/// What a button says where its panel tells what it is about; menus and commands have the whole text.
+constexpr std::pair<const char*, const char*> kButtonTexts[] = {
+    {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
+    {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},
+    {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Milestone")},
+    {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "Reset")},
+    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename...")},
+    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove")},
+};
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 
@@ -34,7 +46,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Replay a recorded run"), false},
       {"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "Ctrl+Q", QT_TRANSLATE_NOOP("Actions", "Leave Glissade"),
        false},
-      {"recent.forget", QT_TRANSLATE_NOOP("Actions", "&Forget these"), "",
+      {"recent.forget", QT_TRANSLATE_NOOP("Actions", "&Forget the recent files"), "",
        QT_TRANSLATE_NOOP("Actions", "Empty the list of the files opened last"), false},
       {"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "Ctrl+Z",
        QT_TRANSLATE_NOOP("Actions", "Take the last edit back"), false},
@@ -44,23 +56,23 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Build the environment model: octree, places, borders, compatibility"), false},
       {"attribute.add", QT_TRANSLATE_NOOP("Actions", "&Add attribute..."), "",
        QT_TRANSLATE_NOOP("Actions", "Define an attribute of your own on places or bodies"), false},
-      {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Re&name..."), "",
+      {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Re&name the attribute..."), "",
        QT_TRANSLATE_NOOP("Actions", "Rename the attribute of the current row, where it is your own"), false},
-      {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move"), "",
+      {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move the attribute"), "",
        QT_TRANSLATE_NOOP("Actions", "Remove the attribute of the current row, where it is your own"), false},
       {"attribute.remove-strays", QT_TRANSLATE_NOOP("Actions", "Remove edits with&out effect"), "",
        QT_TRANSLATE_NOOP("Actions", "Forget what was said of places and borders that are not there any more"), false},
-      {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid"), "Ctrl+B",
+      {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid the place"), "Ctrl+B",
        QT_TRANSLATE_NOOP("Actions", "Let no path lead through the selected places, or allow it again"), false},
-      {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer"), "Ctrl+Shift+B",
+      {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer the place"), "Ctrl+Shift+B",
        QT_TRANSLATE_NOOP("Actions", "Favour ways through the selected places, or no longer"), false},
-      {"milestone.set", QT_TRANSLATE_NOOP("Actions", "&Milestone"), "Ctrl+M",
+      {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Set the &milestone"), "Ctrl+M",
        QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the object in your hand is"), false},
-      {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "R&eset"), "",
+      {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "R&eset the milestone"), "",
        QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the planner likes"), false},
       {"assembly.add", QT_TRANSLATE_NOOP("Actions", "&Add parts..."), "Ctrl+Shift+N",
        QT_TRANSLATE_NOOP("Actions", "Put parts from mesh or URDF files into the scene"), false},
-      {"assembly.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "Del",
+      {"assembly.remove", QT_TRANSLATE_NOOP("Actions", "&Remove the bodies"), "Del",
        QT_TRANSLATE_NOOP("Actions", "Take the selected bodies out of the scene"), false},
       {"assembly.moves", QT_TRANSLATE_NOOP("Actions", "This part &moves"), "Ctrl+Shift+M",
        QT_TRANSLATE_NOOP("Actions",
@@ -153,9 +165,9 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or hold it"), true},
       {"path.smooth", QT_TRANSLATE_NOOP("Actions", "S&mooth the path"), "Ctrl+Shift+P",
        QT_TRANSLATE_NOOP("Actions", "Shorten the path by shortcuts that are certified, or show it as planned"), true},
-      {"path.loop", QT_TRANSLATE_NOOP("Actions", "Loop"), "",
+      {"path.loop", QT_TRANSLATE_NOOP("Actions", "Play in a &loop"), "",
        QT_TRANSLATE_NOOP("Actions", "Begin again when the path was played to its end"), true},
-      {"path.backwards", QT_TRANSLATE_NOOP("Actions", "Backwards"), "",
+      {"path.backwards", QT_TRANSLATE_NOOP("Actions", "Play back&wards"), "",
        QT_TRANSLATE_NOOP("Actions", "Play the path from its goal to its start"), true},
       {"path.tightest", QT_TRANSLATE_NOOP("Actions", "Tigh&test place"), "Ctrl+Alt+T",
        QT_TRANSLATE_NOOP("Actions", "Show the object at the place of the smallest clearance"), false},
@@ -341,6 +353,7 @@ ActionCatalogue::ActionCatalogue(QObject* parent) : QObject(parent) {
     action->setStatusTip(translated(spec.tip));
     actions_.insert(QLatin1String(spec.id), action);
   }
+  for (const auto& [id, text] : kButtonTexts) actions_.value(QLatin1String(id))->setIconText(translated(text));
 }
 
 QString ActionCatalogue::shortcutTable() const {

@@ -107,6 +107,7 @@ void addCurves(QTableWidget& table, const std::vector<ComparedPath>& paths, cons
     table.setCellWidget(row, static_cast<int>(column), curve);
   }
   table.setRowHeight(row, kCurveHeight);
+  table.verticalHeader()->setStretchLastSection(true);
 }
 
 }  // namespace
@@ -122,7 +123,8 @@ ComparePathsDialog::ComparePathsDialog(const std::vector<ComparedPath>& paths, c
   QStringList names;
   for (const ComparedPath& path : paths) names << QString::fromStdString(path.row.path->name);
   table->setHorizontalHeaderLabels(names);
-  table->horizontalHeader()->setDefaultSectionSize(kColumnWidth);
+  table->horizontalHeader()->setMinimumSectionSize(kColumnWidth);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   for (const Figure& figure : figures()) {
     const int row = table->rowCount();
     table->insertRow(row);
@@ -139,7 +141,7 @@ ComparePathsDialog::ComparePathsDialog(const std::vector<ComparedPath>& paths, c
   auto* column = new QVBoxLayout(this);
   column->addWidget(table, 1);
   column->addWidget(buttons);
-  resize(std::min(1100, 240 + kColumnWidth * static_cast<int>(paths.size())), 620);
+  resize(std::min(1100, 240 + kColumnWidth * static_cast<int>(paths.size())), 560);
 }
 
 }  // namespace glissade

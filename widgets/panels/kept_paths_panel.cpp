@@ -163,7 +163,7 @@ void KeptPathsPanel::setRows(const std::vector<KeptPathRow>& rows, bool unkept) 
   }
   summary_->setText(unkept         ? tr("The path that was found is not kept yet: Keep (Ctrl+Alt+K) or Save (Ctrl+S).")
                     : rows.empty() ? tr("No path is kept yet. A path that is found can be kept in the scenario.")
-                                   : tr("%n path(s) kept in the scenario.", nullptr, static_cast<int>(rows.size())));
+                                   : tr("Kept in the scenario: %1").arg(rows.size()));
   emit selectionChanged();
 }
 

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kNoticeMargin = 10;
 constexpr int kWidestNotice = 640;
+constexpr int kNarrowNotice = 320;
+constexpr int kButtonGap = 6;
 
 }  // namespace
 
@@ -73,9 +75,13 @@ void NoticeBar::showNotice(const Notice& notice) {
 
 void NoticeBar::makeButtons() {
   while (QLayoutItem* item = buttons_->takeAt(0)) {
-    if (QWidget* widget = item->widget()) widget->deleteLater();
+    if (QWidget* widget = item->widget()) {
+      widget->hide();  // it may be the one whose click this is: deleted later
+      widget->deleteLater();
+    }
     delete item;
   }
+  buttons_->setSpacing(kButtonGap);
   for (const char* id : notice_.actions) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(actions_[QLatin1String(id)]);
@@ -87,13 +93,26 @@ void NoticeBar::makeButtons() {
   buttons_->addStretch();
 }
 
+/// Beside the view cube, or over it where the scene is narrow; buttons that have no room in a row stand below each
+/// other.
 void NoticeBar::fitWidth() {
-  const int room = parentWidget()->width() - 2 * kNoticeMargin - rightMargin_;
-  const int width = std::min(kWidestNotice, std::max(room, minimumSizeHint().width()));
+  const int whole = parentWidget()->width() - 2 * kNoticeMargin;
+  const int width = std::min(kWidestNotice, whole - rightMargin_ < kNarrowNotice ? whole : whole - rightMargin_);
+  const QMargins margins = layout()->contentsMargins();
+  const bool row = buttonsWidth() <= width - margins.left() - margins.right();
+  buttons_->setDirection(row ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   setFixedWidth(width);
   layout()->activate();
   const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
   setGeometry(kNoticeMargin, kNoticeMargin, width, height);
+}
+
+int NoticeBar::buttonsWidth() const {
+  int width = 0;
+  for (int i = 0; i < buttons_->count(); ++i) {
+    if (const QWidget* button = buttons_->itemAt(i)->widget()) width += button->sizeHint().width() + kButtonGap;
+  }
+  return width;
 }
 
 bool NoticeBar::eventFilter(QObject* watched, QEvent* event) {

@@ -36,6 +36,7 @@ class NoticeBar final : public QFrame {
  private:
   void makeButtons();
   void fitWidth();
+  int buttonsWidth() const;
 
   const ActionCatalogue& actions_;
   int rightMargin_;

@@ -19,7 +19,7 @@ osg::ref_ptr<osg::Group> makeKeptPaths(const std::vector<KeptPathPicture>& paths
     const osg::Vec4 colour = toOsg(path.colour);
     geode->addDrawable(makeLines(path.way, LineKind::Strip, colour, kKeptPathWidth * palette.pixelScale));
     geode->addDrawable(makePoints({path.way.front(), path.way.back()}, colour, kKeptPathPoint * palette.pixelScale));
-    makeDrawing(*geode);
+    makeOverlay(*geode);  // paths lie between bodies and in their holes
     group->addChild(geode);
   }
   return group;

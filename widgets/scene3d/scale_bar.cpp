@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "widgets/commands/length_text.h"
@@ -14,6 +15,9 @@ namespace {
 
 constexpr double kMostBarPixels = 130.0;
 constexpr int kBarMargin = 10;
+constexpr int kAxesSize = 64;
+constexpr double kAxisPixels = 22.0;
+constexpr std::array<QRgb, 3> kAxisColours{0xffd55e00, 0xff009e73, 0xff2f7fd0};
 
 }  // namespace
 
@@ -32,7 +36,7 @@ ScaleBar::ScaleBar(const SceneView& view, QWidget* scene) : QWidget(scene), view
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setObjectName(QStringLiteral("scale-bar"));
-  resize(static_cast<int>(kMostBarPixels) + 12, 30);
+  resize(static_cast<int>(kMostBarPixels) + 12, kAxesSize + 30);
   scene->installEventFilter(this);
   goToCorner(scene->size());
 }
@@ -53,7 +57,31 @@ void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const double y = height() - 5.5;
   painter.drawLine(QPointF(2, y), QPointF(2 + scale.pixels, y));
   for (const double x : {2.0, 2.0 + scale.pixels}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y));
-  painter.drawText(QRectF(2, 0, scale.pixels, y - 2), Qt::AlignCenter, lengthText(scale.metres));
+  painter.drawText(QRectF(2, kAxesSize, scale.pixels, y - 2 - kAxesSize), Qt::AlignCenter, lengthText(scale.metres));
+  paintAxes(painter);
+}
+
+/// Those that point to the viewer are drawn last.
+void ScaleBar::paintAxes(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Quaternion toView = view_.camera().R_WV().conjugate();
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&toView](int a, int b) {
+    return (toView * Vector3(Vector3::Unit(a))).z() < (toView * Vector3(Vector3::Unit(b))).z();
+  });
+  const QPointF origin(kAxesSize / 2.0, kAxesSize / 2.0);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  for (const int axis : order) {
+    const Vector3 along = toView * Vector3(Vector3::Unit(axis));
+    const QPointF direction(along.x(), -along.y());
+    painter.setPen(QPen(QColor(kAxisColours[static_cast<std::size_t>(axis)]), 2.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin, origin + kAxisPixels * direction);
+    const QPointF end = origin + (kAxisPixels + 7.0) * direction;
+    const QRectF box(end.x() - 8, end.y() - 8, 16, 16);
+    painter.drawText(box, Qt::AlignCenter, QString(QLatin1Char("XYZ"[axis])));
+  }
 }
 
 }  // namespace glissade

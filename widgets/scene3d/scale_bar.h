@@ -15,7 +15,7 @@ struct ScaleLength {
 /// The longest length of 1, 2 or 5 times a power of ten metres that is drawn with at most `mostPixels`.
 ScaleLength roundScale(double metresPerPixel, double mostPixels);
 
-/// The scale of the scene, in its lower left corner; takes no part in mouse and keys.
+/// The axes of the world and the scale of the scene, in its lower left corner; takes no part in mouse and keys.
 class ScaleBar final : public QWidget {
   Q_OBJECT
 
@@ -28,6 +28,7 @@ class ScaleBar final : public QWidget {
 
  private:
   void goToCorner(const QSize& scene);
+  void paintAxes(QPainter& painter) const;
 
   const SceneView& view_;
 };

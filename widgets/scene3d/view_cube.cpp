@@ -17,14 +17,13 @@
 namespace glissade {
 namespace {
 
-constexpr int kCubeSize = 104;
+constexpr int kCubeSize = 92;
 constexpr int kCubeMargin = 8;
 /// Pixels of half an edge of the cube.
-constexpr double kHalfEdge = 27.0;
+constexpr double kHalfEdge = 26.0;
 /// Beyond this share of a half edge from the middle of a face, its edge or corner is meant.
 constexpr double kInnerShare = 0.58;
 constexpr double kStep = std::numbers::pi / 4.0;
-constexpr std::array<QRgb, 3> kAxisColours{0xffd55e00, 0xff009e73, 0xff2f7fd0};
 
 /// The name of a face: what one looks at from there.
 QString faceName(int axis, double side) {
@@ -110,7 +109,6 @@ void ViewCube::paintEvent(QPaintEvent* /*event*/) {
   for (int axis = 0; axis < 3; ++axis) {
     if (toEye[axis] != 0.0) paintFace(painter, axis, toEye[axis] > 0.0 ? 1.0 : -1.0);
   }
-  paintAxes(painter);
   if (!hasFocus()) return;
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(palette().color(QPalette::Highlight), 1.5));
@@ -154,25 +152,6 @@ void ViewCube::paintFace(QPainter& painter, int axis, double side) const {
   const bool marked = hovered_ && *hovered_ == centre;
   painter.fillPath(text, palette().color(marked ? QPalette::HighlightedText : QPalette::Text));
   painter.restore();
-}
-
-/// From the corner where all coordinates are least.
-void ViewCube::paintAxes(QPainter& painter) const {
-  const Vector3 corner(-1.0, -1.0, -1.0);
-  const Vector3 toEye = view_.camera().R_WV() * Vector3::UnitZ();
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vector3 direction = Vector3::Unit(axis);
-    if (std::abs(toEye[axis]) > 0.98) continue;  // a point only
-    const QColor colour(kAxisColours[static_cast<std::size_t>(axis)]);
-    painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(pointOf(corner), pointOf(corner + 2.35 * direction));
-    QFont small = font();
-    small.setPixelSize(11);
-    small.setBold(true);
-    painter.setFont(small);
-    const QPointF end = pointOf(corner + 2.7 * direction);
-    painter.drawText(QRectF(end.x() - 8, end.y() - 8, 16, 16), Qt::AlignCenter, QString(QLatin1Char("XYZ"[axis])));
-  }
 }
 
 void ViewCube::mousePressEvent(QMouseEvent* event) {

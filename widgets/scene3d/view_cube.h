@@ -10,7 +10,7 @@
 namespace glissade {
 
 /// A cube in a corner of the scene that turns with it. A click on a face, an edge or a corner looks from there; the
-/// arrow keys go round in steps of 45 degrees, Home looks from the usual corner. Its edges are the axes of the world.
+/// arrow keys go round in steps of 45 degrees, Home looks from the usual corner.
 class ViewCube final : public QWidget {
   Q_OBJECT
 
@@ -39,7 +39,6 @@ class ViewCube final : public QWidget {
   QPointF pointOf(const Vector3& p) const;
   void goToCorner(const QSize& scene);
   void paintFace(QPainter& painter, int axis, double side) const;
-  void paintAxes(QPainter& painter) const;
   void turnBy(double yaw, double pitch);
 
   const SceneView& view_;

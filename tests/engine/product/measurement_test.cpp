@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/primitives.h"
+#include "engine/geometry/triangle_tree.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/support/random_pose.h"
 
@@ -53,7 +54,7 @@ TEST(Measurement, DistancesDoNotDependOnTheFrame) {
   const MeasureFeature top{Kind::Face, {0.0, 0.0, 0.3}, {}, {}, Vector3::UnitZ(), Vector3::Zero(), 0.0};
   const MeasureFeature shelf{Kind::Face, {5.0, 1.0, 0.1}, {}, {}, -Vector3::UnitZ(), Vector3::Zero(), 0.0};
   const MeasureFeature vertex{Kind::Vertex, {1.0, 2.0, 3.3}, {}, {}, Vector3::UnitZ(), Vector3::Zero(), 0.0};
-  const MeasureFeature axis{Kind::Cylinder, {}, {}, {}, Vector3::UnitX(), {0.0, 0.0, 0.0}, 0.1};
+  const MeasureFeature axis{Kind::Cylinder, Vector3::Zero(), {}, {}, Vector3::UnitX(), {0.0, 0.0, 0.0}, 0.1};
   const MeasureFeature edge{Kind::Edge, {0, 0.5, 1}, {0, 0.5, 1}, {0, 2.5, 1}, Vector3::UnitY(), Vector3::Zero(), 0.0};
   for (int round = 0; round < 20; ++round) {
     const Pose X = randomPose(random, 2.0);
