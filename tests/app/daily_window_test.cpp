@@ -83,13 +83,16 @@ TEST_F(DailyWindow, ARunAtAPaceIsReplayedWithIt) {
 
 TEST_F(DailyWindow, MeasuresWhatIsClicked) {
   // From the front, orthographic: the blocks are 0.4 m apart, 0.2 m wide and 1 m high.
-  expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action view.orthographic\naction view.front\n"
-                                                         "action layer.object\naction layer.ends\n"
-                                                         "select body left\naction view.zoom-selection\n"
-                                                         "action measure.radius\nclick 310 300\n"
-                                                         "expect-measure cylindrical\n"
-                                                         "action measure.clear\naction measure.radius\n"
-                                                         "action view.fit\n")));
+  expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
+                                                         "action view.orthographic\naction view.front\n"
+                                                         "action measure.clearance\nclick 280 314\nclick 370 314\n"
+                                                         "expect-measure 400\n"
+                                                         "action measure.distance\nclick 268 243\nclick 382 243\n"
+                                                         "expect-measure 800\n"
+                                                         "action measure.angle\nclick 280 314\nclick 370 314\n"
+                                                         "expect-measure 0.00\n"
+                                                         "action measure.radius\nclick 280 314\n"
+                                                         "expect-measure cylindrical\n")));
 }
 
 TEST_F(DailyWindow, TheLogTellsRunsAndRefusals) {
