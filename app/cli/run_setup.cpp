@@ -1,5 +1,8 @@
 #include "app/cli/run_setup.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "engine/operator/device_registry.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/replay_session.h"
@@ -22,6 +25,12 @@ Outcome setAll(const std::map<ParameterId, double>& values, ParameterValues& par
     if (!outcome) return outcome;
   }
   return Done{};
+}
+
+/// "GTS" is what the window calls gts.
+std::string lowerCase(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
 Outcome checkPlanner(const std::string& id) {
@@ -75,7 +84,7 @@ Result<std::unique_ptr<LockstepSession>> setUpRun(const PlanOptions& options, co
   const Outcome parameters = setAll(options.parameters, config.parameters);
   if (!parameters) return parameters.error();
   if (options.seed) config.seed = *options.seed;
-  if (options.strategy) config.plannerId = *options.strategy;
+  if (options.strategy) config.plannerId = lowerCase(*options.strategy);
   const Outcome planner = checkPlanner(config.plannerId);
   if (!planner) return planner.error();
   if (name == "none") return makeLockstepSession(std::move(config));

@@ -94,6 +94,7 @@ SaveController* FileController::makeSaves() {
 
 SaveResult FileController::write(const QString& file) {
   const std::string name = file.toStdString();
+  if (bench_.document.hasUnkeptPath()) bench_.document.keepResult();
   const Scenario content = bench_.document.contentFor(name);
   SaveResult saved = saves_->save(content, name);
   if (!saved) return saved;
@@ -149,8 +150,11 @@ void FileController::trySave(const QString& file) {
 
 bool FileController::mayDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
-  PlainMessageBox box(QMessageBox::Question, tr("Unsaved edits"), tr("The scenario has edits that are not saved."), {},
-                      &bench_.window);
+  const QString path = bench_.document.hasUnkeptPath()
+                           ? tr("The path that was found is not saved. Save keeps it in the scenario.")
+                           : QString();
+  PlainMessageBox box(QMessageBox::Question, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
+                      path, &bench_.window);
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();

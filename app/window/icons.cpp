@@ -179,6 +179,51 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.fillRect(QRectF(6, 6, 4, 4), p.pen().color());
        }},
       {"view.isometric", [](QPainter& p) { cube(p, {}); }},
+      {"paths.keep",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{4, 14}, {4, 2}, {12, 2}, {12, 14}, {8, 10.5}, {4, 14}}));
+       }},
+      {"paths.open",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 13}, {5, 5}, {10, 11}}));
+         arrow(p, {10, 11}, {14, 3});
+       }},
+      {"paths.compare",
+       [](QPainter& p) {
+         p.drawRect(QRectF(2, 3, 5, 10));
+         p.drawRect(QRectF(9, 3, 5, 10));
+         p.drawLine(QPointF(3.5, 6), QPointF(5.5, 6));
+         p.drawLine(QPointF(10.5, 9), QPointF(12.5, 9));
+       }},
+      {"paths.rename",
+       [](QPainter& p) {
+         p.drawPolygon(QPolygonF({{2, 14}, {3, 10.5}, {11, 2.5}, {13.5, 5}, {5.5, 13}}));
+         p.drawLine(QPointF(9, 4.5), QPointF(11.5, 7));
+       }},
+      {"paths.pin",
+       [](QPainter& p) {
+         p.drawPolygon(QPolygonF({{8, 1.5},
+                                  {9.9, 5.9},
+                                  {14.5, 6.3},
+                                  {11, 9.4},
+                                  {12, 14},
+                                  {8, 11.6},
+                                  {4, 14},
+                                  {5, 9.4},
+                                  {1.5, 6.3},
+                                  {6.1, 5.9}}));
+       }},
+      {"paths.remove",
+       [](QPainter& p) {
+         p.drawLine(QPointF(2.5, 4), QPointF(13.5, 4));
+         p.drawLine(QPointF(6, 2), QPointF(10, 2));
+         p.drawPolyline(QPolygonF({{4, 4}, {4.8, 14}, {11.2, 14}, {12, 4}}));
+       }},
+      {"log.copy",
+       [](QPainter& p) {
+         p.drawRect(QRectF(2, 5, 8, 9));
+         p.drawPolyline(QPolygonF({{6, 5}, {6, 2}, {14, 2}, {14, 11}, {10, 11}}));
+       }},
       {"view.front",
        [](QPainter& p) {
          cube(p, QPolygonF({{2, 4.5}, {8, 7.5}, {8, 14.5}, {2, 11.5}}));

@@ -6,6 +6,7 @@
 
 #include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
+#include "app/window/command_palette.h"
 #include "app/window/device_controller.h"
 #include "app/window/device_script.h"
 #include "app/window/difficulty_controller.h"
@@ -15,9 +16,13 @@
 #include "app/window/fits_controller.h"
 #include "app/window/help_pages.h"
 #include "app/window/icons.h"
+#include "app/window/kept_paths_controller.h"
 #include "app/window/keyboard_steering.h"
+#include "app/window/log_controller.h"
+#include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/recording_controller.h"
+#include "app/window/refusal_controller.h"
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
 #include "app/window/study_controller.h"
@@ -78,6 +83,10 @@ void MainWindow::addParts() {
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
+  new RefusalController(bench_);
+  new MeasureController(bench_);
+  auto* kept = new KeptPathsController(bench_);
+  auto* log = new LogController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
@@ -88,6 +97,9 @@ void MainWindow::addParts() {
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
+  docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Own});
+  docks_.add(
+      {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.arrange();
@@ -104,6 +116,12 @@ void MainWindow::connectActions() {
   bench_.onAction("file.quit", this, [this] { close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
   bench_.onAction("help.shortcuts", this, [this] { showShortcuts(actions_, this); });
+  bench_.onAction("help.commands", this, [this] {
+    auto* palette = new CommandPalette(actions_, this);
+    palette->setAttribute(Qt::WA_DeleteOnClose);
+    palette->open();
+    palette->field().setFocus();
+  });
   bench_.onAction("help.about", this, [this] { showAbout(this); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });

@@ -19,17 +19,18 @@ class Menus {
     QMenu* file = add(tr("&File"), {"file."});
     for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
     add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
-    add(tr("&Assembly"), {"assembly.", "", "fits."});
-    add(tr("&Run"), {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "difficulty."});
+    add(tr("&Assembly"), {"assembly.", "", "fits.", "", "refusal."});
+    add(tr("&Run"),
+        {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "", "paths.", "", "difficulty."});
     add(tr("&Study"), {"study."});
     add(tr("&Operator"), {"operator."});
-    QMenu* view = add(tr("&View"), {"view.", "", "body."});
+    QMenu* view = add(tr("&View"), {"view.", "", "body.", "", "measure."});
     fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
     fill(view->addMenu(tr("Lay&ers")), {"layer."});
     QMenu* panels = view->addMenu(tr("&Panels"));
     fill(panels, {"panel.", ""});
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
-    add(tr("&Help"), {"help."});
+    add(tr("&Help"), {"help.", "", "log."});
   }
 
   void makeToolBar() {

@@ -3,6 +3,7 @@
 #include <QStatusBar>
 
 #include "app/window/plain_message_box.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -12,17 +13,22 @@ constexpr int kStatusMilliseconds = 10000;
 }  // namespace
 
 void Messages::showError(const QString& title, const Diagnostic& why) {
+  const QString file = why.file.empty() ? QString() : QString::fromStdString(why.file) + QStringLiteral(": ");
+  log_.add(LogLevel::Error, title + QStringLiteral(": ") + file + diagnosticText(why));
   if (quiet_) return;
   QString details;
   for (const std::string& part : {why.file, why.location, why.reason}) {
-    if (!part.empty()) details += (details.isEmpty() ? "" : "\n") + QString::fromStdString(part);
+    if (!part.empty()) details += (details.isEmpty() ? "" : "\n") + engineText(part);
   }
-  if (!why.advice.empty()) details += QStringLiteral("\n\n") + QString::fromStdString(why.advice);
+  if (!why.advice.empty()) details += QStringLiteral("\n\n") + engineText(why.advice);
   PlainMessageBox box(QMessageBox::Warning, title, title, details, &window_);
   box.setStandardButtons(QMessageBox::Ok);
   box.exec();
 }
 
-void Messages::showStatus(const QString& text) { window_.statusBar()->showMessage(text, kStatusMilliseconds); }
+void Messages::showStatus(const QString& text) {
+  log_.add(LogLevel::Information, text);
+  window_.statusBar()->showMessage(text, kStatusMilliseconds);
+}
 
 }  // namespace glissade

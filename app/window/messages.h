@@ -3,10 +3,11 @@
 #include <QMainWindow>
 
 #include "engine/base/diagnostic.h"
+#include "widgets/commands/message_log.h"
 
 namespace glissade {
 
-/// Tells the user what happened: errors in a dialog, the rest in the status bar.
+/// Tells the user what happened: errors in a dialog, the rest in the status bar, and all of it in the log.
 class Messages final {
  public:
   explicit Messages(QMainWindow& window) : window_(window) {}
@@ -17,9 +18,11 @@ class Messages final {
 
   void showError(const QString& title, const Diagnostic& why);
   void showStatus(const QString& text);
+  MessageLog& log() { return log_; }
 
  private:
   QMainWindow& window_;
+  MessageLog log_;
   bool quiet_ = false;
 };
 

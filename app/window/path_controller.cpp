@@ -148,7 +148,9 @@ SaveResult PathController::exportTo(const QString& file) {
   if (!results_.path) {
     return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to export", "Solve first."});
   }
-  return writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
+  SaveResult saved = writePath(*results_.path, *bench_.document.scenario(), results_.provenance, file.toStdString());
+  if (saved) bench_.document.noteExported(results_.path);
+  return saved;
 }
 
 std::string PathController::verdict() const {

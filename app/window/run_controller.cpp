@@ -12,7 +12,7 @@ namespace glissade {
 RunController::RunController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
-      interaction_(new InteractionPanel(bench.actions, &bench.window)),
+      interaction_(new InteractionPanel(&bench.window)),
       counts_(new CountsPanel(&bench.window)),
       status_(new QLabel(&bench.window)),
       elapsed_(new QLabel(&bench.window)) {

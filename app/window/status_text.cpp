@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "engine/planning/fine/coarse_preview.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -30,13 +31,16 @@ QString layersText(const CoarsePlanPtr& plan) {
 
 QString statusText(const SessionSnapshot& snapshot) {
   if (snapshot.problem) {
-    QString text = QString::fromStdString(toString(*snapshot.problem));
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    if (snapshot.problem->kind == ErrorKind::InCollision) {
-      text +=
-          say(QT_TRANSLATE_NOOP("Status", " Or, where parts only touch: Assembly > Move the ends clear (Ctrl+Alt+5)."));
+    const Diagnostic& why = *snapshot.problem;
+    if (why.location == "start") {
+      return say(QT_TRANSLATE_NOOP("Status", "The start is refused: see the message over the scene."));
     }
-    return text;
+    if (why.location == "goal") {
+      return say(QT_TRANSLATE_NOOP("Status", "The goal is refused: see the message over the scene."));
+    }
+    const QString place =
+        why.location.empty() ? QString() : QString::fromStdString(why.location) + QStringLiteral(": ");
+    return place + diagnosticText(why);
   }
   switch (snapshot.state) {
     case SessionState::Idle:

@@ -56,8 +56,13 @@ QString styleSheetFrom(const Tones& tones) {
              "QStatusBar::item { border: none; }"
              "QStatusBar QToolButton { padding: 0px 6px; }"
              "QTreeWidget { border: none; }"
+             "QTreeView::indicator:unchecked { width: 11px; height: 11px; border: 1px solid %5; border-radius: 2px; }"
              "#attributes { background: %1; }"  // as behind other editors: on their own colour they have no edge
              "QLabel#authority { font-weight: 600; }"
+             "#measure-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
+             "#notice { background: %1; border: 1px solid %2; border-left: 4px solid #d55e00; border-radius: 4px; }"
+             "#notice QToolButton { border: 1px solid %2; background: %3; }"
+             "#notice QToolButton:focus { border: 1px solid %4; }"
              "#calibration QCheckBox::indicator, #attributes QCheckBox::indicator { width: 13px; height: 13px; "
              "border: 1px solid %5; border-radius: 2px; }"
              "#calibration QCheckBox::indicator:focus, #attributes QCheckBox::indicator:focus "

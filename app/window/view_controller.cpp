@@ -4,6 +4,8 @@
 
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
+#include "widgets/scene3d/scale_bar.h"
+#include "widgets/scene3d/view_cube.h"
 
 namespace glissade {
 
@@ -11,6 +13,7 @@ ViewController::ViewController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), welcome_(new QLabel(&bench.window)) {
   QWidget* widget = bench.scene.widget();
   new LabelOverlay(bench.scene.view(), widget);
+  addNavigationAids();
   showWelcome();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
@@ -21,6 +24,40 @@ ViewController::ViewController(const Workbench& bench)
     bench_.scene.refresh();
   });
   connectActions();
+}
+
+/// Shown once there is something to look at.
+void ViewController::addNavigationAids() {
+  auto* cube = new ViewCube(bench_.scene.view(), bench_.scene.widget());
+  auto* scale = new ScaleBar(bench_.scene.view(), bench_.scene.widget());
+  for (QWidget* aid : {static_cast<QWidget*>(cube), static_cast<QWidget*>(scale)}) {
+    aid->hide();
+    connect(&bench_.document, &WorkbenchDocument::changedForView, aid, [aid](Changes what) {
+      if (what & Change::Scenario) aid->show();
+    });
+  }
+  connect(cube, &ViewCube::lookFrom, this, [this](const Vector3& towardsEye) {
+    bench_.scene.view().camera().lookFrom(towardsEye);
+    showCamera();
+  });
+}
+
+void ViewController::showCamera() {
+  publishOperatorFrame();
+  bench_.scene.refresh();
+}
+
+/// The bodies that are selected; everything where none is.
+void ViewController::zoomToSelection() {
+  std::set<std::string> ids;
+  for (const QString& id : bench_.document.semantics().selection().bodies) ids.insert(id.toStdString());
+  const Box3 box = bench_.scene.view().extentOf(ids);
+  if (box.isEmpty()) {
+    bench_.scene.view().fit();
+  } else {
+    bench_.scene.view().camera().zoomTo(box);
+  }
+  showCamera();
 }
 
 void ViewController::showWelcome() {
@@ -62,8 +99,7 @@ void ViewController::connectActions() {
     bench_.onAction(id, this, [this, view] {
       bench_.scene.view().camera().setStandardView(view);
       bench_.scene.view().fit();
-      publishOperatorFrame();
-      bench_.scene.refresh();
+      showCamera();
     });
   };
   look("view.isometric", StandardView::Isometric);
@@ -75,8 +111,12 @@ void ViewController::connectActions() {
   look("view.bottom", StandardView::Bottom);
   bench_.onAction("view.fit", this, [this] {
     bench_.scene.view().fit();
-    publishOperatorFrame();
-    bench_.scene.refresh();
+    showCamera();
+  });
+  bench_.onAction("view.zoom-selection", this, [this] { zoomToSelection(); });
+  connect(bench_.actions["view.orthographic"], &QAction::toggled, this, [this](bool orthographic) {
+    bench_.scene.view().camera().setOrthographic(orthographic);
+    showCamera();
   });
   connect(bench_.actions["view.path-authors"], &QAction::toggled, this, [this](bool byAuthor) {
     bench_.scene.view().setPathByAuthor(byAuthor);

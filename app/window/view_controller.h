@@ -20,6 +20,10 @@ class ViewController final : public QObject {
   void updateView(Changes what);
   void connectActions();
   void showWelcome();
+  void addNavigationAids();
+  /// After the camera was moved.
+  void showCamera();
+  void zoomToSelection();
 
   const Workbench& bench_;
   QLabel* welcome_;

@@ -69,6 +69,9 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
     {Id::Slots, "lanes", "--lanes", "", "Planners side by side", "", 1.0, 32.0, 4.0, Scale::Absolute, true, false,
      "Planners of strategy auto that work at the same time, on as many of the machine's cores. Another number is "
      "another search; the cores do not change it."},
+    {Id::Pace, "pace", "--pace", "", "Pace", "1/s", 0.0, 10000.0, 0.0, Scale::Absolute, false, true,
+     "In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper's "
+     "planner made 40."},
 }};
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {

@@ -35,6 +35,7 @@ enum class ParameterId : std::size_t {
   OmplResolution,
   Tuning,
   Slots,
+  Pace,
   Count
 };
 inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(ParameterId::Count);

@@ -36,10 +36,11 @@ PlannerEntry multiLayer(const std::string& id, std::string label, std::string de
 }
 
 void addFirstPapersPlanners(PlannerRegistry& registry) {
-  registry.add(interactive("contact-birrt", "Interactive BiRRT with contact",
-                           "Operator and computer share authority; near an obstacle the object slides on it "
-                           "(Blin et al. 2016, Algorithm 1).",
-                           OperatorUse::GuideAndContact));
+  registry.add(
+      interactive("contact-birrt", "Interactive with contact",
+                  "You steer the object and the computer searches with you; near an obstacle the object slides "
+                  "on it (Blin et al. 2016, Algorithm 1).",
+                  OperatorUse::GuideAndContact));
   registry.add(
       interactive("birrt", "BiRRT", "The computer alone: the same planner with an authority of 1.", OperatorUse::None));
 }
@@ -94,8 +95,8 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
 PlannerRegistry makePlannerRegistry() {
   PlannerRegistry registry;
   registry.add({"auto", "Automatic",
-                "Several planners side by side and by turns, dealt out by what each earns; no settings needed.", false,
-                true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+                "Several planners work side by side; those that make progress get more time. No settings are needed.",
+                false, true, [](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
                   return std::make_unique<AutomaticPlanner>(problem, seed);
                 }});
   addFirstPapersPlanners(registry);

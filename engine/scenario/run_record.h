@@ -42,8 +42,8 @@ Result<RunRecord> makeRunRecord(const LoadedScenario& scenario, RunLog log);
 /// Another run of the same scenario.
 void setLog(RunLog log, RunRecord& record);
 
-/// SHA-256 of what a scenario says about the problem: bodies, object, start, goal, workspace,
-/// environment and rules. What a record holds itself (edits, planner, parameters, seed) is left out.
+/// SHA-256 of what a scenario says about the problem: bodies, object, start, goal, workspace, environment and rules.
+/// What a record holds itself (edits, planner, parameters, seed) is left out, and so are kept paths.
 std::string problemSha256(const Scenario& scenario);
 
 /// Version 2 with a checksum, saved atomically.

@@ -13,6 +13,7 @@
 #include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
 #include "engine/product/object_fits.h"
+#include "engine/scenario/kept_path.h"
 
 namespace glissade {
 
@@ -99,6 +100,7 @@ struct Scenario {
   std::optional<StrategyRules> rules;  ///< of strategy "own"
   FitSettings fits;
   std::uint64_t seed = 1;
+  KeptPaths paths;  ///< results that are kept, by name
 };
 
 /// What the user has said about places and bodies, as the semantic layer takes it; and back.

@@ -5,6 +5,7 @@
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
+#include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 
@@ -142,7 +143,7 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description", "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",  "planner", "parameters", "environment",
-                  "attributes", "places",  "milestones", "rules",       "fits",    "seed"});
+                  "attributes", "places",  "milestones", "rules",       "fits",    "seed",       "paths"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -172,6 +173,7 @@ Scenario readScenario(const JsonCursor& root) {
   readSemantics(root, scenario);
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
+  if (const auto paths = root.find("paths")) scenario.paths = readKeptPaths(*paths);
   return scenario;
 }
 

@@ -2,6 +2,7 @@
 #include "engine/scenario/fits_json.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
+#include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 
@@ -109,6 +110,7 @@ Json scenarioJson(const Scenario& scenario) {
   addSemantics(scenario, json);
   addFits(scenario.fits, json);
   json["seed"] = scenario.seed;
+  addKeptPaths(scenario.paths, json);
   return json;
 }
 

@@ -182,8 +182,24 @@ class Threaded final : public Session {
 
   bool afterStep() {
     if (Clock::now() - lastPublication_ >= kPublishInterval) publishPlanning();
+    keepPace();
     const std::lock_guard lock(mutex_);
     return !quit_ && commands_.empty();
+  }
+
+  /// Sleeps until the next step is due, or a command arrives. A step that was late is not made up for.
+  void keepPace() {
+    const double pace = core_.parameters()[ParameterId::Pace];
+    if (pace <= 0.0) return;
+    const auto interval = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / pace));
+    const auto due = std::max(lastStep_ + interval, Clock::now() - interval);
+    while (Clock::now() < due) {
+      publishPlanning();
+      const auto until = std::min(due, Clock::now() + kPublishInterval);
+      std::unique_lock lock(mutex_);
+      if (commandsArrived_.wait_until(lock, until, [this] { return quit_ || !commands_.empty(); })) break;
+    }
+    lastStep_ = std::min(due, Clock::now());
   }
 
   void publishPlanning(std::optional<PathWork> work = std::nullopt) {
@@ -292,6 +308,7 @@ class Threaded final : public Session {
   StartTreeDistance tree_;             ///< operator thread
   OperatorSample operatorSeen_;        ///< planner thread: what the planner sees in this step
   Clock::time_point lastPublication_;  ///< planner thread
+  Clock::time_point lastStep_;         ///< planner thread: when the last step was due, where a pace is kept
 
   mutable std::mutex mutex_;  ///< guards everything below up to the threads
   std::condition_variable commandsArrived_;

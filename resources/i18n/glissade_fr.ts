@@ -12,16 +12,8 @@
         <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
     <message>
-        <source>Loop</source>
-        <translation>Boucle</translation>
-    </message>
-    <message>
         <source>Begin again when the path was played to its end</source>
         <translation>Recommencer quand le chemin a été joué jusqu&apos;au bout</translation>
-    </message>
-    <message>
-        <source>Backwards</source>
-        <translation>À rebours</translation>
     </message>
     <message>
         <source>Play the path from its goal to its start</source>
@@ -384,32 +376,16 @@
         <translation>Définir un attribut à vous sur les lieux ou les corps</translation>
     </message>
     <message>
-        <source>Re&amp;name...</source>
-        <translation>Re&amp;nommer...</translation>
-    </message>
-    <message>
         <source>Rename the attribute of the current row, where it is your own</source>
         <translation>Renommer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>Suppri&amp;mer</translation>
     </message>
     <message>
         <source>Remove the attribute of the current row, where it is your own</source>
         <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
     </message>
     <message>
-        <source>&amp;Forbid</source>
-        <translation>&amp;Interdire</translation>
-    </message>
-    <message>
         <source>Let no path lead through the selected places, or allow it again</source>
         <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
-    </message>
-    <message>
-        <source>&amp;Prefer</source>
-        <translation>&amp;Préférer</translation>
     </message>
     <message>
         <source>Favour ways through the selected places, or no longer</source>
@@ -530,14 +506,6 @@
     <message>
         <source>Bring the path and its certificate to the front</source>
         <translation>Mettre le chemin et son certificat au premier plan</translation>
-    </message>
-    <message>
-        <source>&amp;Milestone</source>
-        <translation>&amp;Jalon</translation>
-    </message>
-    <message>
-        <source>R&amp;eset</source>
-        <translation>R&amp;endre</translation>
     </message>
     <message>
         <source>Fi&amp;ner cells</source>
@@ -692,10 +660,6 @@
         <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
     </message>
     <message>
-        <source>&amp;Forget these</source>
-        <translation>&amp;Oublier ces fichiers</translation>
-    </message>
-    <message>
         <source>Empty the list of the files opened last</source>
         <translation>Vider la liste des derniers fichiers ouverts</translation>
     </message>
@@ -822,10 +786,6 @@
     <message>
         <source>Put parts from mesh or URDF files into the scene</source>
         <translation>Mettre dans la scène des pièces de fichiers de maillage ou URDF</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Retirer</translation>
     </message>
     <message>
         <source>Take the selected bodies out of the scene</source>
@@ -987,6 +947,230 @@
         <source>Bring the table of fits to the front</source>
         <translation>Mettre le tableau des ajustements au premier plan</translation>
     </message>
+    <message>
+        <source>Show the o&amp;verlap</source>
+        <translation>Montrer le &amp;recouvrement</translation>
+    </message>
+    <message>
+        <source>Bring what is refused near: the bodies and where they meet</source>
+        <translation>Rapprocher la vue de ce qui est refusé : les corps et l&apos;endroit où ils se rencontrent</translation>
+    </message>
+    <message>
+        <source>Allow as f&amp;its</source>
+        <translation>Admettre comme a&amp;justements</translation>
+    </message>
+    <message>
+        <source>Take the object thinner against the bodies that it overlaps there; results state it</source>
+        <translation>Prendre l&apos;objet plus mince contre les corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
+    </message>
+    <message>
+        <source>Close the &amp;message</source>
+        <translation>Fermer le &amp;message</translation>
+    </message>
+    <message>
+        <source>Hide the message over the scene and its marks</source>
+        <translation>Masquer le message au-dessus de la scène et ses repères</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the path</source>
+        <translation>&amp;Conserver le chemin</translation>
+    </message>
+    <message>
+        <source>Keep the path that was found in the scenario</source>
+        <translation>Conserver dans le scénario le chemin trouvé</translation>
+    </message>
+    <message>
+        <source>Make it the c&amp;urrent path</source>
+        <translation>En faire le chemin co&amp;urant</translation>
+    </message>
+    <message>
+        <source>Play, smooth or export the selected kept path</source>
+        <translation>Jouer, lisser ou exporter le chemin conservé sélectionné</translation>
+    </message>
+    <message>
+        <source>Com&amp;pare paths</source>
+        <translation>Com&amp;parer les chemins</translation>
+    </message>
+    <message>
+        <source>Show the figures and curves of the selected paths side by side; of all where fewer than two are selected</source>
+        <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés ; de tous si moins de deux sont sélectionnés</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me the path</source>
+        <translation>Reno&amp;mmer le chemin</translation>
+    </message>
+    <message>
+        <source>Give the selected kept path another name</source>
+        <translation>Donner un autre nom au chemin conservé sélectionné</translation>
+    </message>
+    <message>
+        <source>P&amp;in the path</source>
+        <translation>Ép&amp;ingler le chemin</translation>
+    </message>
+    <message>
+        <source>Let the selected kept paths stay at the top of the list, or no longer</source>
+        <translation>Garder les chemins sélectionnés en tête de la liste, ou ne plus les y garder</translation>
+    </message>
+    <message>
+        <source>Remove the ke&amp;pt path</source>
+        <translation>Su&amp;pprimer le chemin conservé</translation>
+    </message>
+    <message>
+        <source>Remove the selected paths from the scenario; Undo brings them back</source>
+        <translation>Supprimer du scénario les chemins sélectionnés ; Annuler les rétablit</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to the selection</source>
+        <translation>&amp;Zoomer sur la sélection</translation>
+    </message>
+    <message>
+        <source>Bring the selected bodies near, direction kept</source>
+        <translation>Rapprocher la vue des corps sélectionnés sans changer de direction</translation>
+    </message>
+    <message>
+        <source>Ort&amp;hographic</source>
+        <translation>Ort&amp;hographique</translation>
+    </message>
+    <message>
+        <source>Draw without perspective, so that lengths across the view are to scale</source>
+        <translation>Dessiner sans perspective : les longueurs parallèles à l&apos;écran sont à l&apos;échelle</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;distance</source>
+        <translation>Mesurer une &amp;distance</translation>
+    </message>
+    <message>
+        <source>Click two vertices, edges or faces; the pointer snaps to them</source>
+        <translation>Cliquer deux sommets, arêtes ou faces ; le pointeur s&apos;y accroche</translation>
+    </message>
+    <message>
+        <source>Measure an &amp;angle</source>
+        <translation>Mesurer un &amp;angle</translation>
+    </message>
+    <message>
+        <source>Click two edges or faces</source>
+        <translation>Cliquer deux arêtes ou deux faces</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;radius</source>
+        <translation>Mesurer un &amp;rayon</translation>
+    </message>
+    <message>
+        <source>Click a cylindrical face</source>
+        <translation>Cliquer une face cylindrique</translation>
+    </message>
+    <message>
+        <source>Measure a &amp;clearance</source>
+        <translation>Mesurer un &amp;jeu</translation>
+    </message>
+    <message>
+        <source>Click two bodies: their smallest distance</source>
+        <translation>Cliquer deux corps : leur plus petite distance</translation>
+    </message>
+    <message>
+        <source>Remove the mea&amp;surement</source>
+        <translation>Effacer la me&amp;sure</translation>
+    </message>
+    <message>
+        <source>Hide what was measured</source>
+        <translation>Masquer ce qui a été mesuré</translation>
+    </message>
+    <message>
+        <source>Paths panel</source>
+        <translation>Panneau Chemins</translation>
+    </message>
+    <message>
+        <source>Bring the list of kept paths to the front</source>
+        <translation>Mettre la liste des chemins conservés au premier plan</translation>
+    </message>
+    <message>
+        <source>Log panel</source>
+        <translation>Panneau Journal</translation>
+    </message>
+    <message>
+        <source>Bring the log of messages to the front</source>
+        <translation>Mettre le journal des messages au premier plan</translation>
+    </message>
+    <message>
+        <source>Fin&amp;d a command...</source>
+        <translation>Trouver une comman&amp;de...</translation>
+    </message>
+    <message>
+        <source>Type a part of its name to find any command and carry it out</source>
+        <translation>Saisir une partie de son nom pour trouver une commande et l&apos;exécuter</translation>
+    </message>
+    <message>
+        <source>Copy for a &amp;bug report</source>
+        <translation>Copier pour un rapport d&apos;&amp;anomalie</translation>
+    </message>
+    <message>
+        <source>Put versions, scenario, settings and the log into the clipboard</source>
+        <translation>Copier dans le presse-papiers les versions, le scénario, les réglages et le journal</translation>
+    </message>
+    <message>
+        <source>Forbid</source>
+        <translation>Interdire</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Préférer</translation>
+    </message>
+    <message>
+        <source>Milestone</source>
+        <translation>Jalon</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Rename...</source>
+        <translation>Renommer...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the recent files</source>
+        <translation>&amp;Oublier les fichiers récents</translation>
+    </message>
+    <message>
+        <source>Re&amp;name the attribute...</source>
+        <translation>Re&amp;nommer l&apos;attribut...</translation>
+    </message>
+    <message>
+        <source>Re&amp;move the attribute</source>
+        <translation>Suppri&amp;mer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>&amp;Forbid the place</source>
+        <translation>&amp;Interdire le lieu</translation>
+    </message>
+    <message>
+        <source>&amp;Prefer the place</source>
+        <translation>&amp;Préférer le lieu</translation>
+    </message>
+    <message>
+        <source>Set the &amp;milestone</source>
+        <translation>Placer le &amp;jalon</translation>
+    </message>
+    <message>
+        <source>R&amp;eset the milestone</source>
+        <translation>Réinitialis&amp;er le jalon</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the bodies</source>
+        <translation>&amp;Retirer les corps</translation>
+    </message>
+    <message>
+        <source>Play in a &amp;loop</source>
+        <translation>Jouer en &amp;boucle</translation>
+    </message>
+    <message>
+        <source>Play back&amp;wards</source>
+        <translation>Jouer à re&amp;bours</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -1092,6 +1276,173 @@
     <message>
         <source>Simulated haptic hand</source>
         <translation>Main haptique simulée</translation>
+    </message>
+    <message>
+        <source>A person: keys, 6D mouse and gamepad together.</source>
+        <translation>Une personne : clavier, souris 6D et manette ensemble.</translation>
+    </message>
+    <message>
+        <source>A person: the keys of the window.</source>
+        <translation>Une personne : les touches de la fenêtre.</translation>
+    </message>
+    <message>
+        <source>A person: a 3Dconnexion mouse.</source>
+        <translation>Une personne : une souris 3Dconnexion.</translation>
+    </message>
+    <message>
+        <source>A person: a game controller.</source>
+        <translation>Une personne : une manette de jeu.</translation>
+    </message>
+    <message>
+        <source>Follows the way-points fast and exactly.</source>
+        <translation>Suit les points de passage vite et exactement.</translation>
+    </message>
+    <message>
+        <source>Follows the way-points.</source>
+        <translation>Suit les points de passage.</translation>
+    </message>
+    <message>
+        <source>Follows the way-points, slow and unsure.</source>
+        <translation>Suit les points de passage, lentement et avec hésitation.</translation>
+    </message>
+    <message>
+        <source>Draws the object along the way-points and feels the obstacles.</source>
+        <translation>Tire l&apos;objet le long des points de passage et sent les obstacles.</translation>
+    </message>
+</context>
+<context>
+    <name>Diagnostics</name>
+    <message>
+        <source>the object penetrates &apos;%1&apos;</source>
+        <translation>l&apos;objet pénètre dans « %1 »</translation>
+    </message>
+    <message>
+        <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
+        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
+    </message>
+    <message>
+        <source>Move the start to a free place.</source>
+        <translation>Placer le départ à un endroit libre.</translation>
+    </message>
+    <message>
+        <source>Move the goal to a free place.</source>
+        <translation>Placer le but à un endroit libre.</translation>
+    </message>
+    <message>
+        <source>Move the start away or lower the required clearance.</source>
+        <translation>Éloigner le départ ou réduire le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>Move the goal away or lower the required clearance.</source>
+        <translation>Éloigner le but ou réduire le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>lies outside the workspace bounds</source>
+        <translation>est hors des limites de l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace or move the start inside.</source>
+        <translation>Agrandir l&apos;espace de travail ou y placer le départ.</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace or move the goal inside.</source>
+        <translation>Agrandir l&apos;espace de travail ou y placer le but.</translation>
+    </message>
+    <message>
+        <source>&apos;out&apos; cannot be reached: the workspace holds no place clear of the obstacles&apos; box</source>
+        <translation>« dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a aucune place hors de la boîte des obstacles</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace by the size of the object on one side at least.</source>
+        <translation>Agrandir l&apos;espace de travail de la taille de l&apos;objet, d&apos;un côté au moins.</translation>
+    </message>
+    <message>
+        <source>the step limit of %1 reached without a path</source>
+        <translation>la limite de %1 pas est atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the limit of %1 random configurations reached without a path</source>
+        <translation>la limite de %1 configurations aléatoires est atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the time limit of %1 s reached without a path</source>
+        <translation>la limite de temps de %1 s est atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>Raise %1, take part with the device, or try another seed.</source>
+        <translation>Augmenter %1, participer avec le périphérique, ou essayer une autre graine.</translation>
+    </message>
+    <message>
+        <source>no direct motion is free</source>
+        <translation>aucun mouvement direct n&apos;est libre</translation>
+    </message>
+    <message>
+        <source>Choose a planner that searches.</source>
+        <translation>Choisir une stratégie qui cherche.</translation>
+    </message>
+    <message>
+        <source>there is no configuration outside within the bounds</source>
+        <translation>aucune configuration dehors n&apos;est dans les limites</translation>
+    </message>
+    <message>
+        <source>strategy G found no path within its limit of samples</source>
+        <translation>la stratégie G n&apos;a trouvé aucun chemin dans sa limite d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>there is no such planner</source>
+        <translation>cette stratégie n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>l&apos;opération a été arrêtée</translation>
+    </message>
+    <message>
+        <source>there is no path to export</source>
+        <translation>il n&apos;y a pas de chemin à exporter</translation>
+    </message>
+    <message>
+        <source>Solve first.</source>
+        <translation>Chercher d&apos;abord un chemin.</translation>
+    </message>
+    <message>
+        <source>there is no scenario that the path could be of</source>
+        <translation>il n&apos;y a pas de scénario dont ce pourrait être un chemin</translation>
+    </message>
+    <message>
+        <source>Open its scenario first.</source>
+        <translation>Ouvrir d&apos;abord son scénario.</translation>
+    </message>
+    <message>
+        <source>a path is being looked for</source>
+        <translation>une recherche de chemin est en cours</translation>
+    </message>
+    <message>
+        <source>Stop the run first.</source>
+        <translation>Arrêter d&apos;abord le calcul.</translation>
+    </message>
+    <message>
+        <source>a recording is shown</source>
+        <translation>un enregistrement est affiché</translation>
+    </message>
+    <message>
+        <source>Close the replay first.</source>
+        <translation>Fermer d&apos;abord la relecture.</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Correct the file.</source>
+        <translation>Corriger le fichier.</translation>
     </message>
 </context>
 <context>
@@ -1238,6 +1589,14 @@
         <source>Clearance that a delivered path is proved to keep.</source>
         <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
     </message>
+    <message>
+        <source>Pace</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
+        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
+    </message>
 </context>
 <context>
     <name>PathFormats</name>
@@ -1271,10 +1630,6 @@
 </context>
 <context>
     <name>Planners</name>
-    <message>
-        <source>Interactive BiRRT with contact</source>
-        <translation>BiRRT interactif avec contact</translation>
-    </message>
     <message>
         <source>Interactive BiRRT</source>
         <translation>BiRRT interactif</translation>
@@ -1351,6 +1706,90 @@
         <source>Automatic</source>
         <translation>Automatique</translation>
     </message>
+    <message>
+        <source>Interactive with contact</source>
+        <translation>Interactif avec contact</translation>
+    </message>
+    <message>
+        <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
+        <translation>Plusieurs planificateurs travaillent côte à côte ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+    </message>
+    <message>
+        <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
+        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+    </message>
+    <message>
+        <source>The computer alone: the same planner with an authority of 1.</source>
+        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
+    </message>
+    <message>
+        <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
+        <translation>L&apos;opérateur et l&apos;ordinateur partagent l&apos;autorité, sans échantillons de contact (Blin et al. 2016, tableau I).</translation>
+    </message>
+    <message>
+        <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
+        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+    </message>
+    <message>
+        <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
+        <translation>Un RRT dans tout l&apos;espace de travail (Cailhol et al. 2019, section 6.1).</translation>
+    </message>
+    <message>
+        <source>The shortest way through the places, RRT in each of them (Cailhol et al. 2019, section 6.1).</source>
+        <translation>Le trajet le plus court à travers les lieux, un RRT dans chacun (Cailhol et al. 2019, section 6.1).</translation>
+    </message>
+    <message>
+        <source>Holes of the object&apos;s shape and easy places first (Cailhol et al. 2019, section 6.2).</source>
+        <translation>D&apos;abord les trous de la forme de l&apos;objet et les lieux faciles (Cailhol et al. 2019, section 6.2).</translation>
+    </message>
+    <message>
+        <source>Holes that the object fits and easy places first (Cailhol et al. 2019, section 6.2, table 1).</source>
+        <translation>D&apos;abord les trous où l&apos;objet passe et les lieux faciles (Cailhol et al. 2019, section 6.2, tableau 1).</translation>
+    </message>
+    <message>
+        <source>Computed compatibility as a score, passages crossed where they fit best, and the next best way where one fails.</source>
+        <translation>La compatibilité calculée sert de note, les passages sont franchis là où ils conviennent le mieux, et le trajet suivant est essayé après un échec.</translation>
+    </message>
+    <message>
+        <source>The rules of the scenario.</source>
+        <translation>Les règles du scénario.</translation>
+    </message>
+    <message>
+        <source>Two trees that grow towards each other (Kuffner and LaValle 2000).</source>
+        <translation>Deux arbres qui croissent l&apos;un vers l&apos;autre (Kuffner et LaValle 2000).</translation>
+    </message>
+    <message>
+        <source>Two trees that grow from the border of the cells explored (Sucan and Kavraki 2009).</source>
+        <translation>Deux arbres qui croissent depuis le bord des cellules explorées (Sucan et Kavraki 2009).</translation>
+    </message>
+    <message>
+        <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
+        <translation>Une carte de tout l&apos;espace (Kavraki et al. 1996).</translation>
+    </message>
+    <message>
+        <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
+        <translation>Un arbre qui croît là où il est clairsemé (Hsu et al. 1999).</translation>
+    </message>
+    <message>
+        <source>RRT-Connect as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>RRT-Connect comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>RRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>RRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>TRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>TRRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>BiTRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>BiTRRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
+    <message>
+        <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
+        <translation>BKPIECE comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+    </message>
 </context>
 <context>
     <name>Plots</name>
@@ -1424,6 +1863,33 @@
     <message>
         <source>Flight</source>
         <translation>Vol</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
     </message>
 </context>
 <context>
@@ -1516,16 +1982,20 @@
         <translation>Planification : jalons dans les frontières</translation>
     </message>
     <message>
-        <source> Or, where parts only touch: Assembly &gt; Move the ends clear (Ctrl+Alt+5).</source>
-        <translation> Ou, si les pièces ne font que se toucher : Assemblage &gt; Dégager les extrémités (Ctrl+Alt+5).</translation>
-    </message>
-    <message>
         <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
         <translation>Le chemin ne tient pas ici : voir Chemin. Démarrer (F5) en cherche un autre.</translation>
     </message>
     <message>
         <source>The path holds: certified free of penetration</source>
         <translation>Le chemin tient : certifié sans pénétration</translation>
+    </message>
+    <message>
+        <source>The start is refused: see the message over the scene.</source>
+        <translation>Le départ est refusé : voir le message au-dessus de la scène.</translation>
+    </message>
+    <message>
+        <source>The goal is refused: see the message over the scene.</source>
+        <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +2466,107 @@
     </message>
 </context>
 <context>
+    <name>glissade::ClearanceCurve</name>
+    <message>
+        <source>Clearance along the path</source>
+        <translation>Jeu le long du chemin</translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>rien à proximité</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>measuring the clearance</source>
+        <translation>mesure du jeu en cours</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Trouver une commande</translation>
+    </message>
+    <message>
+        <source>Part of a command&apos;s name</source>
+        <translation>Partie du nom d&apos;une commande</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ComparePathsDialog</name>
+    <message>
+        <source>Proof</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Smallest clearance</source>
+        <translation>Plus petit jeu</translation>
+    </message>
+    <message>
+        <source>Proved clearance</source>
+        <translation>Jeu prouvé</translation>
+    </message>
+    <message>
+        <source>Required clearance</source>
+        <translation>Jeu exigé</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>Configurations</source>
+        <translation>Configurations</translation>
+    </message>
+    <message>
+        <source>Smoothed</source>
+        <translation>Lissé</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Allowances</source>
+        <translation>Tolérances</translation>
+    </message>
+    <message>
+        <source>Clearance along the path</source>
+        <translation>Jeu le long du chemin</translation>
+    </message>
+    <message>
+        <source>Compare paths</source>
+        <translation>Comparer les chemins</translation>
+    </message>
+    <message>
+        <source>Figures of the paths, side by side</source>
+        <translation>Valeurs des chemins, côte à côte</translation>
+    </message>
+</context>
+<context>
     <name>glissade::CountsPanel</name>
     <message>
         <source>Iterations</source>
@@ -2274,6 +2845,140 @@
         <source>The scenario was saved, with a warning</source>
         <translation>Le scénario a été enregistré, avec un avertissement</translation>
     </message>
+    <message>
+        <source>The path that was found is not saved. Save keeps it in the scenario.</source>
+        <translation>Le chemin trouvé n&apos;est pas enregistré. Enregistrer le conserve dans le scénario.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FitsController</name>
+    <message>
+        <source>accept a clash</source>
+        <translation>accepter une collision</translation>
+    </message>
+    <message>
+        <source>mark a thread</source>
+        <translation>marquer un filetage</translation>
+    </message>
+    <message>
+        <source>require clearance</source>
+        <translation>exiger un jeu</translation>
+    </message>
+    <message>
+        <source>take a fit as measured</source>
+        <translation>prendre un ajustement comme mesuré</translation>
+    </message>
+    <message>
+        <source>Looking for fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>The fit cannot be changed</source>
+        <translation>L&apos;ajustement ne peut pas être modifié</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FitsPanel</name>
+    <message>
+        <source>clear</source>
+        <translation>libre</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>toléré</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>accepté</translation>
+    </message>
+    <message>
+        <source>clash</source>
+        <translation>collision</translation>
+    </message>
+    <message>
+        <source>%1 overlap</source>
+        <translation>recouvrement %1</translation>
+    </message>
+    <message>
+        <source>%1 gap</source>
+        <translation>jeu %1</translation>
+    </message>
+    <message>
+        <source>touches</source>
+        <translation>se touchent</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>jeu</translation>
+    </message>
+    <message>
+        <source>planar</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylindrical</source>
+        <translation>cylindrique</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>filetage</translation>
+    </message>
+    <message>
+        <source>press fit</source>
+        <translation>serrage</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>recouvrement</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contact</translation>
+    </message>
+    <message>
+        <source>Filter by kind, status or body</source>
+        <translation>Filtrer par type, état ou corps</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>Gap or overlap</source>
+        <translation>Jeu ou recouvrement</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Body A</source>
+        <translation>Corps A</translation>
+    </message>
+    <message>
+        <source>Body B</source>
+        <translation>Corps B</translation>
+    </message>
+    <message>
+        <source>Fits</source>
+        <translation>Ajustements</translation>
+    </message>
+    <message>
+        <source>Not analysed yet.</source>
+        <translation>Pas encore analysé.</translation>
+    </message>
+    <message>
+        <source>No two bodies touch.</source>
+        <translation>Aucun corps n&apos;en touche un autre.</translation>
+    </message>
+    <message>
+        <source>Pairs of bodies: %1 (%2)</source>
+        <translation>Paires de corps : %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>glissade::InteractionPanel</name>
@@ -2325,6 +3030,144 @@
         <source>Replayed: as it was at this step</source>
         <translation>Relecture : tel qu&apos;à ce pas</translation>
     </message>
+    <message>
+        <source>Pace</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>Advanced: the first paper</source>
+        <translation>Avancé : premier article</translation>
+    </message>
+    <message>
+        <source>Advanced: places and semantics (second paper)</source>
+        <translation>Avancé : lieux et sémantique (second article)</translation>
+    </message>
+    <message>
+        <source>Advanced: OMPL</source>
+        <translation>Avancé : OMPL</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::KeptPathsController</name>
+    <message>
+        <source>Comparing paths</source>
+        <translation>Comparaison des chemins</translation>
+    </message>
+    <message>
+        <source>This cannot be done with the path</source>
+        <translation>Cela ne peut pas être fait avec le chemin</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::KeptPathsPanel</name>
+    <message>
+        <source>taken %1 thinner against %2</source>
+        <translation>pris %1 plus mince contre %2</translation>
+    </message>
+    <message>
+        <source>The path is proved again in the background.</source>
+        <translation>Le chemin est prouvé de nouveau en arrière-plan.</translation>
+    </message>
+    <message>
+        <source>Certified again in the scenario as it is now.</source>
+        <translation>Certifié de nouveau dans le scénario tel qu&apos;il est.</translation>
+    </message>
+    <message>
+        <source>Not proved: the scenario was changed, and a body is in the way.</source>
+        <translation>Non prouvé : le scénario a changé, et un corps fait obstacle.</translation>
+    </message>
+    <message>
+        <source>Free of penetration, but it does not lead from the start to the goal any more.</source>
+        <translation>Sans pénétration, mais il ne mène plus du départ au but.</translation>
+    </message>
+    <message>
+        <source>Not proved: another object moves now.</source>
+        <translation>Non prouvé : un autre objet se déplace maintenant.</translation>
+    </message>
+    <message>
+        <source>proved %1, required %2</source>
+        <translation>prouvé %1, exigé %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>not proved yet</source>
+        <translation>pas encore prouvé</translation>
+    </message>
+    <message>
+        <source>proved</source>
+        <translation>prouvé</translation>
+    </message>
+    <message>
+        <source>blocked</source>
+        <translation>bloqué</translation>
+    </message>
+    <message>
+        <source>blocked by %1</source>
+        <translation>bloqué par %1</translation>
+    </message>
+    <message>
+        <source>other ends</source>
+        <translation>autres extrémités</translation>
+    </message>
+    <message>
+        <source>other object</source>
+        <translation>autre objet</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Preuve</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Rotations</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Allowances</source>
+        <translation>Tolérances</translation>
+    </message>
+    <message>
+        <source>Kept paths</source>
+        <translation>Chemins conservés</translation>
+    </message>
+    <message>
+        <source>Checked: drawn in this colour beside the others</source>
+        <translation>Coché : dessiné de cette couleur à côté des autres</translation>
+    </message>
+    <message>
+        <source>The path that was found is not kept yet: Keep (Ctrl+Alt+K) or Save (Ctrl+S).</source>
+        <translation>Le chemin trouvé n&apos;est pas encore conservé : Conserver (Ctrl+Alt+K) ou Enregistrer (Ctrl+S).</translation>
+    </message>
+    <message>
+        <source>No path is kept yet. A path that is found can be kept in the scenario.</source>
+        <translation>Aucun chemin n&apos;est encore conservé. Un chemin trouvé peut être conservé dans le scénario.</translation>
+    </message>
+    <message>
+        <source>Kept in the scenario: %1</source>
+        <translation>Conservés dans le scénario : %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::KeyboardSteering</name>
@@ -2359,6 +3202,60 @@
     <message>
         <source>a quarter of the speed</source>
         <translation>un quart de la vitesse</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::LogController</name>
+    <message>
+        <source>The report is in the clipboard. Read it before you send it: it names files.</source>
+        <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer : il nomme des fichiers.</translation>
+    </message>
+    <message>
+        <source>Run %1: %2, seed %3</source>
+        <translation>Calcul %1 : %2, graine %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 s, %3 nodes)</source>
+        <translation>%1 (%2 s, %3 nœuds)</translation>
+    </message>
+    <message>
+        <source>Opened &apos;%1&apos;, obstacles: %2</source>
+        <translation>« %1 » ouvert, obstacles : %2</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::LogPanel</name>
+    <message>
+        <source>All messages</source>
+        <translation>Tous les messages</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Avertissements et erreurs</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Level of the messages that are shown</source>
+        <translation>Niveau des messages affichés</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
     </message>
 </context>
 <context>
@@ -2406,6 +3303,138 @@
     <message>
         <source>Fits</source>
         <translation>Ajustements</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Chemins</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Journal</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::MeasureController</name>
+    <message>
+        <source>Finding edges and faces of the body…</source>
+        <translation>Recherche des arêtes et des faces du corps…</translation>
+    </message>
+    <message>
+        <source>This is no cylindrical face.</source>
+        <translation>Cette face n&apos;est pas cylindrique.</translation>
+    </message>
+    <message>
+        <source>Radius %1, diameter %2</source>
+        <translation>Rayon %1, diamètre %2</translation>
+    </message>
+    <message>
+        <source>A vertex or a free surface has no direction: click edges, planes or cylinders.</source>
+        <translation>Un sommet ou une surface libre n&apos;a pas de direction : cliquer des arêtes, des plans ou des cylindres.</translation>
+    </message>
+    <message>
+        <source>Angle %1</source>
+        <translation>Angle %1</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distance %1</translation>
+    </message>
+    <message>
+        <source> (x %1, y %2, z %3)</source>
+        <translation> (x %1, y %2, z %3)</translation>
+    </message>
+    <message>
+        <source>clearance %1</source>
+        <translation>jeu %1</translation>
+    </message>
+    <message>
+        <source>overlap %1</source>
+        <translation>recouvrement %1</translation>
+    </message>
+    <message>
+        <source>they touch</source>
+        <translation>en contact</translation>
+    </message>
+    <message>
+        <source>Measuring the clearance…</source>
+        <translation>Mesure du jeu…</translation>
+    </message>
+    <message>
+        <source>Click a cylindrical face. Esc ends measuring.</source>
+        <translation>Cliquer une face cylindrique. Échap termine la mesure.</translation>
+    </message>
+    <message>
+        <source>Click the first body. Esc ends measuring.</source>
+        <translation>Cliquer le premier corps. Échap termine la mesure.</translation>
+    </message>
+    <message>
+        <source>Click the second body.</source>
+        <translation>Cliquer le second corps.</translation>
+    </message>
+    <message>
+        <source>Click the first vertex, edge or face. Esc ends measuring.</source>
+        <translation>Cliquer le premier sommet, arête ou face. Échap termine la mesure.</translation>
+    </message>
+    <message>
+        <source>Click the second vertex, edge or face.</source>
+        <translation>Cliquer le second sommet, arête ou face.</translation>
+    </message>
+    <message>
+        <source>Click the first edge or face. Esc ends measuring.</source>
+        <translation>Cliquer la première arête ou face. Échap termine la mesure.</translation>
+    </message>
+    <message>
+        <source>Click the second edge or face.</source>
+        <translation>Cliquer la seconde arête ou face.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::MessageLog</name>
+    <message>
+        <source>Information</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NoticeBar</name>
+    <message>
+        <source>Close this message (Esc)</source>
+        <translation>Fermer ce message (Échap)</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PaceBox</name>
+    <message>
+        <source>Full speed</source>
+        <translation>Pleine vitesse</translation>
+    </message>
+    <message>
+        <source>%1 steps a second (the first paper)</source>
+        <translation>%1 pas par seconde (premier article)</translation>
+    </message>
+    <message>
+        <source>%1 steps a second</source>
+        <translation>%1 pas par seconde</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source>How fast a run goes: choose a pace or type steps a second, to watch and to steer</source>
+        <translation>Vitesse du calcul : choisir une cadence ou saisir des pas par seconde, pour regarder et guider</translation>
     </message>
 </context>
 <context>
@@ -2712,6 +3741,29 @@
     </message>
 </context>
 <context>
+    <name>glissade::PathShelf</name>
+    <message>
+        <source>Keep a path</source>
+        <translation>Conserver un chemin</translation>
+    </message>
+    <message>
+        <source>Rename a path</source>
+        <translation>Renommer un chemin</translation>
+    </message>
+    <message>
+        <source>Pin a path</source>
+        <translation>Épingler un chemin</translation>
+    </message>
+    <message>
+        <source>Unpin a path</source>
+        <translation>Détacher un chemin</translation>
+    </message>
+    <message>
+        <source>Remove a path</source>
+        <translation>Supprimer un chemin</translation>
+    </message>
+</context>
+<context>
     <name>glissade::PlacementPanel</name>
     <message>
         <source>Along the world&apos;s axis %1, in millimetres</source>
@@ -2853,7 +3905,7 @@
     </message>
     <message>
         <source>The recording was saved</source>
-        <translation>L&apos;enregistrement est sauvé</translation>
+        <translation>L&apos;enregistrement est sauvegardé</translation>
     </message>
     <message>
         <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
@@ -2865,7 +3917,7 @@
     </message>
     <message>
         <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
-        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvé. Il est toujours là.</translation>
+        <translation>Glissade s&apos;est arrêté de façon inattendue avec un enregistrement non sauvegardé. Il est toujours là.</translation>
     </message>
     <message>
         <source>&amp;Save...</source>
@@ -2886,6 +3938,81 @@
     <message>
         <source>The recording is damaged</source>
         <translation>L&apos;enregistrement est endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::RefusalController</name>
+    <message>
+        <source>&apos;%1&apos;: overlap %2</source>
+        <translation>« %1 » : recouvrement %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: touches or overlaps</source>
+        <translation>« %1 » : touche ou recouvre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: %2 away, required %3</source>
+        <translation>« %1 » : à %2, exigé %3</translation>
+    </message>
+    <message>
+        <source>The run ended without a path.</source>
+        <translation>Le calcul s&apos;est terminé sans chemin.</translation>
+    </message>
+    <message>
+        <source>The start is refused.</source>
+        <translation>Le départ est refusé.</translation>
+    </message>
+    <message>
+        <source>The goal is refused.</source>
+        <translation>Le but est refusé.</translation>
+    </message>
+    <message>
+        <source>The path does not hold here.</source>
+        <translation>Le chemin ne tient pas ici.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 edges are blocked.</source>
+        <translation>%1 arêtes sur %2 sont bloquées.</translation>
+    </message>
+    <message>
+        <source>The first is blocked by &apos;%1&apos;.</source>
+        <translation>La première est bloquée par « %1 ».</translation>
+    </message>
+    <message>
+        <source>Its ends are not the start and the goal.</source>
+        <translation>Ses extrémités ne sont pas le départ et le but.</translation>
+    </message>
+    <message>
+        <source>Start and goal are allowed now. Press Start (F5).</source>
+        <translation>Le départ et le but sont admis maintenant. Appuyer sur Démarrer (F5).</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
+        <translation>Le départ est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+    </message>
+    <message>
+        <source>The start is refused: &apos;%1&apos; is nearer than the required clearance.</source>
+        <translation>Le départ est refusé : « %1 » est plus près que le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>The goal is refused: &apos;%1&apos; overlaps or touches what is there.</source>
+        <translation>Le but est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+    </message>
+    <message>
+        <source>The goal is refused: &apos;%1&apos; is nearer than the required clearance.</source>
+        <translation>Le but est refusé : « %1 » est plus près que le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>Allow as fits</source>
+        <translation>Admettre comme ajustements</translation>
+    </message>
+    <message>
+        <source>This cannot be allowed as a fit</source>
+        <translation>Cela ne peut pas être admis comme ajustement</translation>
     </message>
 </context>
 <context>
@@ -3174,6 +4301,25 @@
     </message>
 </context>
 <context>
+    <name>glissade::SectionPanel</name>
+    <message>
+        <source>Sections cut obstacles open. The object that moves stays whole.</source>
+        <translation>Les coupes ouvrent les obstacles. L&apos;objet mobile reste entier.</translation>
+    </message>
+    <message>
+        <source>Cut obstacles open across %1</source>
+        <translation>Ouvrir les obstacles par une coupe à travers %1</translation>
+    </message>
+    <message>
+        <source>Place of the section across %1</source>
+        <translation>Position de la coupe à travers %1</translation>
+    </message>
+    <message>
+        <source>Show the other side of the section across %1</source>
+        <translation>Montrer l&apos;autre côté de la coupe à travers %1</translation>
+    </message>
+</context>
+<context>
     <name>glissade::SemanticDocument</name>
     <message>
         <source>Set %1</source>
@@ -3208,8 +4354,8 @@
         <translation>Réinitialiser le jalon</translation>
     </message>
     <message>
-        <source>Remove edits that count nowhere</source>
-        <translation>Retirer les modifications sans effet</translation>
+        <source>Remove edits without effect</source>
+        <translation>Supprimer les modifications sans effet</translation>
     </message>
 </context>
 <context>
@@ -3455,6 +4601,45 @@
     </message>
 </context>
 <context>
+    <name>glissade::ViewCube</name>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Avant</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>Cube de vue</translation>
+    </message>
+    <message>
+        <source>Arrow keys go round the scene, Home looks from a corner</source>
+        <translation>Les flèches tournent autour de la scène, Début regarde depuis un coin</translation>
+    </message>
+    <message>
+        <source>Click a face, an edge or a corner to look from there. Arrow keys go round, Home looks from a corner.</source>
+        <translation>Cliquer une face, une arête ou un coin pour regarder de là. Les flèches tournent autour, Début regarde depuis un coin.</translation>
+    </message>
+</context>
+<context>
     <name>glissade::WorkController</name>
     <message>
         <source>Smoothing the path</source>
@@ -3479,200 +4664,9 @@
         <source>the goal</source>
         <translation>le but</translation>
     </message>
-</context>
-<context>
-    <name>glissade::ClearanceCurve</name>
     <message>
-        <source>Clearance along the path</source>
-        <translation>Jeu le long du chemin</translation>
-    </message>
-    <message>
-        <source>nothing near</source>
-        <translation>rien à proximité</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>measuring the clearance</source>
-        <translation>mesure du jeu en cours</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SectionPanel</name>
-    <message>
-        <source>Sections cut obstacles open. The object that moves stays whole.</source>
-        <translation>Les coupes ouvrent les obstacles. L&apos;objet mobile reste entier.</translation>
-    </message>
-    <message>
-        <source>Cut obstacles open across %1</source>
-        <translation>Ouvrir les obstacles par une coupe à travers %1</translation>
-    </message>
-    <message>
-        <source>Place of the section across %1</source>
-        <translation>Position de la coupe à travers %1</translation>
-    </message>
-    <message>
-        <source>Show the other side of the section across %1</source>
-        <translation>Montrer l&apos;autre côté de la coupe à travers %1</translation>
-    </message>
-</context>
-<context>
-    <name>QPlatformTheme</name>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation>Ne pas enregistrer</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Ouvrir</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::FitsController</name>
-    <message>
-        <source>accept a clash</source>
-        <translation>accepter une collision</translation>
-    </message>
-    <message>
-        <source>mark a thread</source>
-        <translation>marquer un filetage</translation>
-    </message>
-    <message>
-        <source>require clearance</source>
-        <translation>exiger un jeu</translation>
-    </message>
-    <message>
-        <source>take a fit as measured</source>
-        <translation>prendre un ajustement comme mesuré</translation>
-    </message>
-    <message>
-        <source>Looking for fits</source>
-        <translation>Recherche des ajustements</translation>
-    </message>
-    <message>
-        <source>The fit cannot be changed</source>
-        <translation>L&apos;ajustement ne peut pas être modifié</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::FitsPanel</name>
-    <message>
-        <source>clear</source>
-        <translation>libre</translation>
-    </message>
-    <message>
-        <source>allowed</source>
-        <translation>toléré</translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation>accepté</translation>
-    </message>
-    <message>
-        <source>clash</source>
-        <translation>collision</translation>
-    </message>
-    <message>
-        <source>%1 overlap</source>
-        <translation>recouvrement %1</translation>
-    </message>
-    <message>
-        <source>%1 gap</source>
-        <translation>jeu %1</translation>
-    </message>
-    <message>
-        <source>touches</source>
-        <translation>se touchent</translation>
-    </message>
-    <message>
-        <source>clearance</source>
-        <translation>jeu</translation>
-    </message>
-    <message>
-        <source>planar</source>
-        <translation>plan</translation>
-    </message>
-    <message>
-        <source>cylindrical</source>
-        <translation>cylindrique</translation>
-    </message>
-    <message>
-        <source>thread</source>
-        <translation>filetage</translation>
-    </message>
-    <message>
-        <source>press fit</source>
-        <translation>serrage</translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation>recouvrement</translation>
-    </message>
-    <message>
-        <source>contact</source>
-        <translation>contact</translation>
-    </message>
-    <message>
-        <source>Filter by kind, status or body</source>
-        <translation>Filtrer par type, état ou corps</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Gap or overlap</source>
-        <translation>Jeu ou recouvrement</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>Tolérance</translation>
-    </message>
-    <message>
-        <source>Status</source>
-        <translation>État</translation>
-    </message>
-    <message>
-        <source>Body A</source>
-        <translation>Corps A</translation>
-    </message>
-    <message>
-        <source>Body B</source>
-        <translation>Corps B</translation>
-    </message>
-    <message>
-        <source>Fits</source>
-        <translation>Ajustements</translation>
-    </message>
-    <message>
-        <source>Not analysed yet.</source>
-        <translation>Pas encore analysé.</translation>
-    </message>
-    <message>
-        <source>No two bodies touch.</source>
-        <translation>Aucun corps n&apos;en touche un autre.</translation>
-    </message>
-    <message>
-        <source>Pairs of bodies: %1 (%2)</source>
-        <translation>Paires de corps : %1 (%2)</translation>
+        <source>Path %1</source>
+        <translation>Chemin %1</translation>
     </message>
 </context>
 </TS>

@@ -47,7 +47,10 @@ TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) 
     EXPECT_TRUE(listed(std::string(spec.help))) << spec.help;
   }
   const PlannerRegistry planners = makePlannerRegistry();
-  for (const PlannerEntry& entry : planners.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+  for (const PlannerEntry& entry : planners.entries()) {
+    EXPECT_TRUE(listed(entry.label)) << entry.label;
+    EXPECT_TRUE(listed(entry.description)) << entry.description;
+  }
   const AttributeTable attributes;
   for (const AttributeDefinition& definition : attributes.definitions()) {
     EXPECT_TRUE(listed(definition.label)) << definition.label;
@@ -56,7 +59,10 @@ TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) 
   const PathExporterRegistry exporters = makePathExporterRegistry();
   for (const PathExporter& exporter : exporters.entries()) EXPECT_TRUE(listed(exporter.label)) << exporter.label;
   const DeviceRegistry devices = makeDeviceRegistry();
-  for (const DeviceEntry& entry : devices.entries()) EXPECT_TRUE(listed(entry.label)) << entry.label;
+  for (const DeviceEntry& entry : devices.entries()) {
+    EXPECT_TRUE(listed(entry.label)) << entry.label;
+    EXPECT_TRUE(listed(entry.description)) << entry.description;
+  }
 }
 
 }  // namespace

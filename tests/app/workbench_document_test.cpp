@@ -125,7 +125,7 @@ TEST_F(WorkbenchDocumentTest, EveryChangeIsOneRoundOfThreePhases) {
   std::vector<std::string> rounds;
   record(document, rounds);
   document.open(ScenarioPtr(document.scenario()));
-  EXPECT_EQ(rounds, (std::vector<std::string>{"view 255", "session 255", "panels 255"}));
+  EXPECT_EQ(rounds, (std::vector<std::string>{"view 511", "session 511", "panels 511"}));
   rounds.clear();
   Scenario without = document.current();
   without.attributeDefinitions.clear();
@@ -269,6 +269,43 @@ TEST_F(WorkbenchDocumentTest, ACancelledOrRefusedEditChangesNothing) {
   EXPECT_EQ(failures, (std::vector<bool>{false, true}));
   EXPECT_EQ(text(), before);
   EXPECT_FALSE(document.undoStack().canUndo());
+}
+
+TEST_F(WorkbenchDocumentTest, APathThatARunFoundIsUnsavedUntilItIsKeptOrExported) {
+  auto path = std::make_shared<Path>();
+  path->points = {{document.scenario()->problem.start}, {Pose::translation({1, 2, 3})}};
+  path->certificate.tolerance = 1e-6;
+  document.setResults({path, nullptr, {}, false});
+  EXPECT_FALSE(document.hasUnkeptPath()) << "a path that was given has a file of its own";
+  path = std::make_shared<Path>(*path);
+  document.setResults({path, nullptr, {"gts", 3}, false});
+  EXPECT_TRUE(document.hasUnkeptPath());
+  EXPECT_TRUE(document.isModified());
+  ASSERT_EQ(document.contentFor("a.json").paths.size(), 1U) << "saving never loses it";
+  EXPECT_TRUE(document.paths().paths().empty());
+
+  document.noteExported(path);
+  EXPECT_FALSE(document.hasUnkeptPath());
+  const auto another = std::make_shared<const Path>(*path);
+  document.setResults({another, nullptr, {"gts", 3}, false});
+  EXPECT_TRUE(document.hasUnkeptPath());
+  document.keepResult();
+  document.keepResult();
+  EXPECT_FALSE(document.hasUnkeptPath());
+  ASSERT_EQ(document.paths().paths().size(), 1U);
+  EXPECT_EQ(document.paths().paths()[0]->provenance.seed, 3U);
+  EXPECT_TRUE(document.isModified());
+  const Scenario saved = document.contentFor("a.json");
+  EXPECT_EQ(saved.paths.size(), 1U);
+  document.noteSaved("a.json", saved);
+  EXPECT_FALSE(document.isModified());
+  document.undo();
+  EXPECT_TRUE(document.hasUnkeptPath());
+  EXPECT_TRUE(document.isModified());
+  ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
+  document.undo();
+  document.redo();
+  EXPECT_TRUE(document.paths().paths().empty()) << "edits of bodies leave kept paths alone";
 }
 
 /// Bodies that stay are not prepared again, and neither is anything where only the ends move.

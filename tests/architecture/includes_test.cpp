@@ -175,7 +175,7 @@ TEST(Architecture, WidgetsDoNotKnowTheApplication) {
 TEST(Architecture, NobodyElseKeepsAScenario) {
   const std::set<std::string> holders{"widgets/document/workbench_document.h",
                                       "widgets/document/workbench_document.cpp", "widgets/bridge/session_bridge.h",
-                                      "widgets/bridge/run_recorder.h", "widgets/scene3d/scene_view.cpp"};
+                                      "widgets/bridge/run_recorder.h", "widgets/scene3d/scene_view_impl.h"};
   static const std::regex member(R"(^ +(std::shared_ptr<const LoadedScenario>|ScenarioPtr) \w+_;)");
   const fs::path root = test::sourceDirectory();
   int seen = 0;

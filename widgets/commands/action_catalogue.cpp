@@ -4,10 +4,22 @@
 #include <QKeySequence>
 #include <QToolButton>
 
+#include <utility>
+
 namespace glissade {
 namespace {
 
 QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
+
+/// What a button says where its panel tells what it is about; menus and commands have the whole text.
+constexpr std::pair<const char*, const char*> kButtonTexts[] = {
+    {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
+    {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},
+    {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Milestone")},
+    {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "Reset")},
+    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename...")},
+    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove")},
+};
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 
@@ -34,7 +46,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Replay a recorded run"), false},
       {"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "Ctrl+Q", QT_TRANSLATE_NOOP("Actions", "Leave Glissade"),
        false},
-      {"recent.forget", QT_TRANSLATE_NOOP("Actions", "&Forget these"), "",
+      {"recent.forget", QT_TRANSLATE_NOOP("Actions", "&Forget the recent files"), "",
        QT_TRANSLATE_NOOP("Actions", "Empty the list of the files opened last"), false},
       {"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "Ctrl+Z",
        QT_TRANSLATE_NOOP("Actions", "Take the last edit back"), false},
@@ -44,23 +56,23 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Build the environment model: octree, places, borders, compatibility"), false},
       {"attribute.add", QT_TRANSLATE_NOOP("Actions", "&Add attribute..."), "",
        QT_TRANSLATE_NOOP("Actions", "Define an attribute of your own on places or bodies"), false},
-      {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Re&name..."), "",
+      {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Re&name the attribute..."), "",
        QT_TRANSLATE_NOOP("Actions", "Rename the attribute of the current row, where it is your own"), false},
-      {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move"), "",
+      {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move the attribute"), "",
        QT_TRANSLATE_NOOP("Actions", "Remove the attribute of the current row, where it is your own"), false},
       {"attribute.remove-strays", QT_TRANSLATE_NOOP("Actions", "Remove edits with&out effect"), "",
        QT_TRANSLATE_NOOP("Actions", "Forget what was said of places and borders that are not there any more"), false},
-      {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid"), "Ctrl+B",
+      {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid the place"), "Ctrl+B",
        QT_TRANSLATE_NOOP("Actions", "Let no path lead through the selected places, or allow it again"), false},
-      {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer"), "Ctrl+Shift+B",
+      {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer the place"), "Ctrl+Shift+B",
        QT_TRANSLATE_NOOP("Actions", "Favour ways through the selected places, or no longer"), false},
-      {"milestone.set", QT_TRANSLATE_NOOP("Actions", "&Milestone"), "Ctrl+M",
+      {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Set the &milestone"), "Ctrl+M",
        QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the object in your hand is"), false},
-      {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "R&eset"), "",
+      {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "R&eset the milestone"), "",
        QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the planner likes"), false},
       {"assembly.add", QT_TRANSLATE_NOOP("Actions", "&Add parts..."), "Ctrl+Shift+N",
        QT_TRANSLATE_NOOP("Actions", "Put parts from mesh or URDF files into the scene"), false},
-      {"assembly.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "Del",
+      {"assembly.remove", QT_TRANSLATE_NOOP("Actions", "&Remove the bodies"), "Del",
        QT_TRANSLATE_NOOP("Actions", "Take the selected bodies out of the scene"), false},
       {"assembly.moves", QT_TRANSLATE_NOOP("Actions", "This part &moves"), "Ctrl+Shift+M",
        QT_TRANSLATE_NOOP("Actions",
@@ -97,6 +109,14 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Allow nothing for the chosen pair: the whole bodies count"), false},
       {"fits.as-measured", QT_TRANSLATE_NOOP("Actions", "As m&easured"), "",
        QT_TRANSLATE_NOOP("Actions", "Take back what was said about the chosen pair"), false},
+      {"refusal.show", QT_TRANSLATE_NOOP("Actions", "Show the o&verlap"), "Ctrl+Alt+6",
+       QT_TRANSLATE_NOOP("Actions", "Bring what is refused near: the bodies and where they meet"), false},
+      {"refusal.allow", QT_TRANSLATE_NOOP("Actions", "Allow as f&its"), "Ctrl+Alt+7",
+       QT_TRANSLATE_NOOP("Actions",
+                         "Take the object thinner against the bodies that it overlaps there; results state it"),
+       false},
+      {"refusal.close", QT_TRANSLATE_NOOP("Actions", "Close the &message"), "",
+       QT_TRANSLATE_NOOP("Actions", "Hide the message over the scene and its marks"), false},
       {"run.start", QT_TRANSLATE_NOOP("Actions", "&Start"), "F5",
        QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed"), false},
       {"run.pause", QT_TRANSLATE_NOOP("Actions", "&Pause"), "F6",
@@ -145,14 +165,29 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or hold it"), true},
       {"path.smooth", QT_TRANSLATE_NOOP("Actions", "S&mooth the path"), "Ctrl+Shift+P",
        QT_TRANSLATE_NOOP("Actions", "Shorten the path by shortcuts that are certified, or show it as planned"), true},
-      {"path.loop", QT_TRANSLATE_NOOP("Actions", "Loop"), "",
+      {"path.loop", QT_TRANSLATE_NOOP("Actions", "Play in a &loop"), "",
        QT_TRANSLATE_NOOP("Actions", "Begin again when the path was played to its end"), true},
-      {"path.backwards", QT_TRANSLATE_NOOP("Actions", "Backwards"), "",
+      {"path.backwards", QT_TRANSLATE_NOOP("Actions", "Play back&wards"), "",
        QT_TRANSLATE_NOOP("Actions", "Play the path from its goal to its start"), true},
       {"path.tightest", QT_TRANSLATE_NOOP("Actions", "Tigh&test place"), "Ctrl+Alt+T",
        QT_TRANSLATE_NOOP("Actions", "Show the object at the place of the smallest clearance"), false},
       {"path.first-blocked", QT_TRANSLATE_NOOP("Actions", "Where is it &blocked?"), "Ctrl+Alt+B",
        QT_TRANSLATE_NOOP("Actions", "Show the object at the first place where the path is blocked"), false},
+      {"paths.keep", QT_TRANSLATE_NOOP("Actions", "&Keep the path"), "Ctrl+Alt+K",
+       QT_TRANSLATE_NOOP("Actions", "Keep the path that was found in the scenario"), false},
+      {"paths.open", QT_TRANSLATE_NOOP("Actions", "Make it the c&urrent path"), "",
+       QT_TRANSLATE_NOOP("Actions", "Play, smooth or export the selected kept path"), false},
+      {"paths.compare", QT_TRANSLATE_NOOP("Actions", "Com&pare paths"), "Ctrl+Alt+V",
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Show the figures and curves of the selected paths side by side; of all where fewer than two are selected"),
+       false},
+      {"paths.rename", QT_TRANSLATE_NOOP("Actions", "Rena&me the path"), "",
+       QT_TRANSLATE_NOOP("Actions", "Give the selected kept path another name"), false},
+      {"paths.pin", QT_TRANSLATE_NOOP("Actions", "P&in the path"), "",
+       QT_TRANSLATE_NOOP("Actions", "Let the selected kept paths stay at the top of the list, or no longer"), false},
+      {"paths.remove", QT_TRANSLATE_NOOP("Actions", "Remove the ke&pt path"), "",
+       QT_TRANSLATE_NOOP("Actions", "Remove the selected paths from the scenario; Undo brings them back"), false},
       {"difficulty.find", QT_TRANSLATE_NOOP("Actions", "&Why no path?"), "Ctrl+Shift+D",
        QT_TRANSLATE_NOOP("Actions",
                          "Look for what stands in the way: the tightest passage, and how much would have to give"),
@@ -186,6 +221,10 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"view.top", QT_TRANSLATE_NOOP("Actions", "&Top"), "Ctrl+6", QT_TRANSLATE_NOOP("Actions", "Look down"), false},
       {"view.bottom", QT_TRANSLATE_NOOP("Actions", "Botto&m"), "Ctrl+7", QT_TRANSLATE_NOOP("Actions", "Look up"),
        false},
+      {"view.zoom-selection", QT_TRANSLATE_NOOP("Actions", "&Zoom to the selection"), "Ctrl+9",
+       QT_TRANSLATE_NOOP("Actions", "Bring the selected bodies near, direction kept"), false},
+      {"view.orthographic", QT_TRANSLATE_NOOP("Actions", "Ort&hographic"), "Ctrl+8",
+       QT_TRANSLATE_NOOP("Actions", "Draw without perspective, so that lengths across the view are to scale"), true},
       {"view.finer-cells", QT_TRANSLATE_NOOP("Actions", "Fi&ner cells"), "Ctrl+]",
        QT_TRANSLATE_NOOP("Actions", "Show the octree's cells one level deeper"), false},
       {"view.coarser-cells", QT_TRANSLATE_NOOP("Actions", "&Coarser cells"), "Ctrl+[",
@@ -194,6 +233,16 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Colour the path by who made each segment: computer, operator, contact"), true},
       {"view.keep-roadmap", QT_TRANSLATE_NOOP("Actions", "&Keep the roadmap"), "",
        QT_TRANSLATE_NOOP("Actions", "Draw the roadmap in full, not faint, while a path is shown"), true},
+      {"measure.distance", QT_TRANSLATE_NOOP("Actions", "Measure a &distance"), "Ctrl+L",
+       QT_TRANSLATE_NOOP("Actions", "Click two vertices, edges or faces; the pointer snaps to them"), true},
+      {"measure.angle", QT_TRANSLATE_NOOP("Actions", "Measure an &angle"), "Ctrl+Shift+L",
+       QT_TRANSLATE_NOOP("Actions", "Click two edges or faces"), true},
+      {"measure.radius", QT_TRANSLATE_NOOP("Actions", "Measure a &radius"), "Ctrl+Alt+R",
+       QT_TRANSLATE_NOOP("Actions", "Click a cylindrical face"), true},
+      {"measure.clearance", QT_TRANSLATE_NOOP("Actions", "Measure a &clearance"), "Ctrl+Alt+C",
+       QT_TRANSLATE_NOOP("Actions", "Click two bodies: their smallest distance"), true},
+      {"measure.clear", QT_TRANSLATE_NOOP("Actions", "Remove the mea&surement"), "",
+       QT_TRANSLATE_NOOP("Actions", "Hide what was measured"), false},
       {"display.shaded-edges", QT_TRANSLATE_NOOP("Actions", "Shaded with &edges"), "Ctrl+Shift+1",
        QT_TRANSLATE_NOOP("Actions", "Draw bodies opaque, with their edges"), true},
       {"display.shaded", QT_TRANSLATE_NOOP("Actions", "&Shaded"), "Ctrl+Shift+2",
@@ -275,8 +324,16 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Bring the table of fits to the front"), false},
       {"panel.section", QT_TRANSLATE_NOOP("Actions", "Section panel"), "Alt+7",
        QT_TRANSLATE_NOOP("Actions", "Bring the section planes to the front"), false},
+      {"panel.paths", QT_TRANSLATE_NOOP("Actions", "Paths panel"), "Alt+0",
+       QT_TRANSLATE_NOOP("Actions", "Bring the list of kept paths to the front"), false},
+      {"panel.log", QT_TRANSLATE_NOOP("Actions", "Log panel"), "Ctrl+Alt+L",
+       QT_TRANSLATE_NOOP("Actions", "Bring the log of messages to the front"), false},
+      {"help.commands", QT_TRANSLATE_NOOP("Actions", "Fin&d a command..."), "Ctrl+K",
+       QT_TRANSLATE_NOOP("Actions", "Type a part of its name to find any command and carry it out"), false},
       {"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keys and shortcuts"), "F1",
        QT_TRANSLATE_NOOP("Actions", "How to steer, and all shortcuts"), false},
+      {"log.copy", QT_TRANSLATE_NOOP("Actions", "Copy for a &bug report"), "",
+       QT_TRANSLATE_NOOP("Actions", "Put versions, scenario, settings and the log into the clipboard"), false},
       {"help.about", QT_TRANSLATE_NOOP("Actions", "&About Glissade"), "",
        QT_TRANSLATE_NOOP("Actions", "Version, licence and the papers"), false},
   };
@@ -296,6 +353,7 @@ ActionCatalogue::ActionCatalogue(QObject* parent) : QObject(parent) {
     action->setStatusTip(translated(spec.tip));
     actions_.insert(QLatin1String(spec.id), action);
   }
+  for (const auto& [id, text] : kButtonTexts) actions_.value(QLatin1String(id))->setIconText(translated(text));
 }
 
 QString ActionCatalogue::shortcutTable() const {

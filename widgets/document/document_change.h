@@ -13,11 +13,12 @@ enum class Change {
   Options = 0x10,      ///< how the environment is modelled
   Settings = 0x20,     ///< strategy, seed and parameters of the next run
   Results = 0x40,      ///< the path
-  File = 0x80          ///< the file, and whether it has all edits
+  File = 0x80,         ///< the file, and whether it has all edits
+  Paths = 0x100        ///< the paths that are kept
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
-inline constexpr int kEveryChange = 0xff;
+inline constexpr int kEveryChange = 0x1ff;
 
 }  // namespace glissade

@@ -257,7 +257,7 @@ bool SemanticDocument::hasStrays() const {
 }
 
 void SemanticDocument::removeStrays() {
-  if (knowledge_) push(tr("Remove edits that count nowhere"), withoutStrays(knowledge_->environment->map, edits_));
+  if (knowledge_) push(tr("Remove edits without effect"), withoutStrays(knowledge_->environment->map, edits_));
 }
 
 void SemanticDocument::setMilestone(int border, const std::optional<Pose>& q) {

@@ -54,9 +54,16 @@ class ArrangementCommand final : public QUndoCommand {
 };
 
 WorkbenchDocument::WorkbenchDocument(QObject* parent)
-    : QObject(parent), semantics_(undo_), queue_([this] { return version_; }, [this] { return loader(); }, this) {
+    : QObject(parent),
+      semantics_(undo_),
+      paths_(undo_),
+      queue_([this] { return version_; }, [this] { return loader(); }, this) {
   connect(&queue_, &ArrangementQueue::failed, this, &WorkbenchDocument::editFailed);
   connect(&undo_, &QUndoStack::cleanChanged, this, [this] { announce(Change::File); });
+  connect(&paths_, &PathShelf::changed, this, [this] {
+    noteUnkept();
+    announce(Change::Paths);
+  });
   connect(&semantics_, &SemanticDocument::changed, this, [this] {
     if (semantics_.edits() == *edits_) return;
     edits_ = std::make_shared<const SemanticEdits>(semantics_.edits());
@@ -99,7 +106,9 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     options_ = scenario->scenario.environment;
     settings_ = {scenario->scenario.planner, scenario->scenario.seed, scenario->parameters};
     results_ = {};
+    unkept_ = false;
     undo_.clear();
+    paths_.open(scenario->scenario.paths);
     if (scenario->file.empty()) undo_.resetClean();
     semantics_.open(*scenario);
     announce(Changes(kEveryChange));
@@ -109,6 +118,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
 Scenario WorkbenchDocument::current() const {
   Scenario scenario = scenario_->scenario;
   setSemanticEdits(semantics_.edits(), scenario);
+  scenario.paths = paths_.paths();
   return scenario;
 }
 
@@ -226,8 +236,34 @@ void WorkbenchDocument::setSettings(const RunSettings& settings) {
 
 void WorkbenchDocument::setResults(const RunResults& results) {
   if (results == results_) return;
-  results_ = results;
-  announce(Change::Results);
+  changeInOneRound([&] {
+    results_ = results;
+    noteUnkept();
+    announce(Change::Results);
+  });
+}
+
+void WorkbenchDocument::noteUnkept() {
+  const bool before = unkept_;
+  const Path* path = results_.path.get();
+  const bool ofARun = path != nullptr && !results_.provenance.planner.empty();
+  unkept_ = ofARun && exported_.lock() != results_.path && !paths_.holds(path->points);
+  if (unkept_ != before) announce(Change::File);
+}
+
+KeptPath WorkbenchDocument::resultAsKept() const {
+  std::string name;
+  for (int number = 1; name.empty() || paths_.find(name); ++number) name = tr("Path %1").arg(number).toStdString();
+  return keptPath(name, *results_.path, results_.provenance, results_.smoothed, *scenario_);
+}
+
+void WorkbenchDocument::keepResult() {
+  if (results_.path && !paths_.holds(results_.path->points)) paths_.keep(resultAsKept());
+}
+
+void WorkbenchDocument::noteExported(const std::shared_ptr<const Path>& path) {
+  exported_ = path;
+  noteUnkept();
 }
 
 Scenario WorkbenchDocument::contentFor(const std::string& file) const {
@@ -239,6 +275,7 @@ Scenario WorkbenchDocument::contentFor(const std::string& file) const {
     const double value = settings_.parameters[spec.id];
     if (value != scenario_->parameters[spec.id]) scenario.parameters[spec.id] = value;
   }
+  if (unkept_) scenario.paths.push_back(std::make_shared<const KeptPath>(resultAsKept()));
   return scenario;
 }
 
@@ -257,7 +294,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
 
 bool WorkbenchDocument::isModified() const {
   return scenario_ && (!queue_.isEmpty() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
-                       settings_.strategy != scenario_->scenario.planner);
+                       settings_.strategy != scenario_->scenario.planner || unkept_);
 }
 
 bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }

@@ -10,6 +10,7 @@
 #include "engine/scenario/scenario_ptr.h"
 #include "widgets/document/arrangement_queue.h"
 #include "widgets/document/document_change.h"
+#include "widgets/document/path_shelf.h"
 #include "widgets/document/semantic_document.h"
 
 namespace glissade {
@@ -61,6 +62,9 @@ class WorkbenchDocument final : public QObject {
   const EnvironmentOptions& options() const { return options_; }
   const RunSettings& settings() const { return settings_; }
   const RunResults& results() const { return results_; }
+  /// The paths that are kept in the scenario.
+  PathShelf& paths() { return paths_; }
+  const PathShelf& paths() const { return paths_; }
   /// For observers; undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
@@ -92,7 +96,15 @@ class WorkbenchDocument final : public QObject {
   void setSettings(const RunSettings& settings);
   void setResults(const RunResults& results);
 
-  /// What Save writes into this file: assets are named as seen from there.
+  /// A run found the path that is there, and it is neither kept nor exported.
+  bool hasUnkeptPath() const { return unkept_; }
+  /// Keeps the path that is there as "Path 1", ..., undoable; nothing where there is none, or it is kept already.
+  void keepResult();
+  /// The path was written to a file of its own.
+  void noteExported(const std::shared_ptr<const Path>& path);
+
+  /// What Save writes into this file: assets are named as seen from there. A path that is not kept yet is among the
+  /// kept ones.
   Scenario contentFor(const std::string& file) const;
   /// `content` was written into the file, which is the document's from now on.
   void noteSaved(const std::string& file, const Scenario& content);
@@ -125,16 +137,21 @@ class WorkbenchDocument final : public QObject {
   void stepBack(bool forth);
   void takeArrangement(const ScenarioPtr& scenario);
   void applyArrangement(const Scenario& assembly, const std::string& file);
+  KeptPath resultAsKept() const;
+  void noteUnkept();
 
   QUndoStack undo_;
   SemanticDocument semantics_;
+  PathShelf paths_;
   ScenarioPtr scenario_;
   SemanticEditsPtr edits_ = std::make_shared<const SemanticEdits>();
   EnvironmentOptions options_;
   RunSettings settings_;
   RunResults results_;
-  std::string savedProblem_;  ///< hash of the problem as it was opened or saved; empty: it never was
-  GeometryCache geometry_;    ///< all geometry that this scenario had since it was opened
+  std::weak_ptr<const Path> exported_;  ///< the path that was exported last
+  bool unkept_ = false;                 ///< as of hasUnkeptPath()
+  std::string savedProblem_;            ///< hash of the problem as it was opened or saved; empty: it never was
+  GeometryCache geometry_;              ///< all geometry that this scenario had since it was opened
   Changes pending_;
   bool collecting_ = false;  ///< changes are announced later, in one round
   bool announcing_ = false;

@@ -2,12 +2,12 @@
 
 #include <QLocale>
 
+#include "widgets/commands/length_text.h"
+
 namespace glissade {
 namespace {
 
 QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulonglong>(value)); }
-
-QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'f', 1) + QStringLiteral(" mm"); }
 
 }  // namespace
 
@@ -25,6 +25,8 @@ CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLa
   pace_ = addRow(tr("Steps per second"), tr("Planner steps in a second"));
   mode_ = addRow(tr("Contact mode"), tr("On while contact samples are shot"));
   nearest_ = addRow(tr("Nearest obstacle"), tr("Of the object in the operator's hand"));
+  nearest_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // no name widens the panel
+  layout_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   distance_ = addRow(tr("Distance"), tr("To the nearest obstacle"));
 }
 
@@ -61,8 +63,9 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   const bool known = nearest.body >= 0;
   nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].name)
                           : QStringLiteral("–"));
+  nearest_->setToolTip(known ? nearest_->text() : QString());
   distance_->setText(!known                   ? QStringLiteral("–")
-                     : nearest.distance > 0.0 ? millimetres(nearest.distance)
+                     : nearest.distance > 0.0 ? lengthText(nearest.distance)
                                               : tr("in collision"));
 }
 

@@ -1,13 +1,14 @@
 #include "widgets/panels/interaction_panel.h"
 
+#include <QAbstractItemView>
 #include <QCoreApplication>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QToolButton>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include "engine/operator/device_registry.h"
+#include "widgets/panels/strategy_use.h"
 
 namespace glissade {
 namespace {
@@ -28,25 +29,31 @@ QComboBox* makeBox(QWidget* parent) {
 
 }  // namespace
 
-InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* parent)
+InteractionPanel::InteractionPanel(QWidget* parent)
     : QWidget(parent),
       planner_(makeBox(this)),
+      about_(new QLabel(this)),
       device_(makeBox(this)),
+      pace_(new PaceBox(this)),
       seed_(new SeedBox(this)),
+      authorityTitle_(new QLabel(tr("Authority now"), this)),
       authority_(new QLabel(this)),
       replayed_(new QLabel(tr("Replayed: as it was at this step"), this)) {
-  const PlannerRegistry planners = makePlannerRegistry();
-  for (const PlannerEntry& entry : planners.entries()) {
-    planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
-    planner_->setItemData(planner_->count() - 1, text(entry.description), Qt::ToolTipRole);
-  }
+  fillStrategies();
+  about_->setWordWrap(true);
+  about_->setTextFormat(Qt::PlainText);
+  about_->setForegroundRole(QPalette::PlaceholderText);
+  about_->setObjectName(QStringLiteral("about-strategy"));
   const DeviceRegistry devices = makeDeviceRegistry();
   for (const DeviceEntry& entry : devices.entries()) {
     device_->addItem(QCoreApplication::translate("Devices", entry.label.c_str()), text(entry.id));
-    device_->setItemData(device_->count() - 1, text(entry.description), Qt::ToolTipRole);
+    device_->setItemData(device_->count() - 1, QCoreApplication::translate("Devices", entry.description.c_str()),
+                         Qt::ToolTipRole);
   }
   planner_->setToolTip(tr("The strategy of the next run"));
+  planner_->setAccessibleName(tr("Strategy"));
   device_->setToolTip(tr("Who holds the object"));
+  device_->setAccessibleName(tr("Operator"));
   seed_->setToolTip(tr("Same scenario, seed and inputs: same roadmap"));
   authority_->setObjectName(QStringLiteral("authority"));
   authority_->setToolTip(tr("Whose configuration was tried last"));
@@ -54,12 +61,13 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
   auto* form = new QFormLayout;
   form->setLabelAlignment(Qt::AlignLeft);
   form->addRow(tr("Strategy"), planner_);
+  form->addRow(about_);
   form->addRow(tr("Operator"), device_);
+  form->addRow(tr("Pace"), pace_);
   form->addRow(tr("Seed"), seed_);
-  form->addRow(tr("Authority now"), authority_);
+  form->addRow(authorityTitle_, authority_);
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(10);
-  layout->addWidget(makeButtons(actions));
   layout->addLayout(form);
   replayed_->setObjectName(QStringLiteral("replayed"));
   replayed_->setStyleSheet(QStringLiteral("QLabel { background: #b3500a; color: white; padding: 2px 6px; }"));
@@ -67,6 +75,7 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
   layout->addWidget(replayed_);
   for (const ParameterSpec& spec : parameterTable()) {
     if (!spec.live || spec.id == ParameterId::Tuning) continue;  // the sliders' own buttons
+    if (spec.id == ParameterId::Pace) continue;                  // has a box of its own
     auto* slider = new ParameterSlider(spec.id, this);
     connect(slider, &ParameterSlider::valueChosen, this, [this, id = spec.id](double value) {
       emit commanded(command::SetParameter{id, value});
@@ -77,6 +86,9 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
     layout->addWidget(slider);
   }
   layout->addStretch();
+  connect(pace_, &PaceBox::paceChosen, this, [this](double pace) {
+    emit commanded(command::SetParameter{ParameterId::Pace, pace});
+  });
   connect(planner_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit commanded(command::SetPlanner{planner_->currentData().toString().toStdString()}); });
   connect(device_, QOverload<int>::of(&QComboBox::activated), this,
@@ -84,19 +96,45 @@ InteractionPanel::InteractionPanel(const ActionCatalogue& actions, QWidget* pare
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
 }
 
-QWidget* InteractionPanel::makeButtons(const ActionCatalogue& actions) {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  for (const char* id : {"run.start", "run.pause", "run.stop"}) {
-    auto* button = new QToolButton(row);
-    button->setDefaultAction(actions[QLatin1String(id)]);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    button->setFocusPolicy(Qt::TabFocus);
-    layout->addWidget(button);
-  }
-  return row;
+/// Those for daily use first; the others below a title that cannot be chosen.
+void InteractionPanel::fillStrategies() {
+  const auto addGroup = [this](StrategyGroup group) {
+    for (const PlannerEntry& entry : planners_.entries()) {
+      if (strategyGroup(entry.id) != group) continue;
+      planner_->addItem(QCoreApplication::translate("Planners", entry.label.c_str()), text(entry.id));
+      planner_->setItemData(planner_->count() - 1, QCoreApplication::translate("Planners", entry.description.c_str()),
+                            Qt::ToolTipRole);
+    }
+  };
+  const auto addTitle = [this](const QString& title) {
+    planner_->insertSeparator(planner_->count());
+    planner_->addItem(title);
+    auto* item = static_cast<QStandardItemModel*>(planner_->model())->item(planner_->count() - 1);
+    item->setFlags(Qt::NoItemFlags);
+  };
+  addGroup(StrategyGroup::Main);
+  addTitle(tr("Advanced: the first paper"));
+  addGroup(StrategyGroup::FirstPaper);
+  addTitle(tr("Advanced: places and semantics (second paper)"));
+  addGroup(StrategyGroup::SecondPaper);
+  addTitle(tr("Advanced: OMPL"));
+  addGroup(StrategyGroup::Ompl);
+  planner_->view()->setMinimumWidth(planner_->view()->sizeHintForColumn(0) + 24);
+  planner_->setMaxVisibleItems(planner_->count());
+}
+
+void InteractionPanel::showUse() {
+  const std::string strategy = planner_->currentData().toString().toStdString();
+  const std::string device = device_->currentData().toString().toStdString();
+  if (strategy + "/" + device == shownUse_) return;
+  shownUse_ = strategy + "/" + device;
+  const PlannerEntry* entry = planners_.find(strategy);
+  if (entry == nullptr) return;
+  about_->setText(QCoreApplication::translate("Planners", entry->description.c_str()));
+  const std::set<ParameterId> used = parametersInUse(*entry, device);
+  for (ParameterSlider* slider : sliders_) slider->setVisible(used.count(slider->id()) != 0);
+  authorityTitle_->setVisible(entry->usesOperator);
+  authority_->setVisible(entry->usesOperator);
 }
 
 void InteractionPanel::setScenario(const LoadedScenario& scenario) {
@@ -108,6 +146,8 @@ void InteractionPanel::setScenario(const LoadedScenario& scenario) {
 
 void InteractionPanel::setSnapshot(const SessionSnapshot& snapshot) {
   select(*planner_, snapshot.plannerId);
+  pace_->setPace(snapshot.parameters[ParameterId::Pace]);
+  showUse();
   if (!seed_->hasFocus()) seed_->setSeed(snapshot.seed);
   tuned_ = snapshot.parameters.integer(ParameterId::Tuning);
   for (ParameterSlider* slider : sliders_) {
@@ -135,8 +175,12 @@ void InteractionPanel::setReplayed(bool replayed) {
   planner_->setEnabled(!replayed);
   device_->setEnabled(!replayed);
   seed_->setEnabled(!replayed);
+  pace_->setEnabled(!replayed);
 }
 
-void InteractionPanel::setDevice(const std::string& deviceId) { select(*device_, deviceId); }
+void InteractionPanel::setDevice(const std::string& deviceId) {
+  select(*device_, deviceId);
+  showUse();
+}
 
 }  // namespace glissade

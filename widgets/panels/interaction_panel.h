@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "widgets/bridge/session_bridge.h"
-#include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/pace_box.h"
 #include "widgets/panels/parameter_slider.h"
 #include "widgets/panels/seed_box.h"
 
 namespace glissade {
 
-/// What steers a run: planner, who holds the object, the live parameters, seed, start and stop, and
-/// who has the authority now.
+/// What steers a run: strategy, who holds the object, pace, seed, the live parameters that have an effect, and who has
+/// the authority now.
 class InteractionPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  InteractionPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
+  explicit InteractionPanel(QWidget* parent = nullptr);
 
   void setScenario(const LoadedScenario& scenario);
   void setSnapshot(const SessionSnapshot& snapshot);
@@ -31,16 +31,23 @@ class InteractionPanel final : public QWidget {
   void deviceChosen(const QString& deviceId);
 
  private:
-  QWidget* makeButtons(const ActionCatalogue& actions);
+  void fillStrategies();
+  /// The sentence about the strategy, and the sliders that it uses.
+  void showUse();
   void chooseTuning(ParameterId id, bool tuned);
 
+  PlannerRegistry planners_ = makePlannerRegistry();
   QComboBox* planner_;
+  QLabel* about_;
   QComboBox* device_;
+  PaceBox* pace_;
   SeedBox* seed_;
+  QLabel* authorityTitle_;
   QLabel* authority_;
   QLabel* replayed_;
   std::vector<ParameterSlider*> sliders_;
-  int tuned_ = 0;  ///< what sets itself: bits of TunedSetting
+  std::string shownUse_;  ///< strategy and device that showUse() was called for last
+  int tuned_ = 0;         ///< what sets itself: bits of TunedSetting
 };
 
 }  // namespace glissade

@@ -10,6 +10,8 @@ namespace {
 constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180.0;
 /// Drag over the view's height turns by this much.
 constexpr double kCameraTurnPerHeight = std::numbers::pi;
+/// The eye comes no nearer to the focus than this share of the scene's radius.
+constexpr double kNearestShare = 1e-3;
 
 /// The view frame that looks along -z_V with y_V up.
 Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
@@ -28,16 +30,28 @@ void CameraController::fit(const Box3& box) {
   sceneCentre_ = box.center();
   sceneRadius_ = std::max(1e-6, 0.5 * box.diagonal().norm());
   focus_ = sceneCentre_;
-  // The nearest distance from which every corner is inside the frustum.
+  distance_ = distanceFor(box);
+}
+
+void CameraController::zoomTo(const Box3& box) {
+  if (box.isEmpty()) return;
+  fitted_.reset();
+  focus_ = box.center();
+  distance_ = std::max(distanceFor(box), kNearestShare * sceneRadius_);
+}
+
+/// The nearest from which every corner of a box about the focus is in view.
+double CameraController::distanceFor(const Box3& box) const {
   const double tanV = std::tan(0.5 * kFieldOfView);
   const double tanH = tanV * aspect_;
   const Quaternion toView = orientation_.conjugate();
   double needed = 1e-6;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3 p = toView * (box.corner(static_cast<Box3::CornerType>(corner)) - focus_);
-    needed = std::max({needed, p.z() + std::abs(p.y()) / tanV, p.z() + std::abs(p.x()) / tanH});
+    const double nearer = orthographic_ ? 0.0 : p.z();
+    needed = std::max({needed, nearer + std::abs(p.y()) / tanV, nearer + std::abs(p.x()) / tanH});
   }
-  distance_ = 1.05 * needed;
+  return 1.05 * needed;
 }
 
 void CameraController::setStandardView(StandardView view) {
@@ -51,6 +65,19 @@ void CameraController::setStandardView(StandardView view) {
     case StandardView::Bottom: orientation_ = viewAlong(-z, Vector3::UnitY()); break;
     case StandardView::Isometric: orientation_ = viewAlong({-1.0, -1.2, 0.9}, z); break;
   }
+}
+
+void CameraController::lookFrom(const Vector3& towardsEye) {
+  const Vector3 direction = towardsEye.normalized();
+  constexpr double kVertical = 0.999;
+  const bool vertical = std::abs(direction.z()) > kVertical;
+  orientation_ = viewAlong(direction, vertical ? Vector3::UnitY() : Vector3::UnitZ());
+}
+
+void CameraController::setOrthographic(bool orthographic) {
+  if (orthographic == orthographic_) return;
+  orthographic_ = orthographic;
+  if (fitted_) fit(Box3(*fitted_));
 }
 
 void CameraController::orbit(double dx, double dy) {
@@ -74,7 +101,7 @@ void CameraController::pan(double dx, double dy) {
 void CameraController::zoom(double factor, double x, double y) {
   fitted_.reset();
   const double before = distance_;
-  distance_ = std::clamp(distance_ / factor, 1e-3 * sceneRadius_, 50.0 * sceneRadius_);
+  distance_ = std::clamp(distance_ / factor, kNearestShare * sceneRadius_, 50.0 * sceneRadius_);
   // The point of the focal plane under the pointer stays there.
   const double moved = 2.0 * (before - distance_) * std::tan(0.5 * kFieldOfView);
   focus_ += orientation_ * Vector3(x * moved, -y * moved, 0.0);
@@ -95,10 +122,24 @@ double CameraController::verticalFieldOfView() const { return kFieldOfView; }
 double CameraController::viewHeight() const { return 2.0 * distance_ * std::tan(0.5 * kFieldOfView); }
 
 double CameraController::nearPlane() const {
+  if (orthographic_) return toCentre() - 2.0 * sceneRadius_;
   const double toScene = (eye() - sceneCentre_).norm() - 2.0 * sceneRadius_;
   return std::max(toScene, 1e-3 * farPlane());
 }
 
-double CameraController::farPlane() const { return (eye() - sceneCentre_).norm() + 2.0 * sceneRadius_; }
+double CameraController::farPlane() const {
+  if (orthographic_) return toCentre() + 2.0 * sceneRadius_;
+  return (eye() - sceneCentre_).norm() + 2.0 * sceneRadius_;
+}
+
+/// From the eye to the middle of the scene, along the line of sight.
+double CameraController::toCentre() const { return (orientation_.conjugate() * (eye() - sceneCentre_)).z(); }
+
+std::optional<Eigen::Vector2d> CameraController::project(const Vector3& p_W) const {
+  const Vector3 p_V = orientation_.conjugate() * (p_W - eye());
+  if (p_V.z() > -nearPlane()) return std::nullopt;
+  const double height = orthographic_ ? viewHeight() : -2.0 * p_V.z() * std::tan(0.5 * kFieldOfView);
+  return Eigen::Vector2d(p_V.x() / height, -p_V.y() / height);
+}
 
 }  // namespace glissade

@@ -15,7 +15,14 @@ class CameraController {
  public:
   /// The whole box in view, direction kept; until the camera is moved it stays so whatever shape the view takes.
   void fit(const Box3& box);
+  /// The box in the middle of the view, as large as it can be; what is fitted stays what it was.
+  void zoomTo(const Box3& box);
   void setStandardView(StandardView view);
+  /// Looks at the focus from this direction (not zero), the horizon level.
+  void lookFrom(const Vector3& towardsEye);
+  /// Without perspective: parallel lines stay parallel, lengths across the view are to scale everywhere.
+  void setOrthographic(bool orthographic);
+  bool isOrthographic() const { return orthographic_; }
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
   void orbit(double dx, double dy);
   /// Turns the picture clockwise about the line of sight, radians; standard views level it again.
@@ -34,17 +41,25 @@ class CameraController {
   /// What the view's height measures at the focus, metres.
   double viewHeight() const;
   double aspect() const { return aspect_; }
-  /// Near and far plane that enclose the fitted box from where the eye is now.
+  /// Near and far plane that enclose the fitted box from where the eye is now; an orthographic near plane may lie
+  /// behind the eye.
   double nearPlane() const;
   double farPlane() const;
+  /// Where a point is drawn: x to the right and y down, in fractions of the view's height from its centre. Nothing
+  /// behind the near plane.
+  std::optional<Eigen::Vector2d> project(const Vector3& p_W) const;
 
  private:
+  double distanceFor(const Box3& box) const;
+  double toCentre() const;
+
   Vector3 focus_ = Vector3::Zero();
   Quaternion orientation_ = Quaternion::Identity();
   double distance_ = 10.0;
   double sceneRadius_ = 5.0;
   Vector3 sceneCentre_ = Vector3::Zero();
   double aspect_ = 16.0 / 9.0;
+  bool orthographic_ = false;
   std::optional<Box3> fitted_;  ///< what is kept in view; nothing once the camera was moved
 };
 

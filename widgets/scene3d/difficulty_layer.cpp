@@ -1,8 +1,5 @@
 #include "widgets/scene3d/difficulty_layer.h"
 
-#include <iomanip>
-#include <sstream>
-
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/geometry_builder.h"
 
@@ -12,12 +9,6 @@ namespace {
 constexpr float kWayWidth = 4.0F;
 constexpr float kGapWidth = 2.0F;
 constexpr float kMarkSize = 12.0F;
-
-std::string millimetres(double metres) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(metres < 0.01 ? 2 : 1) << 1e3 * metres << " mm";
-  return text.str();
-}
 
 /// What blocks the object: at the deepest place, else between the trees.
 int blockingBody(const Difficulty& difficulty) {
@@ -66,10 +57,11 @@ osg::ref_ptr<osg::Group> makeDifficulty(const Difficulty& difficulty, const Load
 std::vector<SceneLabel> difficultyLabels(const Difficulty& difficulty) {
   std::vector<SceneLabel> labels;
   if (const auto& least = difficulty.leastPenetration) {
-    labels.push_back({least->q.position, millimetres(least->depth), true});
+    labels.push_back(lengthLabel(least->q.position, least->depth, true));
   }
   if (const auto& tightest = difficulty.tightest) {
-    labels.push_back({tightest->q.position, millimetres(tightest->clearance), false, true});
+    labels.push_back(lengthLabel(tightest->q.position, tightest->clearance, false));
+    labels.back().below = true;
   }
   return labels;
 }

@@ -5,9 +5,9 @@
 #include <QLocale>
 #include <QPainter>
 
-#include <cmath>
 #include <optional>
 
+#include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_placement.h"
 
@@ -16,16 +16,16 @@ namespace {
 
 /// Where a point of the scene is in a widget of the given size; nothing behind the eye.
 std::optional<QPointF> project(const CameraController& camera, const Vector3& p_W, const QSize& size) {
-  const Vector3 p_V = camera.R_WV().conjugate() * (p_W - camera.eye());
-  if (p_V.z() > -camera.nearPlane()) return std::nullopt;
-  const double scale = size.height() / (2.0 * std::tan(camera.verticalFieldOfView() / 2.0));
-  return QPointF(size.width() / 2.0 - p_V.x() / p_V.z() * scale, size.height() / 2.0 + p_V.y() / p_V.z() * scale);
+  const auto at = camera.project(p_W);
+  if (!at) return std::nullopt;
+  return QPointF(size.width() / 2.0 + at->x() * size.height(), size.height() / 2.0 + at->y() * size.height());
 }
 
 constexpr int kDigits = 3;
 constexpr double kSmall = 0.85;  ///< of the usual size
 
 QString textOf(const SceneLabel& label) {
+  if (label.length) return lengthText(*label.length);
   return label.number ? QLocale().toString(*label.number, 'g', kDigits) : QString::fromStdString(label.text);
 }
 

@@ -25,6 +25,11 @@ std::optional<double> hit(const Ray& ray, const Vector3& a, const Vector3& b, co
 }  // namespace
 
 Ray rayThrough(const CameraController& camera, double x, double y) {
+  if (camera.isOrthographic()) {
+    // From the near plane, which may lie behind the eye.
+    const Vector3 origin_V(x * camera.viewHeight(), -y * camera.viewHeight(), -camera.nearPlane());
+    return {camera.eye() + camera.R_WV() * origin_V, camera.R_WV() * Vector3(0.0, 0.0, -1.0)};
+  }
   const double scale = 2.0 * std::tan(camera.verticalFieldOfView() / 2.0);
   return {camera.eye(), camera.R_WV() * Vector3(x * scale, -y * scale, -1.0).normalized()};
 }
@@ -37,9 +42,10 @@ std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray&
     const Pose X_BW = inverse(bodies[i].X_WB);
     const Ray ray_B{X_BW * ray.origin, X_BW.orientation * ray.direction};
     const TriangleMesh& mesh = *bodies[i].mesh;
-    for (const auto& [a, b, c] : mesh.triangles) {
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+      const auto& [a, b, c] = mesh.triangles[triangle];
       const auto distance = hit(ray_B, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
-      if (distance && (!nearest || *distance < nearest->distance)) nearest = BodyHit{i, *distance};
+      if (distance && (!nearest || *distance < nearest->distance)) nearest = BodyHit{i, *distance, triangle};
     }
   }
   return nearest;

@@ -21,6 +21,7 @@ Ray rayThrough(const CameraController& camera, double x, double y);
 struct BodyHit {
   std::size_t body;
   double distance;
+  std::size_t triangle;  ///< of the body's mesh
 };
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
                                 const std::set<std::string>& hidden = {});

@@ -53,8 +53,14 @@ void SceneRenderer::render(unsigned int target) {
   osg::Camera* camera = viewer_->getCamera();
   const Pose X_WV{controller.eye(), controller.R_WV()};
   camera->setViewMatrix(toOsg(inverse(X_WV)));
-  camera->setProjectionMatrixAsPerspective(controller.verticalFieldOfView() * 180.0 / std::acos(-1.0),
-                                           controller.aspect(), controller.nearPlane(), controller.farPlane());
+  if (controller.isOrthographic()) {
+    const double top = 0.5 * controller.viewHeight();
+    const double right = top * controller.aspect();
+    camera->setProjectionMatrixAsOrtho(-right, right, -top, top, controller.nearPlane(), controller.farPlane());
+  } else {
+    camera->setProjectionMatrixAsPerspective(controller.verticalFieldOfView() * 180.0 / std::acos(-1.0),
+                                             controller.aspect(), controller.nearPlane(), controller.farPlane());
+  }
   camera->setClearColor(toOsg(view_.background()));
   viewer_->frame();
 }

@@ -21,6 +21,7 @@ namespace glissade {
 class CameraController;
 struct ClearanceProfile;
 struct Difficulty;
+struct EndConflicts;
 
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };
@@ -45,9 +46,12 @@ enum class SceneLayer {
   Milestones,
   Region,
   Selection,
-  Difficulty
+  Difficulty,
+  KeptPaths,
+  Refusal,
+  Measure
 };
-inline constexpr int kSceneLayerCount = 19;
+inline constexpr int kSceneLayerCount = 22;
 
 struct EnvironmentPicture;
 
@@ -59,6 +63,24 @@ struct SceneLabel {
   bool below = false;                           ///< written under the point, so that another text has room on it
   std::optional<double> number = std::nullopt;  ///< written instead of the text, as the user's language writes numbers
   bool small = false;                           ///< written small, and only where there is room for it at its point
+  std::optional<double> length = std::nullopt;  ///< metres: written instead of the text, in the unit that fits it
+};
+
+/// A length at a point of the scene.
+SceneLabel lengthLabel(const Vector3& p_W, double metres, bool strong);
+
+/// A path that is shown beside others: its reference points in one colour.
+struct KeptPathPicture {
+  std::vector<Vector3> way;
+  Colour colour;
+  std::string name;
+};
+
+/// What is measured: lines and points over everything, with their texts.
+struct MeasurePicture {
+  std::vector<Vector3> points;
+  std::vector<Vector3> segments;  ///< ends, two per segment
+  std::vector<SceneLabel> labels;
 };
 
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
@@ -106,6 +128,15 @@ class SceneView {
   void setCoarsePlan(const CoarsePlanPtr& plan);
   /// The topological step whose region is shown; nothing: the one that is running.
   void setShownStep(const std::optional<std::size_t>& step);
+  /// Marks the object where it is refused, and the bodies that it meets there; null: nothing.
+  void setRefusal(std::shared_ptr<const glissade::EndConflicts> conflicts);
+  /// Paths that are shown beside the run's.
+  void setKeptPaths(std::vector<KeptPathPicture> paths);
+  void setMeasure(MeasurePicture measure);
+  /// The box of these bodies where they are drawn, by id; the object is where it is shown. Empty: none is there.
+  Box3 extentOf(const std::set<std::string>& bodyIds) const;
+  /// Where the object is drawn.
+  Pose objectPose() const;
   /// Why the run that is shown found no path; null: nothing is known.
   void setDifficulty(std::shared_ptr<const glissade::Difficulty> difficulty);
   /// Texts of the visible layers: names of places, costs of the graph.

@@ -240,7 +240,7 @@ void MultiLayerPlanner::stepFailed(PlannerHost& host, const std::string& reason)
   milestoneSampler_.reset();
   milestoneDraws_ = 0;
   if (!coarse_->rules().loop) {
-    fail(reason, "Change the semantic attributes, or use strategy gts.");
+    fail(reason, "Change the semantic attributes, or use strategy GTS.");
     return;
   }
   // New milestones, too: the old ones may have been what was wrong.

@@ -103,6 +103,18 @@ inline Scenario fullScenario() {
   scenario.fits = {
       true, 0.0015, {{"object", "wall", ContactKind::Thread, 1.0 / 3e4, true}, {"product/pin", "wall", {}, {}, false}}};
   scenario.seed = 9223372036854775807U;
+  KeptPath kept;
+  kept.name = "Weg \"1\"";
+  kept.pinned = kept.smoothed = true;
+  kept.object = scenario.object.id;
+  kept.provenance = {"gts", 12};
+  kept.requiredClearance = 1.0 / 3e6;
+  kept.clearance = 0.25;
+  kept.provedClearance = 0.125;
+  kept.allowances = {{"wall", 1e-5}};
+  kept.problemSha256 = std::string(64, 'b');
+  kept.points = {{scenario.start}, {Pose::translation({1.0 / 3.0, 0, 0}), Author::Contact, Author::Operator}};
+  scenario.paths = {std::make_shared<const KeptPath>(kept)};
   return scenario;
 }
 

@@ -35,6 +35,24 @@ TEST(ThreadedSession, AtMostOneWakeUpIsPending) {
   session->setWakeUp({});
 }
 
+TEST(ThreadedSession, KeepsThePaceAndAnswersAtOnceBetweenSteps) {
+  const auto session = makeThreadedSession(sessionConfig(closedProblem()));
+  session->post(command::SetParameter{ParameterId::Pace, 40.0});
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.counts.steps >= 4; }));
+  const auto begin = std::chrono::steady_clock::now();
+  const std::uint64_t before = session->snapshot()->counts.steps;
+  ASSERT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps >= before + 8; }));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  EXPECT_GT(took.count(), 7 / 40.0) << "a loaded machine may be slower, never faster";
+  // A step is due in a second only: a command does not wait for it.
+  session->post(command::SetParameter{ParameterId::Pace, 1.0});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.parameters[ParameterId::Pace] == 1.0; }));
+  session->post(command::SetParameter{ParameterId::Pace, 0.0});
+  const std::uint64_t slow = session->snapshot()->counts.steps;
+  EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps > slow + 500; })) << "full speed again";
+}
+
 class FailingDevice final : public OperatorDevice {
  public:
   Pose advance(double, const OperatorView&, const Box3&) override { throw std::runtime_error("cable out"); }

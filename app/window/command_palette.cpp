@@ -1,0 +1,99 @@
+#include "app/window/command_palette.h"
+
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace glissade {
+namespace {
+
+QString plainName(const QAction& action) {
+  return QString(action.text()).remove(QLatin1Char('&')).remove(QStringLiteral("..."));
+}
+
+/// 0 is the best; -1: it does not match.
+int rankOf(const QAction& action, const QString& text) {
+  const QString name = plainName(action);
+  const QString all = name + QLatin1Char(' ') + action.statusTip() + QLatin1Char(' ') + action.objectName();
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    if (!all.contains(word, Qt::CaseInsensitive)) return -1;
+  }
+  if (name.startsWith(text, Qt::CaseInsensitive)) return 0;
+  return name.contains(text, Qt::CaseInsensitive) ? 1 : 2;
+}
+
+}  // namespace
+
+std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text) {
+  std::vector<std::pair<int, QAction*>> ranked;
+  for (const ActionSpec& spec : actionSpecs()) {
+    QAction* action = actions[QLatin1String(spec.id)];
+    const int rank = rankOf(*action, text.trimmed());
+    if (rank >= 0) ranked.emplace_back(rank, action);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<QAction*> found;
+  for (const auto& [rank, action] : ranked) found.push_back(action);
+  return found;
+}
+
+CommandPalette::CommandPalette(const ActionCatalogue& actions, QWidget* parent)
+    : QDialog(parent), actions_(actions), field_(new QLineEdit(this)), list_(new QListWidget(this)) {
+  setWindowTitle(tr("Find a command"));
+  setObjectName(QStringLiteral("command-palette"));
+  field_->setPlaceholderText(tr("Part of a command's name"));
+  field_->setAccessibleName(tr("Part of a command's name"));
+  field_->setClearButtonEnabled(true);
+  field_->installEventFilter(this);
+  list_->setAccessibleName(tr("Commands"));
+  list_->setUniformItemSizes(true);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(field_);
+  column->addWidget(list_, 1);
+  resize(560, 420);
+  connect(field_, &QLineEdit::textChanged, this, &CommandPalette::showMatches);
+  connect(list_, &QListWidget::itemActivated, this, &CommandPalette::triggerCurrent);
+  showMatches();
+}
+
+void CommandPalette::showMatches() {
+  list_->clear();
+  shown_ = matchingActions(actions_, field_->text());
+  int firstEnabled = -1;
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const QAction& action = *shown_[i];
+    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+    auto* item = new QListWidgetItem(action.icon(), plainName(action), list_);
+    if (!keys.isEmpty()) item->setText(item->text() + QStringLiteral("    ") + keys);
+    item->setToolTip(action.statusTip());
+    if (action.isCheckable() && action.isChecked()) item->setText(QStringLiteral("✓ ") + item->text());
+    if (!action.isEnabled()) item->setFlags(Qt::NoItemFlags);
+    if (action.isEnabled() && firstEnabled < 0) firstEnabled = static_cast<int>(i);
+  }
+  list_->setCurrentRow(firstEnabled);
+}
+
+void CommandPalette::triggerCurrent() {
+  const int row = list_->currentRow();
+  if (row < 0) return;
+  QAction* action = shown_[static_cast<std::size_t>(row)];
+  accept();
+  action->trigger();
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+    triggerCurrent();
+    return true;
+  }
+  if (key != Qt::Key_Up && key != Qt::Key_Down && key != Qt::Key_PageUp && key != Qt::Key_PageDown) {
+    return QDialog::eventFilter(watched, event);
+  }
+  QCoreApplication::sendEvent(list_, event);
+  return true;
+}
+
+}  // namespace glissade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "app/window/workbench.h"
+#include "widgets/panels/log_panel.h"
+
+namespace glissade {
+
+/// Writes what happens into the log (scenarios, runs, failures), shows it, and copies it for a bug report.
+class LogController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LogController(const Workbench& bench);
+
+  LogPanel* panel() const { return panel_; }
+  /// Versions, machine, scenario, settings and the log, as plain text in English but for the messages.
+  QString bugReport() const;
+
+ private:
+  void followRun(const SnapshotPtr& snapshot);
+  void addCommands();
+
+  const Workbench& bench_;
+  LogPanel* panel_;
+  std::uint64_t run_ = 0;
+  SessionState state_ = SessionState::Idle;
+  std::string problem_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,328 @@
+#include "app/window/measure_controller.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "app/window/scene_ray.h"
+#include "engine/product/contact_report.h"
+#include "widgets/commands/length_text.h"
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+namespace {
+
+using Kind = MeasureController::Kind;
+
+/// A press and a release nearer than this are a click.
+constexpr double kStillPixels = 4.0;
+/// The pointer snaps to vertices and edges within this.
+constexpr double kSnapPixels = 9.0;
+constexpr int kHintMargin = 10;
+
+constexpr std::array<std::pair<const char*, Kind>, 4> kKinds{{{"measure.distance", Kind::Distance},
+                                                              {"measure.angle", Kind::Angle},
+                                                              {"measure.radius", Kind::Radius},
+                                                              {"measure.clearance", Kind::Clearance}}};
+
+QString degreesText(double radians) {
+  return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
+}
+
+/// Metres that a pixel stands for at a distance from the eye.
+double metresPerPixel(const CameraController& camera, double distance, int height) {
+  const double viewed =
+      camera.isOrthographic() ? camera.viewHeight() : 2.0 * distance * std::tan(0.5 * camera.verticalFieldOfView());
+  return viewed / std::max(1, height);
+}
+
+/// Of the vertex, the edge or the face that was clicked.
+void addTo(MeasurePicture& picture, const MeasureFeature& feature) {
+  picture.points.push_back(feature.picked);
+  if (feature.kind == MeasureFeature::Kind::Edge) {
+    picture.segments.insert(picture.segments.end(), {feature.from, feature.to});
+  }
+  if (feature.kind == MeasureFeature::Kind::Cylinder) {
+    picture.segments.insert(picture.segments.end(), {feature.picked, feature.axisPoint});
+  }
+}
+
+struct Clearance {
+  MeasuredDistance distance;
+  std::optional<double> overlap;
+};
+
+Clearance clearanceOf(const RigidBody& a, const RigidBody& b, const StopToken& stop) {
+  const auto world = CollisionWorld::build({b}, a.mesh);
+  const NearestObstacle nearest = world->makeQuery()->nearestObstacle(a.X_WB);
+  Clearance clearance{{nearest.distance, nearest.p_WPn, nearest.p_WPo}, std::nullopt};
+  if (nearest.distance > 0.0) return clearance;
+  const std::vector<ContactBody> bodies{{a.id, a.mesh, a.X_WB}, {b.id, b.mesh, b.X_WB}};
+  for (const Contact& contact : findContacts(bodies, {}, stop).contacts) {
+    if (contact.overlap > 0.0) clearance.overlap = contact.overlap;
+  }
+  return clearance;
+}
+
+}  // namespace
+
+MeasureController::MeasureController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), hint_(new QLabel(bench.scene.widget())) {
+  hint_->setObjectName(QStringLiteral("measure-hint"));
+  hint_->setTextFormat(Qt::PlainText);
+  hint_->setAutoFillBackground(true);
+  hint_->setMargin(6);
+  hint_->hide();
+  bench.scene.widget()->installEventFilter(this);
+  connect(&preparation_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & Change::Scenario) {
+      prepared_.clear();
+      setKind(Kind::None);
+    }
+    if (what & (Change::Scenario | Change::Arrangement)) clear();
+    for (const auto& [id, kind] : kKinds) bench_.enable(id, true);
+  });
+  connectActions();
+  addCommands();
+}
+
+void MeasureController::connectActions() {
+  for (const auto& [id, kind] : kKinds) {
+    bench_.enable(id, false);
+    bench_.onAction(id, this, [this, kind = kind](bool on) { setKind(on ? kind : Kind::None); });
+  }
+  bench_.enable("measure.clear", false);
+  bench_.onAction("measure.clear", this, [this] { clear(); });
+}
+
+void MeasureController::setKind(Kind kind) {
+  kind_ = kind;
+  for (const auto& [id, other] : kKinds) bench_.actions[QLatin1String(id)]->setChecked(other == kind);
+  clear();
+  if (kind == Kind::None) {
+    bench_.scene.widget()->unsetCursor();
+  } else {
+    bench_.actions["assembly.arrange"]->setChecked(false);
+    bench_.scene.widget()->setCursor(Qt::CrossCursor);
+    bench_.scene.widget()->setFocus();
+  }
+}
+
+void MeasureController::clear() {
+  preparation_.cancel();
+  features_.clear();
+  bodies_.clear();
+  result_.clear();
+  bench_.scene.view().setMeasure({});
+  bench_.scene.refresh();
+  bench_.enable("measure.clear", false);
+  showHint();
+}
+
+bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) placeHint();
+  if (kind_ == Kind::None) return QObject::eventFilter(watched, event);
+  if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    setKind(Kind::None);
+    return true;
+  }
+  if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease) {
+    return QObject::eventFilter(watched, event);
+  }
+  const auto& mouse = static_cast<const QMouseEvent&>(*event);
+  if (mouse.button() != Qt::LeftButton) return QObject::eventFilter(watched, event);
+  if (event->type() == QEvent::MouseButtonPress) {
+    pressed_ = mouse.localPos();
+    return QObject::eventFilter(watched, event);
+  }
+  const QPointF moved = mouse.localPos() - pressed_;
+  if (std::hypot(moved.x(), moved.y()) < kStillPixels) click(mouse.localPos());
+  return true;  // a click selects nothing meanwhile
+}
+
+std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& position) const {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  SceneView& view = bench_.scene.view();
+  std::vector<RigidBody> bodies = scenario->obstacles;
+  if (!view.layerVisible(SceneLayer::Bodies)) bodies.clear();
+  if (view.layerVisible(SceneLayer::Object)) {
+    bodies.push_back(scenario->object);
+    bodies.back().X_WB = view.objectPose();
+  }
+  const Ray ray = rayThrough(bench_.scene, position);
+  const auto hit = pickBody(bodies, ray, view.hiddenBodies());
+  if (!hit) return std::nullopt;
+  const double pixel = metresPerPixel(view.camera(), hit->distance, bench_.scene.widget()->height());
+  return Picked{bodies[hit->body], *hit, ray.origin + hit->distance * ray.direction, kSnapPixels * pixel};
+}
+
+void MeasureController::click(const QPointF& position) {
+  const auto picked = pick(position);
+  if (!picked) return;
+  if (!result_.isEmpty()) clear();
+  if (kind_ == Kind::Clearance) {
+    addBody(picked->body);
+  } else {
+    takeFeature(*picked);
+  }
+}
+
+void MeasureController::takeFeature(const Picked& picked) {
+  const auto known = prepared_.find(picked.body.mesh);
+  if (known != prepared_.end()) {
+    const Vector3 p_B = inverse(picked.body.X_WB) * picked.p_W;
+    const double snap = kind_ == Kind::Radius ? 0.0 : picked.snap;
+    addFeature(placed(known->second->featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB));
+    return;
+  }
+  const auto prepare = [this, picked](const WorkWatch&) -> BackgroundTask::Delivery {
+    auto mesh = std::make_shared<const MeasurableMesh>(picked.body.mesh);
+    return [this, picked, mesh] {
+      prepared_[picked.body.mesh] = mesh;
+      takeFeature(picked);
+    };
+  };
+  hint_->setText(tr("Finding edges and faces of the body…"));
+  placeHint();
+  preparation_.start("finding edges and faces", prepare, bench_.work.isAtOnce());
+}
+
+void MeasureController::addFeature(const MeasureFeature& feature) {
+  features_.push_back(feature);
+  MeasurePicture picture;
+  for (const MeasureFeature& clicked : features_) addTo(picture, clicked);
+  bench_.scene.view().setMeasure(picture);
+  bench_.scene.refresh();
+  if (features_.size() == (kind_ == Kind::Radius ? 1U : 2U)) {
+    measureFeatures();
+  } else {
+    showHint();
+  }
+}
+
+void MeasureController::measureFeatures() {
+  const MeasureFeature& a = features_.front();
+  const MeasureFeature& b = features_.back();
+  MeasurePicture picture;
+  for (const MeasureFeature& clicked : features_) addTo(picture, clicked);
+  if (kind_ == Kind::Radius) {
+    if (a.kind != MeasureFeature::Kind::Cylinder) {
+      show(tr("This is no cylindrical face."), picture);
+      return;
+    }
+    picture.labels.push_back(lengthLabel(0.5 * (a.picked + a.axisPoint), a.radius, true));
+    show(tr("Radius %1, diameter %2").arg(lengthText(a.radius), lengthText(2.0 * a.radius)), picture);
+  } else if (kind_ == Kind::Angle) {
+    const auto angle = angleBetweenFeatures(a, b);
+    if (!angle) {
+      show(tr("A vertex or a free surface has no direction: click edges, planes or cylinders."), picture);
+      return;
+    }
+    const QString text = degreesText(*angle);
+    picture.labels.push_back({0.5 * (a.picked + b.picked), text.toStdString(), true});
+    show(tr("Angle %1").arg(text), picture);
+  } else {
+    const MeasuredDistance distance = distanceBetween(a, b);
+    showDistance(tr("Distance %1").arg(lengthText(distance.metres)), distance);
+  }
+}
+
+void MeasureController::showDistance(const QString& text, const MeasuredDistance& distance) {
+  MeasurePicture picture;
+  for (const MeasureFeature& clicked : features_) addTo(picture, clicked);
+  picture.points.insert(picture.points.end(), {distance.from, distance.to});
+  picture.segments.insert(picture.segments.end(), {distance.from, distance.to});
+  picture.labels.push_back(lengthLabel(0.5 * (distance.from + distance.to), distance.metres, true));
+  const Vector3 along = distance.to - distance.from;
+  show(text + tr(" (x %1, y %2, z %3)").arg(lengthText(along.x()), lengthText(along.y()), lengthText(along.z())),
+       picture);
+}
+
+void MeasureController::addBody(const RigidBody& body) {
+  if (!bodies_.empty() && bodies_.front().id == body.id) return;
+  bodies_.push_back(body);
+  if (bodies_.size() == 2) {
+    measureClearance();
+  } else {
+    showHint();
+  }
+}
+
+void MeasureController::measureClearance() {
+  const auto measure = [this, a = bodies_.front(),
+                        b = bodies_.back()](const WorkWatch& watch) -> BackgroundTask::Delivery {
+    const Clearance clearance = clearanceOf(a, b, watch.stop);
+    return [this, clearance, a, b] {
+      const QString names =
+          QStringLiteral("%1 – %2: ").arg(QString::fromStdString(a.name), QString::fromStdString(b.name));
+      if (clearance.distance.metres > 0.0) {
+        showDistance(names + tr("clearance %1").arg(lengthText(clearance.distance.metres)), clearance.distance);
+      } else if (clearance.overlap) {
+        show(names + tr("overlap %1").arg(lengthText(*clearance.overlap)), {});
+      } else {
+        show(names + tr("they touch"), {});
+      }
+    };
+  };
+  hint_->setText(tr("Measuring the clearance…"));
+  placeHint();
+  preparation_.start("measuring a clearance", measure, bench_.work.isAtOnce());
+}
+
+void MeasureController::show(const QString& text, MeasurePicture picture) {
+  result_ = text;
+  bench_.scene.view().setMeasure(std::move(picture));
+  bench_.scene.refresh();
+  bench_.enable("measure.clear", true);
+  bench_.messages.log().add(LogLevel::Information, text);
+  showHint();
+}
+
+/// What was measured, or what is to be clicked next.
+void MeasureController::showHint() {
+  QString text = result_;
+  const bool first = features_.empty() && bodies_.empty();
+  if (text.isEmpty()) {
+    switch (kind_) {
+      case Kind::None: break;
+      case Kind::Radius: text = tr("Click a cylindrical face. Esc ends measuring."); break;
+      case Kind::Clearance:
+        text = first ? tr("Click the first body. Esc ends measuring.") : tr("Click the second body.");
+        break;
+      case Kind::Distance:
+        text = first ? tr("Click the first vertex, edge or face. Esc ends measuring.")
+                     : tr("Click the second vertex, edge or face.");
+        break;
+      case Kind::Angle:
+        text = first ? tr("Click the first edge or face. Esc ends measuring.") : tr("Click the second edge or face.");
+        break;
+    }
+  }
+  hint_->setText(text);
+  hint_->setVisible(!text.isEmpty());
+  placeHint();
+}
+
+/// In the middle of the lower border.
+void MeasureController::placeHint() {
+  hint_->adjustSize();
+  const QSize scene = bench_.scene.widget()->size();
+  hint_->move((scene.width() - hint_->width()) / 2, scene.height() - hint_->height() - kHintMargin);
+  hint_->raise();
+}
+
+void MeasureController::addCommands() {
+  bench_.scripts.add("expect-measure", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    if (result_.contains(QString::fromStdString(words[0]))) return Done{};
+    return unmetExpectation("what is measured is '" + result_.toStdString() + "', not '" + words[0] + "'");
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QLabel>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "app/window/workbench.h"
+#include "engine/product/measurement.h"
+#include "widgets/bridge/background_task.h"
+#include "widgets/scene3d/scene_pick.h"
+
+namespace glissade {
+
+/// Measures what is clicked in the scene: distances and angles between vertices, edges and faces, radii, clearances of
+/// bodies. The result stays in the scene until the next one. Esc, or the action again, ends measuring.
+class MeasureController final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Kind { None, Distance, Angle, Radius, Clearance };
+
+  explicit MeasureController(const Workbench& bench);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Picked {
+    RigidBody body;  ///< where it is drawn
+    BodyHit hit;
+    Vector3 p_W;
+    double snap;  ///< metres
+  };
+
+  void connectActions();
+  void setKind(Kind kind);
+  void clear();
+  std::optional<Picked> pick(const QPointF& position) const;
+  void click(const QPointF& position);
+  /// Finds planes, cylinders and edges of the body first, in the background, where they are not known yet.
+  void takeFeature(const Picked& picked);
+  void addFeature(const MeasureFeature& feature);
+  void addBody(const RigidBody& body);
+  void measureFeatures();
+  void measureClearance();
+  void showDistance(const QString& text, const MeasuredDistance& distance);
+  void show(const QString& text, MeasurePicture picture);
+  void showHint();
+  void placeHint();
+  void addCommands();
+
+  const Workbench& bench_;
+  Kind kind_ = Kind::None;
+  QLabel* hint_;
+  QString result_;
+  std::vector<MeasureFeature> features_;  ///< that were clicked, world frame
+  std::vector<RigidBody> bodies_;         ///< likewise
+  std::map<MeshPtr, std::shared_ptr<const MeasurableMesh>> prepared_;
+  BackgroundTask preparation_;
+  QPointF pressed_;
+};
+
+}  // namespace glissade

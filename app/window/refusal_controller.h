@@ -1,0 +1,46 @@
+#pragma once
+
+#include "app/window/workbench.h"
+#include "engine/scenario/end_conflicts.h"
+#include "widgets/bridge/background_task.h"
+#include "widgets/panels/notice_bar.h"
+
+namespace glissade {
+
+/// Says over the scene why a run was refused or ended without a path, or why a path does not hold: the reason, the
+/// bodies (marked in the scene) with their overlap, and what can be done.
+class RefusalController final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RefusalController(const Workbench& bench);
+
+  const NoticeBar& bar() const { return *bar_; }
+  /// What is marked in the scene; null: nothing.
+  const std::shared_ptr<const EndConflicts>& conflicts() const { return conflicts_; }
+
+ private:
+  void connectActions();
+  void followRun(const SnapshotPtr& snapshot);
+  void followDocument(Changes what);
+  /// Looks for all bodies that the object meets at its ends, in the background.
+  void examineEnds();
+  void takeConflicts(const std::optional<EndConflicts>& found);
+  void showProblem(const SessionSnapshot& snapshot);
+  void showConflicts();
+  void showRefusedPath(const PathExamination& refused);
+  void mark(std::shared_ptr<const EndConflicts> conflicts);
+  void zoomToConflicts();
+  void allowAsFits();
+  void close();
+  void enableActions();
+  void addCommands();
+
+  const Workbench& bench_;
+  NoticeBar* bar_;
+  std::shared_ptr<const EndConflicts> conflicts_;
+  BackgroundTask examination_;
+  QString noticed_;  ///< what the snapshot said that was noticed last: it is not said again
+};
+
+}  // namespace glissade

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/product/surface_regions.h"
+
+namespace glissade {
+
+/// What a person points at on a body.
+struct MeasureFeature {
+  enum class Kind { Vertex, Edge, Face, Cylinder, FreeFace };
+  Kind kind = Kind::FreeFace;
+  Vector3 picked = Vector3::Zero();  ///< on the feature: of a vertex itself
+  Vector3 from = Vector3::Zero();    ///< of an edge
+  Vector3 to = Vector3::Zero();
+  Vector3 direction = Vector3::UnitZ();  ///< unit: of an edge, of a cylinder's axis; of a face its normal
+  Vector3 axisPoint = Vector3::Zero();   ///< of a cylinder
+  double radius = 0.0;                   ///< of a cylinder, metres
+};
+
+/// The feature of a body at X_WB in the world.
+MeasureFeature placed(const MeasureFeature& feature, const Pose& X_WB);
+
+/// A mesh with its planes, cylinders and feature edges found. Immutable. Making one takes seconds for a million
+/// triangles.
+class MeasurableMesh {
+ public:
+  explicit MeasurableMesh(MeshPtr mesh);
+
+  /// What is meant by a point on a triangle: a vertex or a feature edge of the triangle that is within `snap` metres,
+  /// else the surface. In the mesh's frame.
+  MeasureFeature featureAt(std::size_t triangle, const Vector3& p, double snap) const;
+
+ private:
+  bool isFeatureEdge(std::uint32_t a, std::uint32_t b) const;
+
+  MeshPtr mesh_;
+  SurfaceRegions regions_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> trianglesAt_;  ///< by edge
+};
+
+/// A distance, with the two points that it is between.
+struct MeasuredDistance {
+  double metres = 0.0;
+  Vector3 from = Vector3::Zero();
+  Vector3 to = Vector3::Zero();
+};
+
+/// Vertices and edges as they are, faces as endless planes, cylinders as their axes, points of free surfaces as points.
+/// Faces that are not parallel, and what crosses a plane, have the distance 0. World frame or any other.
+MeasuredDistance distanceBetween(const MeasureFeature& a, const MeasureFeature& b);
+
+/// Radians from 0 to pi / 2: between edges and axes, between the planes of faces, between an edge and a face. Nothing
+/// where one of the two has no direction.
+std::optional<double> angleBetweenFeatures(const MeasureFeature& a, const MeasureFeature& b);
+
+}  // namespace glissade

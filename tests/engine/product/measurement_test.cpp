@@ -1,0 +1,91 @@
+#include "engine/product/measurement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/geometry/primitives.h"
+#include "engine/geometry/triangle_tree.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/support/random_pose.h"
+
+namespace glissade {
+namespace {
+
+using Kind = MeasureFeature::Kind;
+
+MeshPtr boxMesh(const Vector3& size) { return std::make_shared<const TriangleMesh>(welded(makeBox(size))); }
+
+/// What is meant by a point of the mesh's surface.
+MeasureFeature featureNear(const MeshPtr& mesh, const Vector3& p, double snap) {
+  const TriangleTree::Nearest nearest = TriangleTree(*mesh).nearest(p, 10.0);
+  return MeasurableMesh(mesh).featureAt(nearest.triangle, p, snap);
+}
+
+TEST(Measurement, SnapsToVerticesThenEdgesThenFaces) {
+  const MeshPtr box = boxMesh({0.2, 0.4, 0.6});
+  const Vector3 corner(0.1, 0.2, 0.3);
+  const MeasureFeature vertex = featureNear(box, corner - Vector3(0.001, 0.001, 0.0), 0.005);
+  EXPECT_EQ(vertex.kind, Kind::Vertex);
+  EXPECT_LT((vertex.picked - corner).norm(), 1e-12);
+  const MeasureFeature edge = featureNear(box, {0.1, 0.05, 0.299}, 0.005);
+  EXPECT_EQ(edge.kind, Kind::Edge);
+  EXPECT_NEAR((edge.to - edge.from).norm(), 0.4, 1e-12);
+  // The diagonals of the triangles are no edges of the body.
+  for (const double y : {-0.1, 0.0, 0.1}) {
+    const MeasureFeature face = featureNear(box, {0.1, y, 1.5 * y}, 0.005);
+    EXPECT_EQ(face.kind, Kind::Face);
+    EXPECT_NEAR(std::abs(face.direction.x()), 1.0, 1e-12);
+  }
+}
+
+TEST(Measurement, ReadsTheExactRadiusOfACoarseCylinder) {
+  const auto ring = std::make_shared<const TriangleMesh>(welded(test::makeRing(0.02, 0.05, 0.1, 16)));
+  const double facet = 0.05 * std::cos(std::numbers::pi / 16.0);
+  const Vector3 middle = facet * Vector3(std::cos(std::numbers::pi / 16.0), std::sin(std::numbers::pi / 16.0), 0.0);
+  const MeasureFeature outside = featureNear(ring, middle, 0.0);
+  ASSERT_EQ(outside.kind, Kind::Cylinder);
+  EXPECT_NEAR(outside.radius, 0.05, 1e-9);
+}
+
+TEST(Measurement, DistancesDoNotDependOnTheFrame) {
+  RandomStream random(5, "measurement");
+  const MeasureFeature top{Kind::Face, {0.0, 0.0, 0.3}, {}, {}, Vector3::UnitZ(), Vector3::Zero(), 0.0};
+  const MeasureFeature shelf{Kind::Face, {5.0, 1.0, 0.1}, {}, {}, -Vector3::UnitZ(), Vector3::Zero(), 0.0};
+  const MeasureFeature vertex{Kind::Vertex, {1.0, 2.0, 3.3}, {}, {}, Vector3::UnitZ(), Vector3::Zero(), 0.0};
+  const MeasureFeature axis{Kind::Cylinder, Vector3::Zero(), {}, {}, Vector3::UnitX(), {0.0, 0.0, 0.0}, 0.1};
+  const MeasureFeature edge{Kind::Edge, {0, 0.5, 1}, {0, 0.5, 1}, {0, 2.5, 1}, Vector3::UnitY(), Vector3::Zero(), 0.0};
+  for (int round = 0; round < 20; ++round) {
+    const Pose X = randomPose(random, 2.0);
+    const auto distance = [&X](const MeasureFeature& a, const MeasureFeature& b) {
+      const MeasuredDistance one = distanceBetween(placed(a, X), placed(b, X));
+      const MeasuredDistance other = distanceBetween(placed(b, X), placed(a, X));
+      EXPECT_NEAR(one.metres, other.metres, 1e-9);
+      EXPECT_NEAR((one.to - one.from).norm(), one.metres, 1e-9);
+      return one.metres;
+    };
+    EXPECT_NEAR(distance(top, shelf), 0.2, 1e-9);
+    EXPECT_NEAR(distance(top, vertex), 3.0, 1e-9);
+    EXPECT_NEAR(distance(axis, vertex), std::hypot(2.0, 3.3), 1e-9);
+    EXPECT_NEAR(distance(axis, edge), std::hypot(0.5, 1.0), 1e-9) << "the nearer end of the edge";
+    EXPECT_NEAR(distance(top, edge), 0.7, 1e-9);
+    EXPECT_NEAR(distance(vertex, vertex), 0.0, 1e-12);
+  }
+}
+
+TEST(Measurement, AnglesAreBetweenEdgesAxesAndPlanes) {
+  const auto along = [](Kind kind, const Vector3& direction) {
+    return MeasureFeature{kind, Vector3::Zero(), Vector3::Zero(), direction, direction.normalized(), Vector3::Zero(),
+                          0};
+  };
+  const Vector3 tilted(1.0, 0.0, std::sqrt(3.0));  // 60 degrees above x
+  const double sixty = std::numbers::pi / 3.0;
+  EXPECT_NEAR(*angleBetweenFeatures(along(Kind::Edge, Vector3::UnitX()), along(Kind::Edge, -tilted)), sixty, 1e-12);
+  EXPECT_NEAR(*angleBetweenFeatures(along(Kind::Face, Vector3::UnitX()), along(Kind::Face, tilted)), sixty, 1e-12);
+  EXPECT_NEAR(*angleBetweenFeatures(along(Kind::Face, Vector3::UnitZ()), along(Kind::Cylinder, tilted)), sixty, 1e-12);
+  EXPECT_FALSE(angleBetweenFeatures(along(Kind::Vertex, tilted), along(Kind::Edge, tilted)));
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,101 @@
+#include "widgets/document/path_shelf.h"
+
+#include <QUndoCommand>
+
+#include <algorithm>
+#include <utility>
+
+namespace glissade {
+
+class ChangePaths final : public QUndoCommand {
+ public:
+  ChangePaths(PathShelf& shelf, const QString& text, KeptPaths after)
+      : QUndoCommand(text), shelf_(shelf), before_(shelf.paths()), after_(std::move(after)) {}
+
+  void undo() override { shelf_.apply(before_); }
+  void redo() override { shelf_.apply(after_); }
+
+ private:
+  PathShelf& shelf_;
+  KeptPaths before_;
+  KeptPaths after_;
+};
+
+namespace {
+
+Diagnostic refused(const std::string& name, const std::string& reason, const std::string& advice) {
+  return {ErrorKind::Usage, "", name, reason, advice};
+}
+
+}  // namespace
+
+PathShelf::PathShelf(QUndoStack& undo, QObject* parent) : QObject(parent), undo_(undo) {}
+
+void PathShelf::open(const KeptPaths& paths) { apply(paths); }
+
+void PathShelf::apply(const KeptPaths& paths) {
+  paths_ = paths;
+  std::stable_partition(paths_.begin(), paths_.end(), [](const KeptPathPtr& path) { return path->pinned; });
+  emit changed();
+}
+
+KeptPathPtr PathShelf::find(const std::string& name) const {
+  const auto found =
+      std::find_if(paths_.begin(), paths_.end(), [&name](const KeptPathPtr& path) { return path->name == name; });
+  return found == paths_.end() ? nullptr : *found;
+}
+
+bool PathShelf::holds(const std::vector<PathPoint>& points) const {
+  return std::any_of(paths_.begin(), paths_.end(),
+                     [&points](const KeptPathPtr& path) { return hasPoints(*path, points); });
+}
+
+void PathShelf::push(const QString& text, KeptPaths after) {
+  undo_.push(new ChangePaths(*this, text, std::move(after)));
+}
+
+void PathShelf::keep(KeptPath path) {
+  path.name = freePathName(paths_, path.name);
+  KeptPaths after = paths_;
+  after.push_back(std::make_shared<const KeptPath>(std::move(path)));
+  push(tr("Keep a path"), std::move(after));
+}
+
+Outcome PathShelf::replace(const std::string& name, const QString& text,
+                           const std::function<KeptPathPtr(KeptPath)>& change) {
+  KeptPaths after = paths_;
+  const auto found =
+      std::find_if(after.begin(), after.end(), [&name](const KeptPathPtr& path) { return path->name == name; });
+  if (found == after.end()) return refused(name, "there is no kept path of this name", "Choose one of the list.");
+  const KeptPathPtr changedPath = change(**found);
+  if (changedPath) {
+    *found = changedPath;
+  } else {
+    after.erase(found);
+  }
+  push(text, std::move(after));
+  return Done{};
+}
+
+Outcome PathShelf::rename(const std::string& name, const std::string& newName) {
+  if (newName == name) return Done{};
+  if (newName.empty()) return refused(name, "the new name is empty", "Give a name.");
+  if (find(newName)) return refused(newName, "another path has this name", "Give another name.");
+  return replace(name, tr("Rename a path"), [&newName](KeptPath path) {
+    path.name = newName;
+    return std::make_shared<const KeptPath>(std::move(path));
+  });
+}
+
+Outcome PathShelf::pin(const std::string& name, bool pinned) {
+  return replace(name, pinned ? tr("Pin a path") : tr("Unpin a path"), [pinned](KeptPath path) {
+    path.pinned = pinned;
+    return std::make_shared<const KeptPath>(std::move(path));
+  });
+}
+
+Outcome PathShelf::remove(const std::string& name) {
+  return replace(name, tr("Remove a path"), [](const KeptPath&) { return KeptPathPtr(); });
+}
+
+}  // namespace glissade

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QComboBox>
+#include <QTreeWidget>
+
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/commands/message_log.h"
+
+namespace glissade {
+
+/// The messages of the window, the newest last, from a level on.
+class LogPanel final : public QWidget {
+  Q_OBJECT
+
+ public:
+  LogPanel(const MessageLog& log, const ActionCatalogue& actions, QWidget* parent = nullptr);
+
+  /// What is shown, a line a message.
+  QStringList lines() const;
+  void setLevel(LogLevel least);
+
+ private:
+  void show();
+
+  const MessageLog& log_;
+  QComboBox* level_;
+  QTreeWidget* table_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QBoxLayout>
+#include <QFrame>
+#include <QLabel>
+
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// What a notice says, and what can be done about it.
+struct Notice {
+  QString title;                     ///< one sentence
+  QString details;                   ///< the facts, plain text; may have lines
+  std::vector<const char*> actions;  ///< ids of the catalogue, as buttons
+};
+
+/// A bar over the scene: what was refused, why, and buttons for what can be done. Its buttons are reached by Tab.
+class NoticeBar final : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// Stays at the top of `scene`; hidden until there is something to say. `rightMargin` pixels are left free.
+  NoticeBar(const ActionCatalogue& actions, QWidget* scene, int rightMargin);
+
+  void showNotice(const Notice& notice);
+  const Notice& notice() const { return notice_; }
+
+ signals:
+  void closed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void makeButtons();
+  void fitWidth();
+  int buttonsWidth() const;
+
+  const ActionCatalogue& actions_;
+  int rightMargin_;
+  Notice notice_;
+  QLabel* title_;
+  QLabel* details_;
+  QBoxLayout* buttons_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,39 @@
+#include "widgets/panels/strategy_use.h"
+
+namespace glissade {
+namespace {
+
+bool beginsWith(const std::string& text, const char* beginning) { return text.rfind(beginning, 0) == 0; }
+
+/// Samples on the tangent plane of an obstacle; strategies in a loop may choose such a planner for a place.
+bool samplesContacts(const PlannerEntry& strategy) {
+  return strategy.usesOperator && strategy.id != "interactive-birrt";
+}
+
+/// A hand that feels or sees the guidance: a person's, or the haptic one's. The others follow their way-points.
+bool isGuided(const std::string& deviceId) {
+  return deviceId != "expert" && deviceId != "default" && deviceId != "novice" && deviceId != "none";
+}
+
+}  // namespace
+
+StrategyGroup strategyGroup(const std::string& plannerId) {
+  if (plannerId == "auto" || plannerId == "contact-birrt") return StrategyGroup::Main;
+  if (beginsWith(plannerId, "ompl-") || beginsWith(plannerId, "peer-")) return StrategyGroup::Ompl;
+  return plannerId.find("birrt") != std::string::npos ? StrategyGroup::FirstPaper : StrategyGroup::SecondPaper;
+}
+
+std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId) {
+  std::set<ParameterId> used{ParameterId::RequiredClearance};
+  if (!strategy.usesOperator) return used;
+  used.insert(ParameterId::Alpha);
+  if (samplesContacts(strategy)) {
+    used.insert({ParameterId::ContactSamples, ParameterId::ContactDistance, ParameterId::ContactRadius});
+  }
+  if (isGuided(deviceId)) {
+    used.insert({ParameterId::ContactDistance, ParameterId::GuidanceRepulsion, ParameterId::GuidanceAttraction});
+  }
+  return used;
+}
+
+}  // namespace glissade

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "engine/base/parameters.h"
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+/// How strategies are listed: those for daily use first.
+enum class StrategyGroup { Main, FirstPaper, SecondPaper, Ompl };
+StrategyGroup strategyGroup(const std::string& plannerId);
+
+/// The live parameters that have an effect with this strategy while this device holds the object, apart from the pace,
+/// which every run has.
+std::set<ParameterId> parametersInUse(const PlannerEntry& strategy, const std::string& deviceId);
+
+}  // namespace glissade

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <osg/Group>
+#include <osg/ref_ptr>
+
+#include "widgets/scene3d/palette.h"
+
+namespace glissade {
+
+/// Lines and points of a measurement, which show through everything.
+osg::ref_ptr<osg::Group> makeMeasure(const MeasurePicture& measure, const ScenePalette& palette);
+
+}  // namespace glissade

@@ -1,0 +1,87 @@
+#include "widgets/scene3d/scale_bar.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "widgets/commands/length_text.h"
+#include "widgets/scene3d/camera_controller.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kMostBarPixels = 130.0;
+constexpr int kBarMargin = 10;
+constexpr int kAxesSize = 64;
+constexpr double kAxisPixels = 22.0;
+constexpr std::array<QRgb, 3> kAxisColours{0xffd55e00, 0xff009e73, 0xff2f7fd0};
+
+}  // namespace
+
+ScaleLength roundScale(double metresPerPixel, double mostPixels) {
+  const double most = metresPerPixel * mostPixels;
+  if (!(most > 0.0) || !std::isfinite(most)) return {};
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  double metres = power;
+  for (const double factor : {2.0, 5.0}) {
+    if (factor * power <= most) metres = factor * power;
+  }
+  return {metres, metres / metresPerPixel};
+}
+
+ScaleBar::ScaleBar(const SceneView& view, QWidget* scene) : QWidget(scene), view_(view) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setFocusPolicy(Qt::NoFocus);
+  setObjectName(QStringLiteral("scale-bar"));
+  resize(static_cast<int>(kMostBarPixels) + 12, kAxesSize + 30);
+  scene->installEventFilter(this);
+  goToCorner(scene->size());
+}
+
+bool ScaleBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) goToCorner(static_cast<QWidget*>(watched)->size());
+  return QWidget::eventFilter(watched, event);
+}
+
+void ScaleBar::goToCorner(const QSize& scene) { move(kBarMargin, scene.height() - height() - kBarMargin); }
+
+void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
+  const double perPixel = view_.camera().viewHeight() / std::max(1, parentWidget()->height());
+  const ScaleLength scale = roundScale(perPixel, kMostBarPixels);
+  if (scale.metres <= 0.0) return;
+  QPainter painter(this);
+  painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
+  const double y = height() - 5.5;
+  painter.drawLine(QPointF(2, y), QPointF(2 + scale.pixels, y));
+  for (const double x : {2.0, 2.0 + scale.pixels}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y));
+  painter.drawText(QRectF(2, kAxesSize, scale.pixels, y - 2 - kAxesSize), Qt::AlignCenter, lengthText(scale.metres));
+  paintAxes(painter);
+}
+
+/// Those that point to the viewer are drawn last.
+void ScaleBar::paintAxes(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Quaternion toView = view_.camera().R_WV().conjugate();
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&toView](int a, int b) {
+    return (toView * Vector3(Vector3::Unit(a))).z() < (toView * Vector3(Vector3::Unit(b))).z();
+  });
+  const QPointF origin(kAxesSize / 2.0, kAxesSize / 2.0);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  for (const int axis : order) {
+    const Vector3 along = toView * Vector3(Vector3::Unit(axis));
+    const QPointF direction(along.x(), -along.y());
+    painter.setPen(QPen(QColor(kAxisColours[static_cast<std::size_t>(axis)]), 2.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(origin, origin + kAxisPixels * direction);
+    const QPointF end = origin + (kAxisPixels + 7.0) * direction;
+    const QRectF box(end.x() - 8, end.y() - 8, 16, 16);
+    painter.drawText(box, Qt::AlignCenter, QString(QLatin1Char("XYZ"[axis])));
+  }
+}
+
+}  // namespace glissade

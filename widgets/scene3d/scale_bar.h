@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/scene3d/scene_view.h"
+
+namespace glissade {
+
+/// A bar of a round length at the scale of the scene; with perspective it holds at the depth of the camera's focus.
+struct ScaleLength {
+  double metres = 0.0;
+  double pixels = 0.0;  ///< at most those that were asked for
+};
+
+/// The longest length of 1, 2 or 5 times a power of ten metres that is drawn with at most `mostPixels`.
+ScaleLength roundScale(double metresPerPixel, double mostPixels);
+
+/// The axes of the world and the scale of the scene, in its lower left corner; takes no part in mouse and keys.
+class ScaleBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  ScaleBar(const SceneView& view, QWidget* scene);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void goToCorner(const QSize& scene);
+  void paintAxes(QPainter& painter) const;
+
+  const SceneView& view_;
+};
+
+}  // namespace glissade
