@@ -171,6 +171,22 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 12.5));
          p.drawLine(QPointF(12.5, 3.5), QPointF(3.5, 12.5));
        }},
+      {"sequence.play",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
+       }},
+      {"sequence.assembly-order",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 8}, {2, 14}, {14, 14}, {14, 8}}));
+         p.drawRect(QRectF(5.5, 9, 5, 5));
+         arrow(p, {8, 1}, {8, 7});
+       }},
+      {"sequence.aside",
+       [](QPainter& p) {
+         p.drawRect(QRectF(1.5, 7, 6, 7));
+         fill(p, QPolygonF({{10, 9}, {14.5, 9}, {14.5, 14}, {10, 14}}));
+         p.drawPolyline(QPolygonF({{4.5, 5}, {4.5, 2}, {12, 2}, {12, 6}}));
+       }},
       {"view.fit",
        [](QPainter& p) {
          for (const auto& [x, y, dx, dy] : {std::tuple{2, 2, 1, 1}, {14, 2, -1, 1}, {14, 14, -1, -1}, {2, 14, 1, -1}}) {

@@ -20,6 +20,7 @@
 #include "app/window/recording_controller.h"
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
+#include "app/window/sequence_controller.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
@@ -78,6 +79,7 @@ void MainWindow::addParts() {
   connect(devices, &DeviceController::cameraMoved, view, &ViewController::publishOperatorFrame);
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
+  auto* sequence = new SequenceController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
@@ -88,6 +90,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
   docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
+  docks_.add({tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.arrange();

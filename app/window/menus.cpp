@@ -19,7 +19,7 @@ class Menus {
     QMenu* file = add(tr("&File"), {"file."});
     for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
     add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
-    add(tr("&Assembly"), {"assembly.", "", "fits."});
+    add(tr("&Assembly"), {"assembly.", "", "fits.", "", "sequence."});
     add(tr("&Run"), {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "difficulty."});
     add(tr("&Study"), {"study."});
     add(tr("&Operator"), {"operator."});

@@ -24,19 +24,23 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   return loaded;
 }
 
+/// With the frames that the scenario gives the bodies.
+AssembledProduct bodiesOfScenario(const LoadedScenario& scenario) {
+  AssembledProduct product;
+  product.bodies = scenario.obstacles;
+  product.bodies.push_back(scenario.object);
+  for (const RigidBody& body : product.bodies) {
+    const auto known = scenario.deflections.find(body.id);
+    product.deflections.push_back(known == scenario.deflections.end() ? 0.0 : known->second);
+  }
+  product.fits = scenario.scenario.fits;
+  return product;
+}
+
 Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
   auto scenario = loadScenario(file, stop);
   if (!scenario) return scenario.error();
-  ProductFile loaded;
-  loaded.product.bodies = std::move(scenario->obstacles);
-  loaded.product.bodies.push_back(std::move(scenario->object));
-  for (const RigidBody& body : loaded.product.bodies) {
-    const auto known = scenario->deflections.find(body.id);
-    loaded.product.deflections.push_back(known == scenario->deflections.end() ? 0.0 : known->second);
-  }
-  loaded.product.fits = scenario->scenario.fits;
-  loaded.warnings = std::move(scenario->warnings);
-  return loaded;
+  return ProductFile{bodiesOfScenario(*scenario), 0.0, std::move(scenario->warnings)};
 }
 
 /// The two largest, together.
@@ -47,6 +51,12 @@ double largestTwo(std::vector<double> values) {
 }
 
 }  // namespace
+
+AssembledProduct productOf(const LoadedScenario& scenario) {
+  AssembledProduct product = bodiesOfScenario(scenario);
+  product.bodies = aboutTheirMiddles(std::move(product.bodies));
+  return product;
+}
 
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop) {
   auto loaded = isPartFile(usualPart(file).path) ? productOfParts(file, stop) : productOfScenario(file, stop);

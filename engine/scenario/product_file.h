@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
+#include "engine/scenario/scenario.h"
 #include "engine/sequence/assembled_product.h"
 
 namespace glissade {
@@ -14,6 +15,9 @@ struct ProductFile {
   double deviation = 0.0;  ///< metres that two surfaces may be off their triangles, together
   Warnings warnings;
 };
+
+/// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.
+AssembledProduct productOf(const LoadedScenario& scenario);
 
 /// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
 /// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,

@@ -16,6 +16,10 @@ class CameraController {
   /// The whole box in view, direction kept; until the camera is moved it stays so whatever shape the view takes.
   void fit(const Box3& box);
   void setStandardView(StandardView view);
+  /// Looks at the scene from this direction, level. `toEye` is not vertical.
+  void setDirection(const Vector3& toEye);
+  /// Near and far plane enclose this box, too; what is looked at stays.
+  void enclose(const Box3& box);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
   void orbit(double dx, double dy);
   /// Turns the picture clockwise about the line of sight, radians; standard views level it again.

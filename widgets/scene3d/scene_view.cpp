@@ -55,6 +55,8 @@ struct SceneView::Impl {
   std::vector<Plane> sections;
   std::set<std::string> hidden;  ///< obstacles, by id
   std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  SequencePicture sequence;
+  osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -87,10 +89,46 @@ struct SceneView::Impl {
     if (!scenario) return;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       const RigidBody& body = scenario->obstacles[i];
-      if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0 || inHand.count(i) != 0)
-        continue;
-      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), body.X_WB, palette.path, palette));
+      const bool marked = environment.selectedBodies.count(body.id) != 0 || isMarked(i);
+      if (!marked || !isDrawn(i) || inHand.count(i) != 0) continue;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
     }
+    if (sequence.bodies.empty()) return;
+    const RigidBody& last = scenario->object;
+    if (isMarked(scenario->obstacles.size())) {
+      const Pose& X_WB = sequence.bodies.back().X_WB;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(last.mesh), X_WB, palette.path, palette));
+    }
+    if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
+  }
+
+  /// Of an obstacle, or of the object behind the last one.
+  bool isMarked(std::size_t body) const { return body < sequence.bodies.size() && sequence.bodies[body].marked; }
+
+  bool isDrawn(std::size_t obstacle) const {
+    const bool left = obstacle < sequence.bodies.size() && !sequence.bodies[obstacle].shown;
+    return !left && hidden.count(scenario->obstacles[obstacle].id) == 0;
+  }
+
+  const Pose& poseOf(std::size_t obstacle) const {
+    return obstacle < sequence.bodies.size() ? sequence.bodies[obstacle].X_WB : scenario->obstacles[obstacle].X_WB;
+  }
+
+  osg::ref_ptr<osg::Geode> makeWay() const {
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(makeLines(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale));
+    makeUnlit(*geode);
+    return geode;
+  }
+
+  /// Bodies where the plan has them, or back where the scenario has them.
+  void showSequence() {
+    motionLayers->setNodeMask(sequence.bodies.empty() ? ~0U : 0U);
+    if (!scenario) return;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
+    if (!sequence.bodies.empty()) camera.enclose(extent());
+    showHidden();
+    placeObject();
   }
 
   /// The children of these layers are the bodies in their order.
@@ -152,6 +190,7 @@ struct SceneView::Impl {
     for (const RigidBody& body : scenario->obstacles) {
       bodies.addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
     }
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
     showHidden();
   }
 
@@ -166,8 +205,9 @@ struct SceneView::Impl {
   void showCaps(std::size_t section) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
-      const RigidBody& body = scenario->obstacles[i];
-      if (hidden.count(body.id) != 0 || inHand.count(i) != 0) continue;
+      if (!isDrawn(i) || inHand.count(i) != 0) continue;
+      RigidBody body = scenario->obstacles[i];
+      body.X_WB = poseOf(i);
       if (const auto cap = makeCap(body, sections[section], palette)) group->addChild(cap);
     }
     for (std::size_t other = 0; other < sections.size(); ++other) {
@@ -180,8 +220,7 @@ struct SceneView::Impl {
   /// The layer's children are the obstacles in their order.
   void showHidden() {
     for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
-      const bool shown = hidden.count(scenario->obstacles[i].id) == 0;
-      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(shown ? ~0U : 0U);
+      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(isDrawn(i) ? ~0U : 0U);
     }
     showSelection();
     showSections();
@@ -252,12 +291,30 @@ struct SceneView::Impl {
   }
 
   void placeObject() {
-    if (!object || !snapshot) return;
-    object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+    if (!object) return;
+    const bool inPlan = !sequence.bodies.empty();
+    object->setNodeMask(!inPlan || sequence.bodies.back().shown ? ~0U : 0U);
+    if (inPlan) {
+      object->setMatrix(toOsg(sequence.bodies.back().X_WB));
+    } else if (snapshot) {
+      object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+    }
+  }
+
+  /// Of the bodies that are drawn.
+  Box3 extentOfSequence() const {
+    Box3 box;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      if (isDrawn(i)) box.extend(boundingBox(*scenario->obstacles[i].mesh, poseOf(i)));
+    }
+    const SequenceBody& last = sequence.bodies.back();
+    if (last.shown) box.extend(boundingBox(*scenario->object.mesh, last.X_WB));
+    return box;
   }
 
   Box3 extent() const {
     if (!scenario) return Box3();
+    if (!sequence.bodies.empty()) return extentOfSequence();
     Box3 box = scenario->problem.bounds;
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
@@ -279,9 +336,13 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
   impl_->root->addChild(impl_->backdrop);
-  for (auto& layer : impl_->layers) {
-    layer = new osg::Group;
-    impl_->root->addChild(layer);
+  for (auto& layer : impl_->layers) layer = new osg::Group;
+  for (int id = 0; id < kSceneLayerCount; ++id) {
+    const auto which = static_cast<SceneLayer>(id);
+    if (which == SceneLayer::StartAndGoal) impl_->root->addChild(impl_->motionLayers);
+    const bool isMotion = which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance;
+    osg::Group& parent = isMotion ? *impl_->motionLayers : *impl_->root;
+    parent.addChild(&impl_->layer(which));
   }
   impl_->root->addChild(impl_->sectionClip.node());
   impl_->root->addChild(impl_->caps);
@@ -314,6 +375,8 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->shownStep.reset();
   impl_->difficulty.reset();
   impl_->inHand.clear();
+  impl_->sequence = {};
+  impl_->motionLayers->setNodeMask(~0U);
   impl_->roadmap.clear();
   impl_->rebuild();
 }
@@ -443,6 +506,13 @@ void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
   impl_->placeObject();
   impl_->showGuidance();
 }
+
+void SceneView::setSequence(const SequencePicture& picture) {
+  impl_->sequence = picture;
+  impl_->showSequence();
+}
+
+bool SceneView::showsSequence() const { return !impl_->sequence.bodies.empty(); }
 
 void SceneView::setTheme(Theme theme) {
   const float scale = impl_->palette.pixelScale;
