@@ -60,7 +60,7 @@ std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
     } else if (leg.turn > 0.0) {
       text += words_("turn %1 about %2", {turn, direction(leg.axis)});
     } else {
-      text += words_("straight %1, %2", {direction(leg.direction), length_(leg.length)});
+      text += direction(leg.direction) + ", " + length_(leg.length);
     }
   }
   return text;

@@ -23,7 +23,7 @@ class PlanWords {
 
   const StudyWords& words() const { return words_; }
   std::string length(double metres) const { return length_(metres); }
-  /// The motion of a step: "straight up (+Z), 62.0 mm". The words of assembly are those of the reverse.
+  /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
   /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;

@@ -17,7 +17,6 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {", then ", ", puis "},
       {"%1, %2, turning %3 about %4", "%1, %2, en tournant de %3 autour de l'axe %4"},
       {"turn %1 about %2", "rotation de %1 autour de l'axe %2"},
-      {"straight %1, %2", "tout droit %1, %2"},
       {"taken %1 thinner against %2 (%3)", "prise %1 plus mince par rapport à %2 (%3)"},
       {"clearance", "jeu"},
       {"planar", "plan"},

@@ -18,6 +18,8 @@ class CameraController {
   void setStandardView(StandardView view);
   /// Looks at the scene from this direction, level. `toEye` is not vertical.
   void setDirection(const Vector3& toEye);
+  /// It shows the whole of what was fitted last: it was not moved since then.
+  bool isFitted() const { return fitted_.has_value(); }
   /// Near and far plane enclose this box, too; what is looked at stays.
   void enclose(const Box3& box);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.

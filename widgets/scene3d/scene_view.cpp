@@ -56,6 +56,7 @@ struct SceneView::Impl {
   std::set<std::string> hidden;  ///< obstacles, by id
   std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
   SequencePicture sequence;
+  osg::ref_ptr<osg::MatrixTransform> plainObject;  ///< the object as one of the product's bodies
   osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
@@ -244,6 +245,9 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
+    plainObject = makeBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), modeOf(moved), palette);
+    layer(SceneLayer::Object).addChild(plainObject);
+    placeObject();
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
     ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
@@ -293,9 +297,10 @@ struct SceneView::Impl {
   void placeObject() {
     if (!object) return;
     const bool inPlan = !sequence.bodies.empty();
-    object->setNodeMask(!inPlan || sequence.bodies.back().shown ? ~0U : 0U);
+    object->setNodeMask(inPlan ? 0U : ~0U);
+    plainObject->setNodeMask(inPlan && sequence.bodies.back().shown ? ~0U : 0U);
     if (inPlan) {
-      object->setMatrix(toOsg(sequence.bodies.back().X_WB));
+      plainObject->setMatrix(toOsg(sequence.bodies.back().X_WB));
     } else if (snapshot) {
       object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
     }
@@ -508,8 +513,10 @@ void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
 }
 
 void SceneView::setSequence(const SequencePicture& picture) {
+  const bool entersOrLeaves = impl_->sequence.bodies.empty() != picture.bodies.empty();
   impl_->sequence = picture;
   impl_->showSequence();
+  if (entersOrLeaves && impl_->scenario && impl_->camera.isFitted()) fit();
 }
 
 bool SceneView::showsSequence() const { return !impl_->sequence.bodies.empty(); }

@@ -132,7 +132,8 @@ class SceneView {
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
   /// Draws the product as a plan has it: until an empty picture is set, or another scenario or arrangement. What is
-  /// about the motion of the object alone is not drawn meanwhile. The camera stays; its planes hold all bodies.
+  /// about the motion of the object alone is not drawn meanwhile. A camera that was moved stays; its planes hold all
+  /// bodies.
   void setSequence(const SequencePicture& picture);
   /// A plan is shown.
   bool showsSequence() const;
