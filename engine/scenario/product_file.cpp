@@ -9,16 +9,18 @@
 namespace glissade {
 namespace {
 
-Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop) {
+Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection) {
   GeometryCache read;
-  const auto geometry = readPart(usualPart(file), read, stop);
+  PartFile part = usualPart(file);
+  part.deflection = deflection;
+  const auto geometry = readPart(part, read, stop);
   if (!geometry) return geometry.error();
   ProductFile loaded;
-  for (const GeometryPart& part : (*geometry)->parts) {
-    const std::string name = part.name.empty() ? file : part.name;
-    loaded.product.bodies.push_back({name, name, Mobility::Mobile, part.mesh, part.X_BP});
-    if (part.colour) loaded.product.bodies.back().colour = *part.colour;
-    loaded.product.deflections.push_back(part.deflection);
+  for (const GeometryPart& solid : (*geometry)->parts) {
+    const std::string name = solid.name.empty() ? file : solid.name;
+    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_BP});
+    if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
+    loaded.product.deflections.push_back(solid.deflection);
   }
   loaded.product.fits.on = true;
   return loaded;
@@ -58,14 +60,15 @@ AssembledProduct productOf(const LoadedScenario& scenario) {
   return product;
 }
 
-Result<ProductFile> readProduct(const std::string& file, const StopToken& stop) {
-  auto loaded = isPartFile(usualPart(file).path) ? productOfParts(file, stop) : productOfScenario(file, stop);
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection) {
+  auto loaded =
+      isPartFile(usualPart(file).path) ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
 }
 
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop) {
-  auto loaded = readProduct(file, stop);
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection) {
+  auto loaded = readProduct(file, stop, deflection);
   if (!loaded) return loaded;
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",

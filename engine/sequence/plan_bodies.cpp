@@ -24,7 +24,9 @@ std::map<std::string, std::string> idsInProduct(const AssembledProduct& product,
 }  // namespace
 
 std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProduct& product) {
-  return {*product.indexOf(step.body)};
+  std::vector<std::size_t> bodies;
+  for (const std::string& id : step.bodies()) bodies.push_back(*product.indexOf(id));
+  return bodies;
 }
 
 std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const AssemblyPlan& plan) {
@@ -42,11 +44,16 @@ std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const Ass
   renameAll(renamed.staying);
   for (AssemblyStep& step : renamed.steps) {
     rename(step.body);
+    renameAll(step.with);
     rename(step.proof.nearest);
-    for (StepAllowance& allowance : step.allowances) rename(allowance.body);
+    for (StepAllowance& allowance : step.allowances) {
+      rename(allowance.body);
+      rename(allowance.moving);
+    }
   }
   for (RefusedRemoval& refused : renamed.refusals) {
     rename(refused.body);
+    renameAll(refused.with);
     renameAll(refused.blockedBy);
   }
   for (StuckBody& stuck : renamed.stuck) {
