@@ -12,6 +12,8 @@
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
+#include "engine/study/plan_graph.h"
+#include "widgets/studies/plan_graph_view.h"
 
 namespace glissade {
 namespace {
@@ -23,6 +25,15 @@ std::vector<Vector3> wayOf(const AssemblyStep& step, const RigidBody& body) {
   std::vector<Vector3> way;
   for (const PathPoint& point : step.path) way.push_back((point.q * X_PB).position);
   return way;
+}
+
+/// What is there before a step is found.
+AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) {
+  AssemblyPlan plan;
+  plan.end = PlanEnd::Interrupted;
+  for (const RigidBody& body : product.bodies) plan.bodies.push_back(body.id);
+  for (const std::size_t body : bodiesIn(staying)) plan.staying.push_back(plan.bodies[body]);
+  return plan;
 }
 
 }  // namespace
@@ -51,6 +62,7 @@ void SequenceController::connectActions() {
   bench_.onAction("sequence.resume", this, [this] { plan(true); });
   bench_.onAction("sequence.open", this, [this] { chooseFile(); });
   bench_.onAction("sequence.export", this, [this] { chooseExport(); });
+  bench_.onAction("sequence.graph", this, [this] { showGraph(); });
   bench_.onAction("sequence.stays", this, [this] { toggleStays(); });
   bench_.onAction("sequence.show-product", this, [this] {
     panel_->showExploded(0.0);
@@ -117,7 +129,7 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
     std::fill(job.staying.begin(), job.staying.end(), false);
     for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
   } else {
-    setPlan({job.product, std::make_shared<const AssemblyPlan>(), true, {}, {}});
+    setPlan({job.product, std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying)), true, {}, {}});
   }
   knownSteps_ = goesOn ? job.resumed->steps.size() : 0;
   planner_.plan(job, bench_.work.isAtOnce());
@@ -148,7 +160,25 @@ void SequenceController::setPlan(const ShownPlan& shown) {
   playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
   offsets_ = there ? explodedOffsets(*shown.product, *shown.plan) : std::vector<Vector3>();
   panel_->setPlan(shown);
+  updateGraph();
   enableActions();
+}
+
+void SequenceController::showGraph() {
+  if (graph_ == nullptr) graph_ = new PlanGraphView(&bench_.window);
+  graph_->show();
+  graph_->raise();
+  updateGraph();
+}
+
+void SequenceController::updateGraph() {
+  if (graph_ == nullptr || !graph_->isVisible() || !shown().plan || shown().plan->bodies.empty()) return;
+  const QPalette palette = bench_.window.palette();
+  GraphColours colours;
+  colours.ink = palette.color(QPalette::WindowText).name().toStdString();
+  colours.box = palette.color(QPalette::AlternateBase).name().toStdString();
+  colours.ground = palette.color(QPalette::Window).name().toStdString();
+  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()), colours));
 }
 
 /// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone.
@@ -156,13 +186,13 @@ void SequenceController::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
   planner_.drop();
   if ((what & Change::Scenario) || !shown().plan) {
-    setPlan({});
+    setPlan({std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())), nullptr, false, {}, {}});
     return;
   }
   const auto product = std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()));
   const auto plan = planAbout(*product, *shown().plan);
   if (!plan) {
-    setPlan({});
+    setPlan({product, nullptr, false, {}, {}});
     return;
   }
   setPlan({product, std::make_shared<const AssemblyPlan>(*plan), false, shown().foundAfter, {}});
@@ -274,6 +304,7 @@ void SequenceController::enableActions() {
   bench_.enable("sequence.export", steps && !busy);
   bench_.enable("sequence.play", steps);
   bench_.enable("sequence.show-product", steps);
+  bench_.enable("sequence.graph", steps || (plan && !plan->stuck.empty()));
   bench_.enable("sequence.stays", !bench_.document.semantics().selection().bodies.empty());
 }
 

@@ -10,6 +10,8 @@
 
 namespace glissade {
 
+class PlanGraphView;
+
 /// The assembly plan of the product that is open: planned on a worker, shown and played in the scene, read from files
 /// and written into them. It holds for one arrangement; in another one its steps are judged again. Which bodies stay is
 /// an attribute of bodies ("stays"), which is undoable and saved with the scenario; where nobody says so, the largest
@@ -40,6 +42,9 @@ class SequenceController final : public QObject {
   void setPlan(const ShownPlan& shown);
   void showPanelsScene();
   void showStuck(const QString& bodyId);
+  void showGraph();
+  /// The graph follows the plan while it is open.
+  void updateGraph();
   void toggleStays();
   BodySet stayingBodies(const AssembledProduct& product) const;
   void chooseFile();
@@ -52,6 +57,7 @@ class SequenceController final : public QObject {
   std::size_t knownSteps_ = 0;  ///< of the plan that planning has begun with
   PlanPlayback playback_;
   std::vector<Vector3> offsets_;  ///< of the exploded view
+  PlanGraphView* graph_ = nullptr;
 };
 
 }  // namespace glissade

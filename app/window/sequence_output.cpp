@@ -7,12 +7,14 @@
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/plan_glb.h"
 #include "engine/sequence/step_view.h"
+#include "engine/study/plan_graph.h"
 #include "engine/study/plan_table.h"
 #include "engine/study/report_html.h"
 #include "engine/study/work_instruction.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/studies/plan_graph_view.h"
 #include "widgets/studies/report_pdf.h"
 
 namespace glissade {
@@ -64,10 +66,18 @@ Result<StudyReport> SequenceOutput::instruction(const QTemporaryDir& folder) {
   std::string exploded;
   std::vector<std::string> pictures;
   if (const Outcome taken = takePictures(folder, exploded, pictures); !taken) return taken.error();
+  const QString graph = folder.filePath(QStringLiteral("graph.png"));
+  if (const Outcome drawn = drawGraph(graph); !drawn) return drawn.error();
   const PlanWords words(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });
   return workInstruction({*shown.plan, *shown.product, productName(), surfaceDeviation(*bench_.document.scenario()),
-                          shown.checks, exploded, pictures},
+                          shown.checks, exploded, graph.toStdString(), pictures},
                          words);
+}
+
+Outcome SequenceOutput::drawGraph(const QString& file) const {
+  const ShownPlan& shown = sequence_.shown();
+  constexpr double kScale = 1.5;
+  return savePicture(imageOfSvg(planGraphSvg(*shown.plan, *shown.product, StudyWords(windowLanguage())), kScale), file);
 }
 
 Outcome SequenceOutput::takePicture(const QString& file) {

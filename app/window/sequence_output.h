@@ -23,6 +23,7 @@ class SequenceOutput final {
   std::string productName() const;
   Result<StudyReport> instruction(const QTemporaryDir& folder);
   Outcome takePictures(const QTemporaryDir& folder, std::string& exploded, std::vector<std::string>& steps);
+  Outcome drawGraph(const QString& file) const;
   Outcome takePicture(const QString& file);
 
   const Workbench& bench_;

@@ -42,7 +42,10 @@ AssembledProduct bodiesOfScenario(const LoadedScenario& scenario) {
 Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
   auto scenario = loadScenario(file, stop);
   if (!scenario) return scenario.error();
-  return ProductFile{bodiesOfScenario(*scenario), 0.0, std::move(scenario->warnings)};
+  ProductFile loaded;
+  loaded.product = bodiesOfScenario(*scenario);
+  loaded.warnings = std::move(scenario->warnings);
+  return loaded;
 }
 
 /// The two largest, together.

@@ -29,7 +29,9 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   }
   table.row();
   table.number(static_cast<double>(number));
-  table.text(nameOf(step.body));
+  std::string parts;
+  for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
+  table.text(parts);
   table.text(step.method);
   table.text(PlanWords(Language::English, lengthInMillimetres).motion(step, order));
   table.number(length);

@@ -76,6 +76,14 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
   return texts;
 }
 
+std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product) {
+  std::string names;
+  for (const std::size_t body : bodiesOf(step, product)) {
+    names += (names.empty() ? "" : ", ") + shortName(product.bodies[body].name);
+  }
+  return names;
+}
+
 std::string lengthInMillimetres(double metres) { return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm"; }
 
 std::string shortName(const std::string& name) {

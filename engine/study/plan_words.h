@@ -35,6 +35,9 @@ class PlanWords {
   LengthText length_;
 };
 
+/// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" of a group.
+std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
+
 /// "62.0 mm", with a point in every language.
 std::string lengthInMillimetres(double metres);
 

@@ -61,6 +61,11 @@ const std::map<std::string_view, std::string_view>& studyFrench() {
       {"not carried out", "pas faite"},
       {"%1 on its way", "%1 sur son chemin"},
       {"Blocked by", "Bloquée par"},
+      {"Order of the steps", "Ordre des étapes"},
+      {"An arrow leads from a step of the removal to each step that it makes way for.",
+       "Une flèche mène d'une étape du démontage à chaque étape à laquelle elle fait place."},
+      {"stuck", "bloquée"},
+      {"stays", "reste"},
       {"No motion was found for these parts. They are in the product from the beginning.",
        "Aucun mouvement n'a été trouvé pour ces pièces. Elles sont dans le produit dès le début."},
       // Reports and plots.

@@ -22,6 +22,10 @@ class Composer {
     addPartsList();
     for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) addStep(i);
     addStuck();
+    if (!content_.graphPicture.empty()) {
+      report_.blocks.emplace_back(ReportHeading{say("Order of the steps"), 2, true});
+      picture(content_.graphPicture, say("An arrow leads from a step of the removal to each step that it makes way for."));
+    }
     return std::move(report_);
   }
 
@@ -48,7 +52,7 @@ class Composer {
     report_.blocks.emplace_back(facts({{say("Product"), content_.name},
                                        {say("Parts to assemble"), std::to_string(plan.parts())},
                                        {say("Assembly steps"), std::to_string(plan.steps.size())},
-                                       {say("Parts without a step"), std::to_string(plan.parts() - plan.steps.size())},
+                                       {say("Parts without a step"), std::to_string(plan.parts() - plan.removed())},
                                        {say("Base"), base},
                                        {say("Seed"), std::to_string(plan.seed)},
                                        {say("Program"), std::string("Glissade ") + kVersion}}));
@@ -78,7 +82,9 @@ class Composer {
     std::vector<Row> rows;
     std::map<std::pair<MeshPtr, std::string>, std::size_t> known;
     std::map<std::string, std::size_t> stepOf;
-    for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) stepOf[content_.plan.steps[i].body] = numberOf(i);
+    for (std::size_t i = 0; i < content_.plan.steps.size(); ++i) {
+      for (const std::string& id : content_.plan.steps[i].bodies()) stepOf[id] = numberOf(i);
+    }
     for (const RigidBody& body : content_.product.bodies) {
       const std::string kind = kindOfPart(body.name);
       const auto [entry, isNew] = known.emplace(std::pair(body.mesh, kind), rows.size());
@@ -104,13 +110,15 @@ class Composer {
   void addStep(std::size_t place) {
     const std::size_t i = content_.plan.steps.size() - 1 - place;
     const AssemblyStep& step = content_.plan.steps[i];
-    const std::string name = shortName(nameOf(step.body));
+    const std::string name = nameOfStep(step, content_.product);
+    std::string fullNames;
+    for (const std::string& id : step.bodies()) fullNames += (fullNames.empty() ? "" : ", ") + nameOf(id);
     report_.blocks.emplace_back(
         ReportHeading{say("Step %1 of %2: %3", {std::to_string(place + 1), std::to_string(content_.plan.steps.size()),
                                                 name}),
                       2, true});
     if (i < content_.pictures.size()) picture(content_.pictures[i], say("%1 on its way", {name}));
-    std::vector<std::vector<std::string>> rows{{say("Full name"), nameOf(step.body)},
+    std::vector<std::vector<std::string>> rows{{say("Full name"), fullNames},
                                                {say("Motion"), plain_.motion(step, PlanOrder::Assembly)},
                                                {say("Clearance"), clearanceText(step)}};
     const auto allowances = plain_.allowances(step, content_.product);

@@ -15,6 +15,7 @@ struct InstructionContent {
   double deviation = 0.0;                  ///< as of ProductFile
   std::vector<StepCheck> checks;           ///< of each step; empty: not asked
   std::string explodedPicture;             ///< a PNG file; empty: none
+  std::string graphPicture;                ///< a PNG file of planGraphSvg(); empty: none
   std::vector<std::string> pictures;       ///< a PNG file of each step of the plan; empty: none
 };
 

@@ -1067,6 +1067,14 @@
         <source>Bring the assembly plan to the front</source>
         <translation>Mettre le plan d&apos;assemblage au premier plan</translation>
     </message>
+    <message>
+        <source>Order as a &amp;graph</source>
+        <translation>Ordre en &amp;graphe</translation>
+    </message>
+    <message>
+        <source>Show which step makes way for which, and who blocks the parts that are stuck</source>
+        <translation>Montrer quelle étape fait place à quelle autre, et ce qui bloque les pièces bloquées</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -3923,6 +3931,17 @@
     <message>
         <source>%1 steps do not hold here.</source>
         <translation>%1 étapes ne tiennent pas ici.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PlanGraphView</name>
+    <message>
+        <source>Order of the steps</source>
+        <translation>Ordre des étapes</translation>
+    </message>
+    <message>
+        <source>An arrow leads from a step to each step that it makes way for</source>
+        <translation>Une flèche mène d&apos;une étape à chaque étape à laquelle elle fait place</translation>
     </message>
 </context>
 </TS>

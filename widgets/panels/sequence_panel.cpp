@@ -95,7 +95,7 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
-  layout->addLayout(makeActionRow(actions, {"sequence.plan", "sequence.resume"}, this));
+  layout->addLayout(makeActionRow(actions, {"sequence.plan", "sequence.resume", "sequence.graph"}, this));
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
   auto* playing = makeActionRow(actions, {"sequence.play", "sequence.assembly-order", "sequence.aside"}, this);
@@ -171,12 +171,13 @@ void SequencePanel::addSteps() {
   for (std::size_t place = 0; place < steps.size(); ++place) {
     const std::size_t i = order_ == PlanOrder::Assembly ? steps.size() - 1 - place : place;
     const AssemblyStep& step = steps[i];
-    const QString name = nameOf(step.body);
+    QStringList names;
+    for (const std::string& id : step.bodies()) names << nameOf(id);
     auto* row = new QTreeWidgetItem(table_);
     row->setData(Number, kStepRole, static_cast<qulonglong>(i));
     setNumber(*row, Number, QString::number(place + 1));
-    row->setText(PartName, QString::fromStdString(shortName(name.toStdString())));
-    row->setToolTip(PartName, name);
+    row->setText(PartName, QString::fromStdString(nameOfStep(step, *shown_.product)));
+    row->setToolTip(PartName, names.join(QLatin1Char('\n')));
     row->setText(Motion, QString::fromStdString(words.motion(step, order_)));
     row->setToolTip(Motion, row->text(Motion));
     const bool isNear = !step.proof.nearest.empty();
@@ -212,6 +213,7 @@ void SequencePanel::addStuck() {
                                                  : tr("blocked by %1").arg(shortNames(stuck.blockedBy)));
     QStringList names;
     for (const std::string& other : stuck.blockedBy) names << nameOf(other);
+    if (!stuck.reason.empty()) names << QString::fromStdString(stuck.reason);
     row->setToolTip(Motion, names.join(QLatin1Char('\n')));
     row->setText(State, tr("stuck"));
     row->setFont(State, bold);
@@ -222,13 +224,13 @@ QString SequencePanel::summary() const {
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;
-  QString text = tr("%1 of %2 parts leave, every motion certified.").arg(plan.steps.size()).arg(plan.parts());
+  QString text = tr("%1 of %2 parts leave, every motion certified.").arg(plan.removed()).arg(plan.parts());
   const QString base = shortNames(plan.staying);
   if (!base.isEmpty()) text += QLatin1Char(' ') + tr("%1 stays.").arg(base);
   if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");
   switch (plan.end) {
     case PlanEnd::Complete: break;
-    case PlanEnd::Stuck: text += QLatin1Char(' ') + tr("%1 stuck.").arg(plan.parts() - plan.steps.size()); break;
+    case PlanEnd::Stuck: text += QLatin1Char(' ') + tr("%1 stuck.").arg(plan.parts() - plan.removed()); break;
     case PlanEnd::TimeLimit:
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
   }
