@@ -39,7 +39,8 @@ AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) 
 }  // namespace
 
 SequenceController::SequenceController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), panel_(new SequencePanel(bench.actions, &bench.window)) {
+    : QObject(&bench.window), bench_(bench), panel_(new SequencePanel(bench.actions, &bench.window)),
+      instruction_(new InstructionJob(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
   connect(&planner_, &SequencePlanner::judged, this, &SequenceController::takeJudged);
@@ -260,15 +261,22 @@ void SequenceController::showStuck(const QString& bodyId) {
   bench_.document.semantics().select(selection);
 }
 
-SaveResult SequenceController::exportTo(const QString& file) {
+std::string SequenceController::productName() const {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario->scenario.name.empty()) return scenario->scenario.name;
+  return QFileInfo(QString::fromStdString(scenario->file)).completeBaseName().toStdString();
+}
+
+void SequenceController::exportTo(const QString& file, const InstructionJob::Finished& finished) {
   if (!shown().plan || shown().plan->steps.empty()) {
-    return notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."});
+    finished(
+        notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
+  } else if (isInstruction(file)) {
+    instruction_->start(file, finished);
+  } else {
+    const std::string& product = bench_.document.scenario()->file;
+    finished(writeSequence(shown(), panel_->order(), product.empty() ? productName() : product, productName(), file));
   }
-  const double time = panel_->time();
-  const double exploded = panel_->exploded();
-  const SaveResult saved = SequenceOutput(bench_, *this).write(file);
-  showScene(time, exploded);
-  return saved;
 }
 
 void SequenceController::chooseFile() {
@@ -284,12 +292,13 @@ void SequenceController::chooseExport() {
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
          "Animation (*.glb)"));
   if (file.isEmpty()) return;
-  const SaveResult saved = exportTo(file);
-  if (!saved) {
-    bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
-  } else {
-    bench_.messages.showStatus(tr("The assembly plan was saved as %1").arg(file));
-  }
+  exportTo(file, [this, file](const SaveResult& saved) {
+    if (!saved) {
+      bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
+    } else {
+      bench_.messages.showStatus(tr("The assembly plan was saved as %1").arg(file));
+    }
+  });
 }
 
 void SequenceController::enableActions() {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "app/window/instruction_job.h"
 #include "app/window/workbench.h"
-#include "engine/base/file_save.h"
 #include "engine/sequence/plan_playback.h"
 #include "widgets/bridge/sequence_planner.h"
 #include "widgets/panels/sequence_panel.h"
@@ -30,7 +30,12 @@ class SequenceController final : public QObject {
   std::optional<Diagnostic> open(const QString& file);
   /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or
   /// PDF, by the ending of the file.
-  SaveResult exportTo(const QString& file);
+  /// `finished` is called when it is done: at once, or later for a work instruction.
+  void exportTo(const QString& file, const InstructionJob::Finished& finished);
+  /// The name of the scenario, or of its file.
+  std::string productName() const;
+  /// The scene as the panel's sliders have it.
+  void showPanelsScene();
   /// The scene at so many steps of removal, parts moved apart by a share of the exploded view.
   void showScene(double time, double exploded);
 
@@ -40,7 +45,6 @@ class SequenceController final : public QObject {
   void takeGrown(const GrownPlan& grown, bool growing);
   void takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed);
   void setPlan(const ShownPlan& shown);
-  void showPanelsScene();
   void showStuck(const QString& bodyId);
   void showGraph();
   /// The graph follows the plan while it is open.
@@ -58,6 +62,7 @@ class SequenceController final : public QObject {
   PlanPlayback playback_;
   std::vector<Vector3> offsets_;  ///< of the exploded view
   PlanGraphView* graph_ = nullptr;
+  InstructionJob* instruction_;
 };
 
 }  // namespace glissade

@@ -1,33 +1,19 @@
 #pragma once
 
-#include <QTemporaryDir>
+#include <QString>
 
-#include "app/window/workbench.h"
 #include "engine/base/file_save.h"
-#include "engine/study/study_report.h"
+#include "engine/sequence/plan_bodies.h"
+#include "widgets/panels/sequence_panel.h"
 
 namespace glissade {
 
-class SequenceController;
+/// Writes a plan in the format of the file's ending: .json as the command line does, .csv, .glb. `product` is the file
+/// that the plan is about, or a name where there is none. Errors: Usage for another ending; those of writing.
+SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::string& product, const std::string& name,
+                         const QString& file);
 
-/// Writes the assembly plan that is shown, in the format of a file's ending: .json, .csv, .glb, .html, .pdf. Pictures
-/// of a work instruction are taken in the 3D view, whose camera is as before afterwards.
-class SequenceOutput final {
- public:
-  SequenceOutput(const Workbench& bench, SequenceController& sequence) : bench_(bench), sequence_(sequence) {}
-
-  /// Errors: Usage for another ending; those of writing.
-  SaveResult write(const QString& file);
-
- private:
-  std::string productName() const;
-  Result<StudyReport> instruction(const QTemporaryDir& folder);
-  Outcome takePictures(const QTemporaryDir& folder, std::string& exploded, std::vector<std::string>& steps);
-  Outcome drawGraph(const QString& file) const;
-  Outcome takePicture(const QString& file);
-
-  const Workbench& bench_;
-  SequenceController& sequence_;
-};
+/// The file is a work instruction: .html or .pdf.
+bool isInstruction(const QString& file);
 
 }  // namespace glissade

@@ -78,7 +78,9 @@ void addSequenceCommands(const Workbench& bench, SequenceController& sequence) {
     return outcomeOf(sequence.open(QString::fromStdString(words[0])));
   });
   scripts.add("export-sequence", 1, [&sequence](const Words& words) {
-    return outcomeOf(sequence.exportTo(QString::fromStdString(words[0])));
+    SaveResult saved = notSaved({ErrorKind::Usage, words[0], "", "is not written yet", "Wait."});
+    sequence.exportTo(QString::fromStdString(words[0]), [&saved](const SaveResult& result) { saved = result; });
+    return outcomeOf(saved);
   });
   scripts.add("show-step", 1, [&panel](const Words& words) -> Outcome {
     const std::size_t steps = panel.shown().plan ? panel.shown().plan->steps.size() : 0;

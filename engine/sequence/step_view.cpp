@@ -93,4 +93,18 @@ Vector3 StepView::directionToEye(const AssemblyStep& step, const BodySet& presen
   return chosen;
 }
 
+std::vector<Vector3> directionsToEye(const AssemblyPlan& plan, const AssembledProduct& product,
+                                     const WorkWatch& watch) {
+  StepView view(product);
+  BodySet present(product.bodies.size(), true);
+  std::vector<Vector3> directions;
+  for (const AssemblyStep& step : plan.steps) {
+    if (watch.stop.stopRequested()) return directions;
+    directions.push_back(view.directionToEye(step, present));
+    for (const std::size_t body : bodiesOf(step, product)) present[body] = false;
+    watch.report(static_cast<double>(directions.size()) / static_cast<double>(plan.steps.size()));
+  }
+  return directions;
+}
+
 }  // namespace glissade

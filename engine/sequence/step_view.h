@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 
+#include "engine/base/work_watch.h"
 #include "engine/geometry/triangle_tree.h"
 #include "engine/sequence/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
@@ -27,5 +28,10 @@ class StepView {
   const AssembledProduct& product_;
   std::map<MeshPtr, std::unique_ptr<const TriangleTree>> trees_;
 };
+
+/// Of each step of a plan, while the bodies are there that have not left before it. Ends early where it is asked to
+/// stop. Precondition: the plan is about the product.
+std::vector<Vector3> directionsToEye(const AssemblyPlan& plan, const AssembledProduct& product,
+                                     const WorkWatch& watch = {});
 
 }  // namespace glissade

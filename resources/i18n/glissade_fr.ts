@@ -3944,4 +3944,15 @@
         <translation>Une flèche mène d&apos;une étape à chaque étape à laquelle elle fait place</translation>
     </message>
 </context>
+<context>
+    <name>glissade::InstructionJob</name>
+    <message>
+        <source>Choosing the views</source>
+        <translation>Choix des points de vue</translation>
+    </message>
+    <message>
+        <source>Writing the work instruction</source>
+        <translation>Écriture de la gamme de montage</translation>
+    </message>
+</context>
 </TS>
