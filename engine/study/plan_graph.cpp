@@ -17,6 +17,8 @@ constexpr double kColumnGap = 56.0;
 constexpr double kRowGap = 12.0;
 constexpr double kMargin = 12.0;
 constexpr std::size_t kMostLetters = 17;
+constexpr std::size_t kFirstLetters = 10;
+constexpr std::size_t kLastLetters = 6;
 
 struct GraphNode {
   std::string text;
@@ -108,14 +110,14 @@ double left(const GraphNode& node) { return kMargin + static_cast<double>(node.c
 double top(const GraphNode& node) { return kMargin + static_cast<double>(node.row) * (kBoxHeight + kRowGap); }
 double middle(const GraphNode& node) { return top(node) + 0.5 * kBoxHeight; }
 
-/// UTF-8 is cut before a character.
+/// The beginning and the end of a long text; UTF-8 is cut before a character.
 std::string cut(const std::string& text) {
-  std::size_t letters = 0;
+  std::vector<std::size_t> letters;  // where each begins
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
-    if (begins && ++letters > kMostLetters) return text.substr(0, i) + "…";
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) letters.push_back(i);
   }
-  return text;
+  if (letters.size() <= kMostLetters) return text;
+  return text.substr(0, letters[kFirstLetters]) + "…" + text.substr(letters[letters.size() - kLastLetters]);
 }
 
 std::string arrowSvg(const GraphNode& from, const GraphNode& to, bool blocks, const GraphColours& colours) {

@@ -5,12 +5,8 @@ namespace glissade {
 const std::map<std::string_view, std::string_view>& studyFrench() {
   static const std::map<std::string_view, std::string_view> french{
       // Assembly plans.
-      {"up (+Z)", "vers le haut (+Z)"},
-      {"down (−Z)", "vers le bas (−Z)"},
-      {"+X", "selon +X"},
-      {"−X", "selon −X"},
-      {"+Y", "selon +Y"},
-      {"−Y", "selon −Y"},
+      {"up (+Z)", "haut (+Z)"},
+      {"down (−Z)", "bas (−Z)"},
       {"does not move", "ne bouge pas"},
       {"around obstacles, %1, out %2", "en contournant des obstacles, %1, sortie %2"},
       {"around obstacles, %1, in %2", "en contournant des obstacles, %1, entrée %2"},

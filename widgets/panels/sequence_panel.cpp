@@ -20,7 +20,7 @@ enum SequenceColumn { Number, PartName, Motion, LeastClearance, LargestAllowance
 constexpr int kStepRole = Qt::UserRole;       // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
 constexpr int kPartWidth = 96;
-constexpr int kMotionWidth = 128;
+constexpr int kMotionWidth = 150;
 /// Of the slider that plays: fine enough for the steps of large products.
 constexpr int kPlayPlaces = 100000;
 constexpr int kExplodePlaces = 200;
@@ -95,7 +95,11 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
-  layout->addLayout(makeActionRow(actions, {"sequence.plan", "sequence.resume", "sequence.graph"}, this));
+  auto* planning = makeActionRow(
+      actions, {"sequence.plan", "sequence.resume", "sequence.graph", "sequence.open", "sequence.export"}, this);
+  onlyIcons(*planning);
+  qobject_cast<QToolButton*>(planning->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  layout->addLayout(planning);
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
   auto* playing = makeActionRow(actions, {"sequence.play", "sequence.assembly-order", "sequence.aside"}, this);

@@ -52,7 +52,7 @@ TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
   EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Assembly), "down (−Z), 500.0 mm");
   EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Removal), "up (+Z), 250.0 mm, then +X, 100.0 mm");
   EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Assembly), "−X, 100.0 mm, then down (−Z), 250.0 mm");
-  EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "vers le bas (−Z), 500.0 mm");
+  EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500.0 mm");
 }
 
 TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
