@@ -47,16 +47,16 @@ void InstructionJob::start(const QString& file, Finished finished) {
 }
 
 void InstructionJob::chooseViews() {
-  bench_.work.run(tr("Choosing the views"),
-                  [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
-                    const auto views = std::make_shared<const std::vector<Vector3>>(
-                        directionsToEye(*content->plan, *content->product, watch));
-                    return [this, content, views] {
-                      if (content != content_) return;
-                      content->toEye = *views;
-                      takePictures();
-                    };
-                  });
+  bench_.work.run(
+      tr("Choosing the views"), [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto views =
+            std::make_shared<const std::vector<Vector3>>(directionsToEye(*content->plan, *content->product, watch));
+        return [this, content, views] {
+          if (content != content_) return;
+          content->toEye = *views;
+          takePictures();
+        };
+      });
 }
 
 /// The next one, and the others at later turns of the event loop.

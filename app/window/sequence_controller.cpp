@@ -39,7 +39,9 @@ AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) 
 }  // namespace
 
 SequenceController::SequenceController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), panel_(new SequencePanel(bench.actions, &bench.window)),
+    : QObject(&bench.window),
+      bench_(bench),
+      panel_(new SequencePanel(bench.actions, &bench.window)),
       instruction_(new InstructionJob(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
@@ -306,7 +308,8 @@ void SequenceController::enableActions() {
   const bool busy = planner_.isPlanning();
   const PlanPtr& plan = shown().plan;
   const bool steps = plan && !plan->steps.empty();
-  const bool open = plan && !plan->bodies.empty() && (plan->end == PlanEnd::Interrupted || plan->end == PlanEnd::TimeLimit);
+  const bool open =
+      plan && !plan->bodies.empty() && (plan->end == PlanEnd::Interrupted || plan->end == PlanEnd::TimeLimit);
   bench_.enable("sequence.plan", product && !busy);
   bench_.enable("sequence.resume", open && !busy);
   bench_.enable("sequence.open", product && !busy);

@@ -74,9 +74,8 @@ void addSequenceCommands(const Workbench& bench, SequenceController& sequence) {
               [&bench, &sequence](const Words& words) { return planSteps(bench, sequence, words[0]); });
   scripts.add("expect-sequence", 2,
               [&sequence](const Words& words) { return expectSequence(sequence.shown(), words[0], words[1]); });
-  scripts.add("open-sequence", 1, [&sequence](const Words& words) {
-    return outcomeOf(sequence.open(QString::fromStdString(words[0])));
-  });
+  scripts.add("open-sequence", 1,
+              [&sequence](const Words& words) { return outcomeOf(sequence.open(QString::fromStdString(words[0]))); });
   scripts.add("export-sequence", 1, [&sequence](const Words& words) {
     SaveResult saved = notSaved({ErrorKind::Usage, words[0], "", "is not written yet", "Wait."});
     sequence.exportTo(QString::fromStdString(words[0]), [&saved](const SaveResult& result) { saved = result; });

@@ -11,8 +11,7 @@ double radiusOf(const RigidBody& body) { return std::max(1e-9, 0.5 * boundingBox
 
 }  // namespace
 
-PlanPlayback::PlanPlayback(const AssembledProduct& product, const AssemblyPlan& plan)
-    : bodies_(product.bodies.size()) {
+PlanPlayback::PlanPlayback(const AssembledProduct& product, const AssemblyPlan& plan) : bodies_(product.bodies.size()) {
   for (const AssemblyStep& planned : plan.steps) {
     Step step;
     step.bodies = bodiesOf(planned, product);

@@ -8,8 +8,8 @@ namespace glissade {
 
 /// Where a body is while a plan is played.
 struct PlayedBody {
-  Pose moved;         ///< it stands at moved * X_WB, where X_WB is the assembled configuration
-  bool left = false;  ///< its step is over: it is where its motion ends
+  Pose moved;          ///< it stands at moved * X_WB, where X_WB is the assembled configuration
+  bool left = false;   ///< its step is over: it is where its motion ends
   bool moves = false;  ///< in the step that is under way
 };
 

@@ -138,8 +138,8 @@ std::string arrowSvg(const GraphNode& from, const GraphNode& to, bool blocks, co
 std::string boxSvg(const GraphNode& node, const GraphColours& colours) {
   return "<rect x=\"" + pixels(left(node)) + "\" y=\"" + pixels(top(node)) + "\" width=\"" + pixels(kBoxWidth) +
          "\" height=\"" + pixels(kBoxHeight) + "\" rx=\"4\" fill=\"" + colours.box + "\" stroke=\"" +
-         (node.isStep ? colours.line : colours.stuck) + "\"><title>" + escaped(node.text) + "</title></rect>\n<text x=\"" +
-         pixels(left(node) + 8.0) + "\" y=\"" + pixels(middle(node) + 4.0) +
+         (node.isStep ? colours.line : colours.stuck) + "\"><title>" + escaped(node.text) +
+         "</title></rect>\n<text x=\"" + pixels(left(node) + 8.0) + "\" y=\"" + pixels(middle(node) + 4.0) +
          "\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"12\" fill=\"" + colours.ink + "\">" +
          escaped(cut(node.text)) + "</text>\n";
 }

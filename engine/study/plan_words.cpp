@@ -55,8 +55,8 @@ std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
     if (!text.empty()) text += words_(", then ");
     const std::string turn = leg.turn > 0.0 ? degrees(leg.turn) : "";
     if (leg.length > 0.0 && leg.turn > 0.0) {
-      text += words_("%1, %2, turning %3 about %4", {direction(leg.direction), length_(leg.length), turn,
-                                                     direction(leg.axis)});
+      text += words_("%1, %2, turning %3 about %4",
+                     {direction(leg.direction), length_(leg.length), turn, direction(leg.axis)});
     } else if (leg.turn > 0.0) {
       text += words_("turn %1 about %2", {turn, direction(leg.axis)});
     } else {
@@ -84,7 +84,9 @@ std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product
   return names;
 }
 
-std::string lengthInMillimetres(double metres) { return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm"; }
+std::string lengthInMillimetres(double metres) {
+  return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm";
+}
 
 std::string shortName(const std::string& name) {
   const std::size_t slash = name.rfind('/');

@@ -24,7 +24,8 @@ class Composer {
     addStuck();
     if (!content_.graphPicture.empty()) {
       report_.blocks.emplace_back(ReportHeading{say("Order of the steps"), 2, true});
-      picture(content_.graphPicture, say("An arrow leads from a step of the removal to each step that it makes way for."));
+      picture(content_.graphPicture,
+              say("An arrow leads from a step of the removal to each step that it makes way for."));
     }
     return std::move(report_);
   }
@@ -113,10 +114,9 @@ class Composer {
     const std::string name = nameOfStep(step, content_.product);
     std::string fullNames;
     for (const std::string& id : step.bodies()) fullNames += (fullNames.empty() ? "" : ", ") + nameOf(id);
-    report_.blocks.emplace_back(
-        ReportHeading{say("Step %1 of %2: %3", {std::to_string(place + 1), std::to_string(content_.plan.steps.size()),
-                                                name}),
-                      2, true});
+    report_.blocks.emplace_back(ReportHeading{
+        say("Step %1 of %2: %3", {std::to_string(place + 1), std::to_string(content_.plan.steps.size()), name}), 2,
+        true});
     if (i < content_.pictures.size()) picture(content_.pictures[i], say("%1 on its way", {name}));
     std::vector<std::vector<std::string>> rows{{say("Full name"), fullNames},
                                                {say("Motion"), plain_.motion(step, PlanOrder::Assembly)},

@@ -11,12 +11,12 @@ namespace glissade {
 struct InstructionContent {
   const AssemblyPlan& plan;
   const AssembledProduct& product;
-  std::string name;                        ///< of the product
-  double deviation = 0.0;                  ///< as of ProductFile
-  std::vector<StepCheck> checks;           ///< of each step; empty: not asked
-  std::string explodedPicture;             ///< a PNG file; empty: none
-  std::string graphPicture;                ///< a PNG file of planGraphSvg(); empty: none
-  std::vector<std::string> pictures;       ///< a PNG file of each step of the plan; empty: none
+  std::string name;                   ///< of the product
+  double deviation = 0.0;             ///< as of ProductFile
+  std::vector<StepCheck> checks;      ///< of each step; empty: not asked
+  std::string explodedPicture;        ///< a PNG file; empty: none
+  std::string graphPicture;           ///< a PNG file of planGraphSvg(); empty: none
+  std::vector<std::string> pictures;  ///< a PNG file of each step of the plan; empty: none
 };
 
 /// The work instruction as a report: cover, parts list, a page for each step in the order of assembly, parts without a

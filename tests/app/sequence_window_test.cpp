@@ -31,12 +31,12 @@ TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
 }
 
 TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
-  expectGood(runOnStand(
-      QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexport-sequence %1\n"
-                     "action sequence.resume\nexpect-sequence end complete\nexpect-sequence steps 10\n"
-                     "open-sequence %1\nexpect-sequence end interrupted\naction sequence.resume\n"
-                     "expect-sequence steps 10\n")
-          .arg(file("begun.json"))));
+  expectGood(
+      runOnStand(QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexport-sequence %1\n"
+                                "action sequence.resume\nexpect-sequence end complete\nexpect-sequence steps 10\n"
+                                "open-sequence %1\nexpect-sequence end interrupted\naction sequence.resume\n"
+                                "expect-sequence steps 10\n")
+                     .arg(file("begun.json"))));
 }
 
 TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {
@@ -93,8 +93,8 @@ TEST_F(SequenceWindow, WrongCommandsAndFilesAreErrors) {
   for (const QString& script :
        {QStringLiteral("open-sequence %1\n").arg(none), QStringLiteral("export-sequence %1\n").arg(none),
         QStringLiteral("plan-sequence all\nexport-sequence %1.doc\n").arg(none), QStringLiteral("show-step 1\n"),
-        QStringLiteral("plan-sequence some\n"), QStringLiteral("explode 2\n"), QStringLiteral("expect-sequence moon 1\n"),
-        QStringLiteral("plan-sequence all\nexpect-sequence steps 3\n")}) {
+        QStringLiteral("plan-sequence some\n"), QStringLiteral("explode 2\n"),
+        QStringLiteral("expect-sequence moon 1\n"), QStringLiteral("plan-sequence all\nexpect-sequence steps 3\n")}) {
     EXPECT_NE(runOnStand(script).exitCode, 0) << script.toStdString();
   }
 }

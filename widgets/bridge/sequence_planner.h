@@ -28,9 +28,10 @@ struct SequenceJob {
 /// A plan as far as it is there.
 struct GrownPlan {
   PlanPtr plan;
-  std::vector<double> foundAfter;  ///< seconds since planning began, of the steps that were found since then, the last ones
-  std::size_t asking = 0;          ///< parts that are asked now
-  int effort = 0;                  ///< 0: straight motions; above: searches
+  std::vector<double>
+      foundAfter;          ///< seconds since planning began, of the steps that were found since then, the last ones
+  std::size_t asking = 0;  ///< parts that are asked now
+  int effort = 0;          ///< 0: straight motions; above: searches
 };
 
 /// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. A

@@ -61,9 +61,7 @@ QString checkText(StepCheck check) {
 
 }  // namespace
 
-Language windowLanguage() {
-  return QLocale().language() == QLocale::French ? Language::French : Language::English;
-}
+Language windowLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
 
 SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
@@ -187,10 +185,9 @@ void SequencePanel::addSteps() {
     const bool isNear = !step.proof.nearest.empty();
     setNumber(*row, LeastClearance, isNear ? lengthText(step.proof.minClearance) : QStringLiteral("–"));
     if (isNear) {
-      row->setToolTip(LeastClearance,
-                      tr("proved %1; smallest %2 to %3")
-                          .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
-                               nameOf(step.proof.nearest)));
+      row->setToolTip(LeastClearance, tr("proved %1; smallest %2 to %3")
+                                          .arg(lengthText(step.proof.provedClearance),
+                                               lengthText(step.proof.minClearance), nameOf(step.proof.nearest)));
     }
     setNumber(*row, LargestAllowance, largestAllowanceText(step));
     QStringList allowances;
@@ -213,8 +210,8 @@ void SequencePanel::addStuck() {
     setNumber(*row, Number, QStringLiteral("–"));
     row->setText(PartName, QString::fromStdString(shortName(name.toStdString())));
     row->setToolTip(PartName, name);
-    row->setText(Motion, stuck.blockedBy.empty() ? tr("no motion found")
-                                                 : tr("blocked by %1").arg(shortNames(stuck.blockedBy)));
+    row->setText(
+        Motion, stuck.blockedBy.empty() ? tr("no motion found") : tr("blocked by %1").arg(shortNames(stuck.blockedBy)));
     QStringList names;
     for (const std::string& other : stuck.blockedBy) names << nameOf(other);
     if (!stuck.reason.empty()) names << QString::fromStdString(stuck.reason);

@@ -56,7 +56,7 @@ struct SceneView::Impl {
   std::set<std::string> hidden;  ///< obstacles, by id
   std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
   SequencePicture sequence;
-  osg::ref_ptr<osg::MatrixTransform> plainObject;  ///< the object as one of the product's bodies
+  osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
   osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }

@@ -27,8 +27,8 @@ AssemblyPlan somePlan() {
   plan.bodies = {"drawer", "cabinet", "pin", "cap"};
   plan.staying = {"cabinet"};
   plan.steps.push_back(stepOf("cap", {Pose::identity(), Pose::translation({0.0, 0.0, 0.5})}));
-  plan.steps.push_back(stepOf("pin", {Pose::identity(), Pose::translation({0.0, 0.0, 0.25}),
-                                      Pose::translation({0.1, 0.0, 0.25})}));
+  plan.steps.push_back(
+      stepOf("pin", {Pose::identity(), Pose::translation({0.0, 0.0, 0.25}), Pose::translation({0.1, 0.0, 0.25})}));
   plan.steps[1].after = {1};
   plan.steps[1].allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, "text"});
   plan.stuck = {{"drawer", {"cabinet"}}};
@@ -124,8 +124,9 @@ std::size_t headings(const StudyReport& report) {
 TEST(WorkInstruction, HasAPageForEachStepInTheOrderOfAssembly) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = somePlan();
-  const StudyReport report = workInstruction(
-      {plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}}, wordsIn(Language::English));
+  const StudyReport report =
+      workInstruction({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
+                      wordsIn(Language::English));
   EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";
   const auto page = reportHtml(report);
   ASSERT_TRUE(page.ok());
