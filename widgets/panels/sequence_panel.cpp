@@ -19,7 +19,7 @@ enum SequenceColumn { Number, PartName, Motion, LeastClearance, LargestAllowance
 
 constexpr int kStepRole = Qt::UserRole;       // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
-constexpr int kPartWidth = 96;
+constexpr int kPartWidth = 110;
 constexpr int kMotionWidth = 150;
 /// Of the slider that plays: fine enough for the steps of large products.
 constexpr int kPlayPlaces = 100000;
@@ -304,7 +304,5 @@ bool SequencePanel::chooseStep(std::size_t step) {
 }
 
 void SequencePanel::setPlaying(bool playing) { play_->setPlaying(playing); }
-
-void SequencePanel::setLoop(bool loop) { play_->setPlayback({1.0, loop, false}); }
 
 }  // namespace glissade

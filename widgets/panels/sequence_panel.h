@@ -36,7 +36,6 @@ class SequencePanel final : public QWidget {
   void setOrder(PlanOrder order);
   PlanOrder order() const { return order_; }
   void setPlaying(bool playing);
-  void setLoop(bool loop);
   /// Of removal: from 0 to the number of steps.
   double time() const;
   void showTime(double time);
