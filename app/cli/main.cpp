@@ -192,6 +192,11 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
       ->add_option("--time-limit", options.timeLimit, "Seconds after which the plan so far is what there is; 0: none")
       ->capture_default_str();
   sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
+  sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
+  sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
+  addLength(
+      *sequence, "--deflection", [&options](double value) { options.deflection = value; },
+      "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
   addFormat(*sequence, options.format);
   return sequence;

@@ -44,12 +44,12 @@ void print(const StepJudgement& judgement, std::size_t number, const AssembledPr
 
 int runPlanCheck(const CheckOptions& options) {
   const Interrupt interrupt;
-  auto loaded = loadProduct(options.scenario, interrupt.token());
+  const auto plan = readPlan(options.path);
+  if (!plan) return reportError(plan.error(), options.format);
+  auto loaded = loadProduct(options.scenario, interrupt.token(), plan->deflection);
   if (!loaded) return reportError(loaded.error(), options.format);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
-  const auto plan = readPlan(options.path);
-  if (!plan) return reportError(plan.error(), options.format);
   std::vector<std::string> ids;
   for (const RigidBody& body : product.bodies) ids.push_back(body.id);
   if (const Outcome same = checkSameBodies(*plan, ids, options.path); !same) {
@@ -61,9 +61,10 @@ int runPlanCheck(const CheckOptions& options) {
   std::size_t valid = 0;
   for (const StepJudgement& judgement : *judgements) valid += judgement.valid() ? 1 : 0;
   const bool all = valid == plan->steps.size();
+  const std::size_t remaining = plan->parts() - plan->removed();
   if (options.format == Format::Json) {
     Json report{{"valid", all},
-                {"complete", plan->steps.size() == plan->parts()},
+                {"complete", remaining == 0},
                 {"parts", plan->parts()},
                 {"steps_valid", valid},
                 {"steps", Json::array()}};
@@ -73,7 +74,7 @@ int runPlanCheck(const CheckOptions& options) {
   } else {
     for (std::size_t i = 0; i < judgements->size(); ++i) print((*judgements)[i], i + 1, product);
     std::cout << (all ? "valid" : "invalid") << ": " << valid << " of " << plan->steps.size()
-              << " steps are certified, " << plan->parts() - plan->steps.size() << " of " << plan->parts()
+              << " steps are certified, " << remaining << " of " << plan->parts()
               << " parts have no step\n";
     if (loaded->deviation > 0.0) {
       std::cout << "the certificates are about triangles: surfaces may be " << loaded->deviation * 1e3

@@ -36,12 +36,18 @@ class ProgressHost final : public SequenceHost {
   void stepFound(const AssemblyPlan& plan) override {
     for (; reported_ < plan.steps.size(); ++reported_) {
       const AssemblyStep& step = plan.steps[reported_];
-      line() << "step " << reported_ + 1 << " of " << plan.parts() << ": " << nameOf(step.body) << " leaves ("
-             << step.method << ")\n";
+      line() << "step " << reported_ + 1 << ", " << plan.removed() << " of " << plan.parts()
+             << " parts: " << namesOf(step) << (step.with.empty() ? " leaves (" : " leave as one (") << step.method
+             << ")\n";
     }
   }
 
   std::string nameOf(const std::string& id) const { return product_.bodies[*product_.indexOf(id)].name; }
+  std::string namesOf(const AssemblyStep& step) const {
+    std::string names = nameOf(step.body);
+    for (const std::string& id : step.with) names += " + " + nameOf(id);
+    return names;
+  }
   void skip(std::size_t steps) { reported_ = steps; }
 
  private:
@@ -57,8 +63,26 @@ class ProgressHost final : public SequenceHost {
   std::size_t reported_ = 0;
 };
 
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+/// The parts between commas.
+std::vector<std::string> listed(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+/// Those of the scenario and of the options.
+Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemands demands) {
+  for (const std::string& text : options.together) demands.together.push_back(listed(text));
+  for (const std::string& text : options.before) {
+    const auto pair = listed(text);
+    if (pair.size() != 2) {
+      return Diagnostic{ErrorKind::Usage, "", "--before", "is not two names with a comma between them: " + text,
+                        "Give first,then."};
+    }
+    demands.before.emplace_back(pair[0], pair[1]);
+  }
+  return demands;
 }
 
 /// The bodies of these ids, or whose ids end in "/" and this; the largest where none is named.
@@ -66,13 +90,9 @@ Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector
   BodySet staying(product.bodies.size(), false);
   if (ids.empty()) staying[largestBody(product)] = true;
   for (const std::string& id : ids) {
-    bool found = false;
-    for (std::size_t body = 0; body < staying.size(); ++body) {
-      const std::string& own = product.bodies[body].id;
-      if (own != id && !endsWith(own, "/" + id)) continue;
-      staying[body] = found = true;
-    }
-    if (!found) {
+    const BodyGroup bodies = bodiesNamed(product, id);
+    for (const std::size_t body : bodies) staying[body] = true;
+    if (bodies.empty()) {
       return Diagnostic{ErrorKind::Usage, "", "--stay", "names '" + id + "', which is no body of the product",
                         "See 'glissade-cli fits' for the names."};
     }
@@ -80,16 +100,15 @@ Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector
   return staying;
 }
 
-/// The plan that is resumed, checked against the product and the options.
-Result<AssemblyPlan> resumedPlan(const SequenceOptions& options, const AssembledProduct& product) {
+/// The plan that is resumed, checked against the options.
+Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   auto plan = readPlan(options.resume);
   if (!plan) return plan;
-  std::vector<std::string> ids;
-  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
-  if (const Outcome same = checkSameBodies(*plan, ids, options.resume); !same) return same.error();
-  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed) || !options.staying.empty()) {
-    return Diagnostic{ErrorKind::Usage, options.resume, "", "has a strategy, a seed and staying bodies of its own",
-                      "Leave out --strategy, --seed and --stay, or plan anew."};
+  if (plan->strategy != options.strategy || (options.seed && *options.seed != plan->seed) || !options.staying.empty() ||
+      options.deflection > 0.0) {
+    return Diagnostic{ErrorKind::Usage, options.resume, "",
+                      "has a strategy, a seed, staying bodies and a deflection of its own",
+                      "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
   }
   return plan;
 }
@@ -97,7 +116,7 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options, const Assembled
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const AssemblyStep& step = plan.steps[i];
-    std::cout << std::setw(4) << i + 1 << "  " << host.nameOf(step.body) << ": " << step.method;
+    std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step) << ": " << step.method;
     if (!step.proof.nearest.empty()) {
       std::cout << ", clearance " << step.proof.minClearance * 1e3 << " mm to '" << host.nameOf(step.proof.nearest)
                 << "'";
@@ -112,9 +131,9 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
       std::cout << separator << host.nameOf(other);
       separator = ", ";
     }
-    std::cout << "\n";
+    std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
   }
-  std::cout << plan.steps.size() << " of " << plan.parts() << " parts leave, every motion certified, " << seconds
+  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, every motion certified, " << seconds
             << " s\n";
 }
 
@@ -152,18 +171,30 @@ int runSequence(const SequenceOptions& options) {
   const Interrupt interrupt;
   const auto begin = Clock::now();
   const StopToken stop = limited(interrupt.token(), options.timeLimit);
-  auto loaded = loadProduct(options.file, interrupt.token());
-  if (!loaded) return reportError(loaded.error(), options.format);
-  AssembledProduct& product = loaded->product;
-  product.fits = withOptions(product.fits, options.fits);
   std::optional<AssemblyPlan> earlier;
   if (!options.resume.empty()) {
-    auto read = resumedPlan(options, product);
+    auto read = resumedPlan(options);
     if (!read) return reportError(read.error(), options.format);
     earlier = std::move(*read);
   }
+  const double deflection = earlier ? earlier->deflection : options.deflection;
+  auto loaded = loadProduct(options.file, interrupt.token(), deflection);
+  if (!loaded) return reportError(loaded.error(), options.format);
+  AssembledProduct& product = loaded->product;
+  product.fits = withOptions(product.fits, options.fits);
+  if (earlier) {
+    std::vector<std::string> ids;
+    for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+    if (const Outcome same = checkSameBodies(*earlier, ids, options.resume); !same) {
+      return reportError(same.error(), options.format);
+    }
+  }
   const auto staying = stayingBodies(product, earlier ? earlier->staying : options.staying);
   if (!staying) return reportError(staying.error(), options.format);
+  const auto demands = demandsOf(options, loaded->demands);
+  if (!demands) return reportError(demands.error(), options.format);
+  const auto rules = resolved(*demands, product);
+  if (!rules) return reportError(rules.error(), options.format);
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
   if (!fits) return reportError(fits.error(), options.format);
@@ -175,8 +206,9 @@ int runSequence(const SequenceOptions& options) {
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   const auto strategy = makeSequenceStrategyRegistry().find(options.strategy)->make();
-  AssemblyPlan plan = strategy->plan({product, *staying, seed, trial, earlier ? &*earlier : nullptr}, host);
+  AssemblyPlan plan = strategy->plan({product, *staying, seed, trial, earlier ? &*earlier : nullptr, *rules}, host);
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
+  plan.deflection = deflection;
   const double seconds = secondsSince(begin);
 
   if (!options.out.empty()) {

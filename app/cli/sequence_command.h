@@ -17,6 +17,9 @@ struct SequenceOptions {
   double timeLimit = 0.0;             ///< seconds; 0: none
   std::size_t lanes = 1;              ///< threads; they do not change the plan
   std::vector<std::string> staying;   ///< ids or ends of ids; empty: the largest body
+  std::vector<std::string> together;  ///< demands: names with commas between them
+  std::vector<std::string> before;    ///< demands: "first,then"
+  double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
   std::string out;                    ///< plan file to write; empty: none
   std::string resume;                 ///< plan file to go on from; empty: none
   FitOptions fits;

@@ -171,6 +171,44 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.drawLine(QPointF(3.5, 3.5), QPointF(12.5, 12.5));
          p.drawLine(QPointF(12.5, 3.5), QPointF(3.5, 12.5));
        }},
+      {"sequence.play",
+       [](QPainter& p) {
+         fill(p, QPolygonF({{4, 2}, {14, 8}, {4, 14}}));
+       }},
+      {"sequence.resume",
+       [](QPainter& p) {
+         p.fillRect(QRectF(2.5, 2.5, 2.5, 11), p.pen().color());
+         fill(p, QPolygonF({{6.5, 2}, {14, 8}, {6.5, 14}}));
+       }},
+      {"sequence.graph",
+       [](QPainter& p) {
+         p.drawRect(QRectF(1.5, 2, 4.5, 4));
+         p.drawRect(QRectF(1.5, 10, 4.5, 4));
+         p.drawRect(QRectF(10.5, 6, 4, 4));
+         p.drawLine(QPointF(6, 4), QPointF(10.5, 7));
+         p.drawLine(QPointF(6, 12), QPointF(10.5, 9));
+       }},
+      {"sequence.open",
+       [](QPainter& p) {
+         p.drawPolygon(QPolygonF({{1.5, 13}, {1.5, 3}, {6, 3}, {7.5, 5}, {14.5, 5}, {14.5, 13}}));
+       }},
+      {"sequence.export",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 9}, {2, 14}, {14, 14}, {14, 9}}));
+         arrow(p, {8, 10}, {8, 2});
+       }},
+      {"sequence.assembly-order",
+       [](QPainter& p) {
+         p.drawPolyline(QPolygonF({{2, 8}, {2, 14}, {14, 14}, {14, 8}}));
+         p.drawRect(QRectF(5.5, 9, 5, 5));
+         arrow(p, {8, 1}, {8, 7});
+       }},
+      {"sequence.aside",
+       [](QPainter& p) {
+         p.drawRect(QRectF(1.5, 7, 6, 7));
+         fill(p, QPolygonF({{10, 9}, {14.5, 9}, {14.5, 14}, {10, 14}}));
+         p.drawPolyline(QPolygonF({{4.5, 5}, {4.5, 2}, {12, 2}, {12, 6}}));
+       }},
       {"view.fit",
        [](QPainter& p) {
          for (const auto& [x, y, dx, dy] : {std::tuple{2, 2, 1, 1}, {14, 2, -1, 1}, {14, 14, -1, -1}, {2, 14, 1, -1}}) {

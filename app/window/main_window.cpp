@@ -25,6 +25,7 @@
 #include "app/window/refusal_controller.h"
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
+#include "app/window/sequence_controller.h"
 #include "app/window/study_controller.h"
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
@@ -87,6 +88,7 @@ void MainWindow::addParts() {
   new MeasureController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
+  auto* sequence = new SequenceController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});
@@ -100,6 +102,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Own});
   docks_.add(
       {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
+  docks_.add({tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.arrange();

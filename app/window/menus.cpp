@@ -19,7 +19,7 @@ class Menus {
     QMenu* file = add(tr("&File"), {"file."});
     for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
     add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
-    add(tr("&Assembly"), {"assembly.", "", "fits.", "", "refusal."});
+    add(tr("&Assembly"), {"assembly.", "", "fits.", "", "refusal.", "", "sequence."});
     add(tr("&Run"),
         {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "", "paths.", "", "difficulty."});
     add(tr("&Study"), {"study."});

@@ -130,13 +130,6 @@ bool passesOver(const Vector3& a, const Vector3& b, const Vector3& c, const Vect
   return shares.minCoeff() >= 0.0 && shares.x() + shares.y() <= 1.0 && shares.z() <= 1.0;
 }
 
-/// Thinned objects may have smaller triangles.
-double scaleFor(const std::vector<RigidBody>& obstacles, const std::map<double, TriangleMesh>& objects) {
-  double largest = 0.0;
-  for (const auto& [allowance, object] : objects) largest = std::max(largest, fclScale(obstacles, object));
-  return largest;
-}
-
 struct Span {
   double begin;
   double end;
@@ -145,102 +138,145 @@ struct Span {
 
 }  // namespace
 
+struct IndependentCheck::Obstacle {
+  RaySolid solid;
+  Model surface;
+  Box3 box;  ///< scaled, world frame
+  double farthest;
+
+  explicit Obstacle(TriangleMesh placed)
+      : solid(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {
+    surface.beginModel();
+    addTriangles(surface, placed);
+    surface.endModel();
+  }
+};
+
 /// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
 /// that are asked for too.
 struct IndependentCheck::Group {
   TriangleMesh object;
   RaySolid objectSolid;
-  std::vector<RaySolid> obstacleSolids;
-  std::vector<int> numbers;  ///< of the obstacles
   Model objectSurface;
-  Model obstacleSurface;
-  std::vector<int> bodyOf;  ///< per triangle of the obstacles
-
-  double coordinates;  ///< the largest of the obstacles and of the object in its own frame, together
+  Vector3 middle;  ///< of the object
+  double radius;   ///< about it
+  std::vector<ObstaclePtr> obstacles;
+  std::vector<int> numbers;  ///< of the obstacles
+  double coordinates;        ///< the largest of the obstacles and of the object in its own frame, together
 
   Group(const TriangleMesh& mesh, double scale)
-      : object(scaled(mesh, Vector3::Constant(scale))), objectSolid(object), coordinates(largestCoordinate(object)) {
+      : object(scaled(mesh, Vector3::Constant(scale))),
+        objectSolid(object),
+        middle(boundingBox(object).center()),
+        radius(0.0),
+        coordinates(largestCoordinate(object)) {
     objectSurface.beginModel();
     addTriangles(objectSurface, object);
     objectSurface.endModel();
-    obstacleSurface.beginModel();
+    for (const Vector3& vertex : object.vertices) radius = std::max(radius, (vertex - middle).norm());
   }
 
-  void add(const RigidBody& obstacle, int number, double scale) {
-    TriangleMesh placed = inWorld(obstacle, scale);
-    farthest_ = std::max(farthest_, largestCoordinate(placed));
-    addTriangles(obstacleSurface, placed);
-    bodyOf.insert(bodyOf.end(), placed.triangles.size(), number);
+  void add(const ObstaclePtr& obstacle, int number) {
+    farthest_ = std::max(farthest_, obstacle->farthest);
+    obstacles.push_back(obstacle);
     numbers.push_back(number);
-    obstacleSolids.emplace_back(std::move(placed));
   }
 
-  void finish() {
-    coordinates += farthest_;
-    if (!bodyOf.empty()) obstacleSurface.endModel();
-  }
+  void finish() { coordinates += farthest_; }
 
   /// Of distances where the object is placed here.
   double errorAt(const Vector3& position) const {
     return kCoordinateError * (coordinates + position.cwiseAbs().maxCoeff());
   }
 
-  NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
+  /// No point of the object is nearer to the obstacle; rounding is left to errorAt().
+  double leastDistance(const Obstacle& obstacle, const fcl::Transform3d& X_WB) const {
+    return obstacle.box.exteriorDistance(Vector3(X_WB * middle)) * (1.0 - kRelativeError) -
+           radius * (1.0 + kRelativeError);
+  }
+
+  /// Of those that are nearer than `enough`; farther where there is none.
+  NearestObstacle nearest(const fcl::Transform3d& X_WB, double enough) const {
     NearestObstacle found;
     found.distance = std::numeric_limits<double>::infinity();
-    if (bodyOf.empty()) return found;
-    const auto bodyAt = [&](long triangle) { return bodyOf[static_cast<std::size_t>(triangle)]; };
     const fcl::Transform3d fixed = fcl::Transform3d::Identity();
-    fcl::CollisionResultd touch;
-    if (fcl::collide(&obstacleSurface, fixed, &objectSurface, X_WB, fcl::CollisionRequestd(), touch) > 0) {
-      found.distance = 0.0;
-      found.body = bodyAt(touch.getContact(0).b1);
-      return found;
-    }
     const double error = errorAt(X_WB.translation());
-    fcl::DistanceResultd gap;
-    fcl::distance(&obstacleSurface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
-    found.distance = std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
-    found.body = bodyAt(gap.b1);
-    found.p_WPo = gap.nearest_points[0];
-    found.p_WPn = gap.nearest_points[1];
+    double least = enough;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const Obstacle& obstacle = *obstacles[i];
+      if (leastDistance(obstacle, X_WB) > least + error) continue;
+      fcl::CollisionResultd touch;
+      if (fcl::collide(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::CollisionRequestd(), touch) > 0) {
+        found.distance = 0.0;
+        found.body = numbers[i];
+        return found;
+      }
+      fcl::DistanceResultd gap;
+      fcl::distance(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
+      const double distance = std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
+      if (distance >= found.distance) continue;
+      found.distance = distance;
+      found.body = numbers[i];
+      found.p_WPo = gap.nearest_points[0];
+      found.p_WPn = gap.nearest_points[1];
+      least = std::min(least, distance);
+    }
     return found;
   }
 
   /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
-  /// touches no prism's boundary is inside the prism, or nowhere.
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way) const {
-    if (bodyOf.empty()) return std::numeric_limits<double>::infinity();
+  /// touches no prism's boundary is inside the prism, or nowhere. Obstacles whose boxes are farther than `enough` are
+  /// not looked at more closely.
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
     TriangleMesh placed = object;
     for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
-    Model swept;
-    swept.beginModel();
-    addTriangles(swept, sweptBy(placed, way));
-    swept.endModel();
+    Box3 box = boundingBox(placed);
+    box.extend(Box3(box.min() + way, box.max() + way));
+    const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
+    double least = std::numeric_limits<double>::infinity();
+    std::unique_ptr<Model> swept;
+    for (const ObstaclePtr& obstacle : obstacles) {
+      const double apart = std::max(0.0, obstacle->box.exteriorDistance(box) * (1.0 - kRelativeError) - error);
+      if (apart > enough) {
+        least = std::min(least, apart);
+        continue;
+      }
+      if (!swept) {
+        swept = std::make_unique<Model>();
+        swept->beginModel();
+        addTriangles(*swept, sweptBy(placed, way));
+        swept->endModel();
+      }
+      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, error));
+      if (least == 0.0) return 0.0;
+    }
+    return least;
+  }
+
+  static double sweptDistance(const Obstacle& obstacle, const Model& swept, const TriangleMesh& placed,
+                              const Vector3& way, double error) {
     const fcl::Transform3d fixed = fcl::Transform3d::Identity();
     fcl::CollisionResultd touch;
-    if (fcl::collide(&obstacleSurface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
-    for (const RaySolid& obstacle : obstacleSolids) {
-      for (const Vector3& point : obstacle.partPoints()) {
-        for (const auto& [a, b, c] : placed.triangles) {
-          if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
-        }
+    if (fcl::collide(&obstacle.surface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
+    for (const Vector3& point : obstacle.solid.partPoints()) {
+      for (const auto& [a, b, c] : placed.triangles) {
+        if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
       }
     }
     fcl::DistanceResultd gap;
-    fcl::distance(&obstacleSurface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
-    const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
+    fcl::distance(&obstacle.surface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
     return std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
   }
 
   /// The body that the object is inside of, or around; -1 where there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
-    for (std::size_t i = 0; i < obstacleSolids.size(); ++i) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const RaySolid& obstacle = obstacles[i]->solid;
       for (const Vector3& p : objectSolid.partPoints()) {
-        if (obstacleSolids[i].contains(X_WB * p)) return numbers[i];
+        if (obstacle.contains(X_WB * p)) return numbers[i];
       }
-      for (const Vector3& p : obstacleSolids[i].partPoints()) {
+      for (const Vector3& p : obstacle.partPoints()) {
         if (objectSolid.contains(X_BW * p)) return numbers[i];
       }
     }
@@ -254,6 +290,7 @@ struct IndependentCheck::Group {
 /// The groups, all in the same scale.
 struct IndependentCheck::Geometry {
   double scale = 1.0;
+  bool hasFits = false;
   TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
   std::vector<std::unique_ptr<Group>> groups;
 
@@ -271,15 +308,15 @@ struct IndependentCheck::Geometry {
     NearestObstacle nearest;
     nearest.distance = std::numeric_limits<double>::infinity();
     for (const auto& group : groups) {
-      const NearestObstacle found = group->nearest(X_WB);
+      const NearestObstacle found = group->nearest(X_WB, nearest.distance);
       if (found.distance < nearest.distance) nearest = found;
     }
     return nearest;
   }
 
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way) const {
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& group : groups) least = std::min(least, group->sweptDistance(X_WB, way));
+    for (const auto& group : groups) least = std::min(least, group->sweptDistance(X_WB, way, enough));
     return least;
   }
 
@@ -291,24 +328,53 @@ struct IndependentCheck::Geometry {
   }
 };
 
+IndependentCheck::ObstaclePtr IndependentCheck::prepare(const RigidBody& body, double scale) {
+  return std::make_shared<const Obstacle>(inWorld(body, scale));
+}
+
+double IndependentCheck::scaleFor(const std::vector<RigidBody>& bodies) {
+  return bodies.empty() ? 1.0 : fclScale(bodies, *bodies.front().mesh);
+}
+
 IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
                                    const std::vector<double>& allowances) {
-  std::map<double, TriangleMesh> objects{{0.0, object}};
+  std::map<double, MeshPtr> objects{{0.0, std::make_shared<const TriangleMesh>(object)}};
+  double scale = fclScale(obstacles, object);
   for (const double allowance : allowances) {
-    if (objects.count(allowance) == 0) objects.emplace(allowance, thinnedForJudging(object, allowance));
+    MeshPtr& thinner = objects[allowance];
+    if (thinner) continue;
+    thinner = std::make_shared<const TriangleMesh>(thinnedForJudging(object, allowance));
+    // Thinned objects may have smaller triangles.
+    scale = std::max(scale, fclScale(obstacles, *thinner));
   }
+  std::vector<Against> against;
+  for (std::size_t body = 0; body < obstacles.size(); ++body) {
+    const double allowance = body < allowances.size() ? allowances[body] : 0.0;
+    against.push_back({prepare(obstacles[body], scale), objects[allowance], allowance > 0.0});
+  }
+  build(against, object, scale);
+}
+
+IndependentCheck::IndependentCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale) {
+  build(obstacles, object, scale);
+}
+
+void IndependentCheck::build(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale) {
   auto geometry = std::make_unique<Geometry>();
-  const double scale = geometry->scale = scaleFor(obstacles, objects);
+  geometry->scale = scale;
   geometry->object = scaled(object, Vector3::Constant(scale));
-  for (const auto& [allowance, mesh] : objects) {
-    auto group = std::make_unique<Group>(mesh, scale);
-    for (std::size_t body = 0; body < obstacles.size(); ++body) {
-      const double own = body < allowances.size() ? allowances[body] : 0.0;
-      if (own == allowance) group->add(obstacles[body], static_cast<int>(body), scale);
+  std::vector<MeshPtr> meshes;  // of the groups
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    geometry->hasFits = geometry->hasFits || obstacles[i].fits;
+    const auto known = std::find(meshes.begin(), meshes.end(), obstacles[i].object);
+    const auto group = static_cast<std::size_t>(known - meshes.begin());
+    if (known == meshes.end()) {
+      meshes.push_back(obstacles[i].object);
+      geometry->groups.push_back(std::make_unique<Group>(*obstacles[i].object, scale));
     }
-    group->finish();
-    geometry->groups.push_back(std::move(group));
+    geometry->groups[group]->add(obstacles[i].obstacle, static_cast<int>(i));
   }
+  for (const auto& group : geometry->groups) group->finish();
   geometry_ = std::move(geometry);
 }
 
@@ -360,7 +426,7 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     return result;
   }
   const double turn = course.turn(geometry_->object);
-  const bool sweeps = geometry_->groups.size() > 1 && turn <= kErrorShare * required;
+  const bool sweeps = geometry_->hasFits && turn <= kErrorShare * required;
   if (course.isHalfACircle() || !geometry_->resolves(from, to, required)) return result;
   const auto meet = [&](double t) {
     const NearestObstacle nearest = geometry_->nearest(course.at(t));
@@ -389,7 +455,7 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     double proved = distance - 0.5 * speed * length;
     bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
     if (!closely && sweeps) {
-      proved = geometry_->sweptDistance(course.at(span.begin), length * course.way()) - turn;
+      proved = geometry_->sweptDistance(course.at(span.begin), length * course.way(), 2.0 * required) - turn;
       closely = proved >= required;
     }
     if (closely) {

@@ -9,22 +9,26 @@ PreparedBodies::PreparedBodies(std::vector<RigidBody> bodies)
 
 CollisionWorldPtr PreparedBodies::world(const MeshPtr& whole, const std::vector<Against>& obstacles) {
   std::vector<std::pair<const PreparedObstacle*, const PreparedObject*>> prepared;
-  for (const Against& against : obstacles) prepared.emplace_back(&obstacle(against.body), &object(against.object));
+  for (const Against& against : obstacles) {
+    const MeshPtr& mesh = against.obstacle ? against.obstacle : bodies_[against.body].mesh;
+    prepared.emplace_back(&obstacle(against.body, mesh), &object(against.object));
+  }
   return CollisionWorld::compose(object(whole), prepared);
 }
 
 /// Two threads that need the same one may both prepare it; the first is kept.
-const PreparedObstacle& PreparedBodies::obstacle(std::size_t body) {
+const PreparedObstacle& PreparedBodies::obstacle(std::size_t body, const MeshPtr& mesh) {
   {
     const std::lock_guard lock(mutex_);
-    const auto known = obstacles_.find(body);
+    const auto known = obstacles_.find({body, mesh});
     if (known != obstacles_.end()) return known->second;
   }
-  const RigidBody& own = bodies_[body];
+  RigidBody own = bodies_[body];
+  own.mesh = mesh;
   PreparedObstacle prepared{own, boxes_[body], scale_, kernelObstacle(own, scale_),
                             Solids::prepare(transformed(*own.mesh, own.X_WB))};
   const std::lock_guard lock(mutex_);
-  return obstacles_.try_emplace(body, std::move(prepared)).first->second;
+  return obstacles_.try_emplace(std::pair(body, mesh), std::move(prepared)).first->second;
 }
 
 const PreparedObject& PreparedBodies::object(const MeshPtr& mesh) {

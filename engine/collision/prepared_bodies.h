@@ -28,7 +28,7 @@ struct PreparedObject {
 };
 
 /// Bodies of a product, for worlds of any choice of them: each is prepared once, when it is first needed, as an
-/// obstacle; each mesh once as an object. A world then costs microseconds a body. Worlds keep what they need. May be
+/// obstacle, and each mesh that it is taken to be; each mesh once as an object. A world then costs microseconds a body. Worlds keep what they need. May be
 /// asked by several threads at a time.
 class PreparedBodies {
  public:
@@ -38,6 +38,7 @@ class PreparedBodies {
   struct Against {
     std::size_t body;
     MeshPtr object;
+    MeshPtr obstacle = nullptr;  ///< the mesh that the obstacle is taken to be, in its frame; null: its own
   };
   /// The world's obstacles are numbered as they are listed here. The meshes are in one frame, inside `object`.
   CollisionWorldPtr world(const MeshPtr& object, const std::vector<Against>& obstacles);
@@ -46,14 +47,14 @@ class PreparedBodies {
   const Box3& boxOf(std::size_t body) const { return boxes_[body]; }
 
  private:
-  const PreparedObstacle& obstacle(std::size_t body);
+  const PreparedObstacle& obstacle(std::size_t body, const MeshPtr& mesh);
   const PreparedObject& object(const MeshPtr& mesh);
 
   std::vector<RigidBody> bodies_;
   std::vector<Box3> boxes_;
   double scale_;
   std::mutex mutex_;  ///< of what follows
-  std::map<std::size_t, PreparedObstacle> obstacles_;
+  std::map<std::pair<std::size_t, MeshPtr>, PreparedObstacle> obstacles_;
   std::map<MeshPtr, PreparedObject> objects_;
 };
 

@@ -50,17 +50,21 @@ Json toJson(const StepProof& proof) {
 }
 
 Json toJson(const StepAllowance& allowance) {
-  return {{"body", allowance.body},
+  Json json{{"body", allowance.body},
           {"kind", kindName(allowance.kind)},
           {"overlap_m", allowance.overlap},
           {"allowance_m", allowance.allowance},
           {"text", allowance.text}};
+  if (!allowance.moving.empty()) json["moving"] = allowance.moving;
+  if (allowance.yields) json["yields"] = true;
+  return json;
 }
 
 Json toJson(const AssemblyStep& step) {
-  Json json{{"bodies", {step.body}},       {"method", step.method},
-            {"wave", step.wave},           {"certificate", toJson(step.proof)},
-            {"allowances", Json::array()}, {"path", Json::array()}};
+  Json json{{"bodies", step.bodies()},       {"method", step.method},
+            {"wave", step.wave},             {"after", step.after},
+            {"certificate", toJson(step.proof)}, {"allowances", Json::array()},
+            {"path", Json::array()}};
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   for (const PathPoint& point : step.path) {
     Json configuration = toJson(point.q);
@@ -74,12 +78,13 @@ Json toJson(const AssemblyStep& step) {
 class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "parts", "removed", "end", "certified",
+    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed", "end", "certified",
                   "bodies", "staying", "steps", "stuck", "refusals"});
     if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
     plan_.seed = at.at("seed").wholeNumber();
+    if (const auto deflection = at.find("deflection_m")) plan_.deflection = readLength(*deflection);
     plan_.end = readEnd(at.at("end"));
     readBodies(at.at("bodies"));
     plan_.staying = readIds(at.at("staying"));
@@ -140,12 +145,17 @@ class PlanReader {
   }
 
   void readStep(const JsonCursor& at) {
-    at.allowOnly({"bodies", "method", "wave", "certificate", "allowances", "path"});
+    at.allowOnly({"bodies", "method", "wave", "after", "certificate", "allowances", "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
-    if (bodies.size() != 1) bodies.fail("does not hold one body");
-    step.body = readId(bodies.element(0));
-    if (!gone_.insert(step.body).second) bodies.element(0).fail("stays, or has left before");
+    std::vector<std::string> ids = readIds(bodies);
+    if (ids.empty()) bodies.fail("is empty", "Name the bodies that leave.");
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      if (!gone_.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
+    }
+    step.body = ids.front();
+    step.with.assign(ids.begin() + 1, ids.end());
+    step.after = readPredecessors(at);
     step.method = at.at("method").text();
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
     step.proof = readProof(at.at("certificate"));
@@ -155,6 +165,19 @@ class PlanReader {
     }
     step.path = readPath(at.at("path"));
     plan_.steps.push_back(std::move(step));
+  }
+
+  /// All earlier steps where the file does not say.
+  std::vector<std::size_t> readPredecessors(const JsonCursor& step) const {
+    std::vector<std::size_t> after;
+    const auto at = step.find("after");
+    for (std::size_t number = 1; !at && number <= plan_.steps.size(); ++number) after.push_back(number);
+    for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
+      const std::uint64_t number = at->element(i).wholeNumber();
+      if (number == 0 || number > plan_.steps.size()) at->element(i).fail("is no earlier step");
+      after.push_back(static_cast<std::size_t>(number));
+    }
+    return after;
   }
 
   StepProof readProof(const JsonCursor& at) const {
@@ -170,11 +193,14 @@ class PlanReader {
   }
 
   StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text"});
+    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields"});
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is no kind of fit");
-    return {readId(at.at("body")), *kind, readLength(at.at("overlap_m")), readLength(at.at("allowance_m")),
-            at.at("text").text()};
+    StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
+                            readLength(at.at("allowance_m")), at.at("text").text()};
+    if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
+    if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+    return allowance;
   }
 
   static std::vector<PathPoint> readPath(const JsonCursor& at) {
@@ -192,17 +218,19 @@ class PlanReader {
   }
 
   void readStuck(const JsonCursor& at) {
-    at.allowOnly({"part", "blocked_by"});
+    at.allowOnly({"part", "blocked_by", "reason"});
     plan_.stuck.push_back({readId(at.at("part")), readIds(at.at("blocked_by"))});
+    if (const auto reason = at.find("reason")) plan_.stuck.back().reason = reason->text();
     if (gone_.count(plan_.stuck.back().body) != 0) at.at("part").fail("stays, or has left");
   }
 
   void readRefusal(const JsonCursor& at) {
-    at.allowOnly({"part", "effort", "after_steps", "blocked_by"});
+    at.allowOnly({"part", "with", "effort", "after_steps", "blocked_by"});
     const std::uint64_t effort = at.at("effort").wholeNumber();
     if (effort >= kMostEffort) at.at("effort").fail("is too large");
     plan_.refusals.push_back({readId(at.at("part")), static_cast<int>(effort), readAfter(at.at("after_steps")),
                               readIds(at.at("blocked_by"))});
+    if (const auto with = at.find("with")) plan_.refusals.back().with = readIds(*with);
   }
 
   std::set<std::string> known_;
@@ -219,8 +247,9 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"product", product},
             {"strategy", plan.strategy},
             {"seed", plan.seed},
+            {"deflection_m", plan.deflection},
             {"parts", plan.parts()},
-            {"removed", plan.steps.size()},
+            {"removed", plan.removed()},
             {"end", endName(plan.end)},
             {"certified", true},
             {"bodies", plan.bodies},
@@ -230,13 +259,14 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"refusals", Json::array()}};
   for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
   for (const StuckBody& stuck : plan.stuck) {
-    json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}});
+    json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}});
   }
   for (const RefusedRemoval& refused : plan.refusals) {
     json["refusals"].push_back({{"part", refused.body},
                                 {"effort", refused.effort},
                                 {"after_steps", refused.afterSteps},
                                 {"blocked_by", refused.blockedBy}});
+    if (!refused.with.empty()) json["refusals"].back()["with"] = refused.with;
   }
   return json;
 }

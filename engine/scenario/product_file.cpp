@@ -9,32 +9,41 @@
 namespace glissade {
 namespace {
 
-Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop) {
+Result<ProductFile> productOfParts(const std::string& file, const StopToken& stop, double deflection) {
   GeometryCache read;
-  const auto geometry = readPart(usualPart(file), read, stop);
+  PartFile part = usualPart(file);
+  part.deflection = deflection;
+  const auto geometry = readPart(part, read, stop);
   if (!geometry) return geometry.error();
   ProductFile loaded;
-  for (const GeometryPart& part : (*geometry)->parts) {
-    const std::string name = part.name.empty() ? file : part.name;
-    loaded.product.bodies.push_back({name, name, Mobility::Mobile, part.mesh, part.X_BP});
-    if (part.colour) loaded.product.bodies.back().colour = *part.colour;
-    loaded.product.deflections.push_back(part.deflection);
+  for (const GeometryPart& solid : (*geometry)->parts) {
+    const std::string name = solid.name.empty() ? file : solid.name;
+    loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_BP});
+    if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
+    loaded.product.deflections.push_back(solid.deflection);
   }
   loaded.product.fits.on = true;
   return loaded;
+}
+
+/// With the frames that the scenario gives the bodies.
+AssembledProduct bodiesOfScenario(const LoadedScenario& scenario) {
+  AssembledProduct product;
+  product.bodies = scenario.obstacles;
+  product.bodies.push_back(scenario.object);
+  for (const RigidBody& body : product.bodies) {
+    const auto known = scenario.deflections.find(body.id);
+    product.deflections.push_back(known == scenario.deflections.end() ? 0.0 : known->second);
+  }
+  product.fits = scenario.scenario.fits;
+  return product;
 }
 
 Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
   auto scenario = loadScenario(file, stop);
   if (!scenario) return scenario.error();
   ProductFile loaded;
-  loaded.product.bodies = std::move(scenario->obstacles);
-  loaded.product.bodies.push_back(std::move(scenario->object));
-  for (const RigidBody& body : loaded.product.bodies) {
-    const auto known = scenario->deflections.find(body.id);
-    loaded.product.deflections.push_back(known == scenario->deflections.end() ? 0.0 : known->second);
-  }
-  loaded.product.fits = scenario->scenario.fits;
+  loaded.product = bodiesOfScenario(*scenario);
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }
@@ -48,14 +57,21 @@ double largestTwo(std::vector<double> values) {
 
 }  // namespace
 
-Result<ProductFile> readProduct(const std::string& file, const StopToken& stop) {
-  auto loaded = isPartFile(usualPart(file).path) ? productOfParts(file, stop) : productOfScenario(file, stop);
+AssembledProduct productOf(const LoadedScenario& scenario) {
+  AssembledProduct product = bodiesOfScenario(scenario);
+  product.bodies = aboutTheirMiddles(std::move(product.bodies));
+  return product;
+}
+
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection) {
+  auto loaded =
+      isPartFile(usualPart(file).path) ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
 }
 
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop) {
-  auto loaded = readProduct(file, stop);
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection) {
+  auto loaded = readProduct(file, stop, deflection);
   if (!loaded) return loaded;
   if (loaded->product.bodies.size() < 2) {
     return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",

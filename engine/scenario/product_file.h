@@ -4,7 +4,9 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
+#include "engine/scenario/scenario.h"
 #include "engine/sequence/assembled_product.h"
+#include "engine/sequence/order_rules.h"
 
 namespace glissade {
 
@@ -12,16 +14,21 @@ namespace glissade {
 struct ProductFile {
   AssembledProduct product;
   double deviation = 0.0;  ///< metres that two surfaces may be off their triangles, together
+  SequenceDemands demands;  ///< of a scenario
   Warnings warnings;
 };
 
+/// The product of a scenario: its obstacles in their order, then its object at the start. Each body about its middle.
+AssembledProduct productOf(const LoadedScenario& scenario);
+
 /// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
 /// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,
-/// and as the scenario says. Errors: those of the importers, Interrupted.
-Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {});
+/// and as the scenario says. `deflection`: metres that triangles may be off the surfaces of a part file; 0: by the size
+/// of each part. Errors: those of the importers, Interrupted.
+Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
 
 /// The same with each body about its middle, as what moves is. Errors: as of readProduct(), and MalformedInput where
 /// there are less than two bodies.
-Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {});
+Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
 
 }  // namespace glissade

@@ -28,6 +28,11 @@ std::vector<std::size_t> bodiesIn(const BodySet& set) {
   return indices;
 }
 
+BodySet without(BodySet set, const BodyGroup& group) {
+  for (const std::size_t body : group) set[body] = false;
+  return set;
+}
+
 std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies) {
   struct Middle {
     Vector3 point;
@@ -55,6 +60,12 @@ Box3 boxOf(const AssembledProduct& product, const BodySet& set) {
 }
 
 double boxVolume(const RigidBody& body) { return boundingBox(*body.mesh).sizes().prod(); }
+
+double boxVolume(const AssembledProduct& product, const BodyGroup& group) {
+  double volume = 0.0;
+  for (const std::size_t body : group) volume += boxVolume(product.bodies[body]);
+  return volume;
+}
 
 std::size_t largestBody(const AssembledProduct& product) {
   const auto smaller = [](const RigidBody& a, const RigidBody& b) { return boxVolume(a) < boxVolume(b); };

@@ -9,13 +9,15 @@
 
 namespace glissade {
 
-/// By how much the moving body of a step is taken thinner against one other body.
+/// By how much a moving body of a step is taken thinner against one other body, or that one against it.
 struct StepAllowance {
-  std::string body;  ///< id
+  std::string body;  ///< id of the other one
   ContactKind kind = ContactKind::Contact;
   double overlap = 0.0;    ///< as measured, metres
   double allowance = 0.0;  ///< metres
   std::string text;        ///< for people, with names
+  std::string moving{};    ///< id of the body of the step; empty: its first one
+  bool yields = false;     ///< the other one is taken thinner, not the moving one
 };
 
 /// What was proved of a step's motion: it keeps the required clearance from every body that was there.
@@ -27,22 +29,37 @@ struct StepProof {
   std::string nearest;           ///< id of the body there; empty: none
 };
 
-/// The removal of one body. A motion that was proved against bodies is proved against any of them.
+/// The removal of one body, or of several that move as one. A motion that was proved against bodies is proved against
+/// any of them.
 struct AssemblyStep {
-  std::string body;             ///< id
-  std::vector<PathPoint> path;  ///< of the body's frame, which stands at the first configuration; see AssembledProduct
-  std::string method;           ///< "straight", or "auto" and what found it: "auto: turning-rrt"
+  std::string body;  ///< id, of a group the first one
+  /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
+  /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
+  std::vector<PathPoint> path;
+  std::string method;  ///< "straight", or "auto" and what found it: "auto: turning-rrt"
   std::size_t wave = 0;         ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there
+  std::vector<std::string> with{};        ///< ids of the other bodies of a group
+  /// Steps that have to be carried out before, by number from 1, ascending: their bodies would be in the way, or the
+  /// order is demanded. Any order that keeps this of all steps is proved as well.
+  std::vector<std::size_t> after{};
+
+  /// Ids of all bodies that leave, the first one first.
+  std::vector<std::string> bodies() const {
+    std::vector<std::string> all{body};
+    all.insert(all.end(), with.begin(), with.end());
+    return all;
+  }
 };
 
-/// A body whose removal was asked for and not found.
+/// A body, or a group as one, whose removal was asked for and not found.
 struct RefusedRemoval {
-  std::string body;                    ///< id
+  std::string body;                    ///< id, of a group the first one
   int effort = 0;                      ///< 0: straight motions; above: searches, each longer than the one before
   std::size_t afterSteps = 0;          ///< asked when these had been carried out
   std::vector<std::string> blockedBy;  ///< ids: it is not asked again with this effort before one of them has left
+  std::vector<std::string> with{};     ///< ids of the other bodies of a group
 };
 
 /// Why a plan has ended.
@@ -52,6 +69,7 @@ enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
 struct StuckBody {
   std::string body;                    ///< id
   std::vector<std::string> blockedBy;  ///< ids of those that are still there
+  std::string reason{};                ///< for people, with names; may be empty
 };
 
 /// In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.
@@ -64,8 +82,15 @@ struct AssemblyPlan {
   std::vector<RefusedRemoval> refusals;  ///< what a resumed search need not ask again
   std::vector<StuckBody> stuck;
   PlanEnd end = PlanEnd::Complete;
+  double deflection = 0.0;  ///< metres, that the product's STEP file was read with; 0: by the size of each part
 
   std::size_t parts() const { return bodies.size() - staying.size(); }
+  /// Bodies that leave.
+  std::size_t removed() const {
+    std::size_t count = 0;
+    for (const AssemblyStep& step : steps) count += 1 + step.with.size();
+    return count;
+  }
 };
 
 }  // namespace glissade

@@ -1,24 +1,27 @@
 #include "engine/sequence/greedy_strategy.h"
 
 #include <algorithm>
-#include <limits>
+#include <map>
 #include <optional>
 #include <set>
+
+#include "engine/sequence/step_precedence.h"
 
 namespace glissade {
 namespace {
 
-/// Bodies that are searched at the same time, whatever the number of threads.
+/// Units that are searched at the same time, whatever the number of threads.
 constexpr std::size_t kSearchedTogether = 4;
+/// Bodies of a group that leaves as one: before the long searches of single bodies, and after them.
+constexpr std::size_t kFewBodies = 4;
+constexpr std::size_t kMostBodies = 32;
+/// Searches up to this effort come before groups.
+constexpr int kShortEffort = 2;
 
 class GreedySearch {
  public:
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
-      : question_(question),
-        host_(host),
-        present_(question.product.bodies.size(), true),
-        refusals_(question.product.bodies.size()) {
-    for (auto& ofBody : refusals_) ofBody.resize(static_cast<std::size_t>(question.trial.efforts()));
+      : question_(question), host_(host), present_(question.product.bodies.size(), true) {
     plan_.seed = question.seed;
     for (std::size_t body = 0; body < present_.size(); ++body) {
       plan_.bodies.push_back(idOf(body));
@@ -28,7 +31,7 @@ class GreedySearch {
   }
 
   AssemblyPlan run() {
-    while (!stopped() && wave()) {
+    while (!stopped() && (wave(true) || (!stopped() && wave(false)))) {
     }
     finish();
     return std::move(plan_);
@@ -49,136 +52,301 @@ class GreedySearch {
     return ids;
   }
 
+  std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
+    std::vector<std::size_t> bodies;
+    for (const std::string& id : ids) bodies.push_back(*question_.product.indexOf(id));
+    return bodies;
+  }
+
+  BodyGroup groupOf(const std::string& body, const std::vector<std::string>& with) const {
+    BodyGroup group = indicesOf(with);
+    group.push_back(*question_.product.indexOf(body));
+    std::sort(group.begin(), group.end());
+    return group;
+  }
+
   void resume(const AssemblyPlan& earlier) {
     for (const AssemblyStep& step : earlier.steps) {
-      const std::size_t body = *question_.product.indexOf(step.body);
+      const BodyGroup group = groupOf(step.body, step.with);
       plan_.steps.push_back(step);
-      present_[body] = false;
+      present_ = without(present_, group);
       wave_ = step.wave;
-      question_.trial.learn(body, step.path);
+      question_.trial.learn(group, step.path);
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
-      Refusal refusal{{}, refused.afterSteps};
-      for (const std::string& id : refused.blockedBy) refusal.blockedBy.push_back(*question_.product.indexOf(id));
-      refusals_[*question_.product.indexOf(refused.body)][static_cast<std::size_t>(refused.effort)] = refusal;
+      refusals_[groupOf(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
+                                                                        refused.afterSteps};
     }
   }
 
-  /// False where nothing is left to ask.
-  bool wave() {
-    for (int effort = 0; effort < question_.trial.efforts(); ++effort) {
-      std::vector<std::size_t> open = bodiesToAsk(effort);
-      const std::size_t together = effort == 0 ? open.size() : kSearchedTogether;
-      for (std::size_t first = 0; first < open.size(); first += together) {
-        const std::size_t last = std::min(first + together, open.size());
-        if (ask({open.begin() + static_cast<std::ptrdiff_t>(first), open.begin() + static_cast<std::ptrdiff_t>(last)},
-                effort)) {
-          return true;
-        }
-        if (stopped()) return false;
-      }
+  /// What leaves as one: those that a person wants so, and single bodies.
+  std::vector<BodyGroup> units() const {
+    std::vector<BodyGroup> units;
+    BodySet open = present_;
+    for (const BodyGroup& group : question_.rules.together) {
+      if (open[group.front()]) units.push_back(group);
+      open = without(open, group);
+    }
+    for (const std::size_t body : bodiesIn(open)) units.push_back({body});
+    std::sort(units.begin(), units.end());
+    return units;
+  }
+
+  /// False where nothing is left to ask. `knowledge`: rules that nobody demands are kept, too.
+  bool wave(bool knowledge) {
+    const int efforts = question_.trial.efforts();
+    for (int effort = 0; effort < efforts; ++effort) {
+      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
+      if (askAll(openUnits(effort, knowledge), effort)) return true;
+      if (stopped()) return false;
+    }
+    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
+    return searchedGroupsLeave(knowledge) || groupsLeave(kMostBodies, knowledge);
+  }
+
+  /// Some at a time; true as soon as something has left.
+  bool askAll(std::vector<BodyGroup> open, int effort) {
+    const std::size_t together = effort == 0 ? open.size() : kSearchedTogether;
+    while (!open.empty() && !stopped()) {
+      if (ask(takeDisjoint(open, together), effort)) return true;
     }
     return false;
   }
 
-  std::vector<std::size_t> bodiesToAsk(int effort) const {
-    std::vector<std::size_t> open;
-    for (const std::size_t body : bodiesIn(present_)) {
-      if (!question_.staying[body] && isOpen(body, effort)) open.push_back(body);
+  /// The first ones that have no body in common, up to `most`.
+  static std::vector<BodyGroup> takeDisjoint(std::vector<BodyGroup>& open, std::size_t most) {
+    std::set<std::size_t> taken;
+    std::vector<BodyGroup> batch;
+    std::vector<BodyGroup> rest;
+    for (BodyGroup& group : open) {
+      const bool free = batch.size() < most &&
+                        std::none_of(group.begin(), group.end(), [&](std::size_t b) { return taken.count(b) != 0; });
+      if (free) taken.insert(group.begin(), group.end());
+      (free ? batch : rest).push_back(std::move(group));
+    }
+    open = std::move(rest);
+    return batch;
+  }
+
+  std::vector<BodyGroup> openUnits(int effort, bool knowledge) const {
+    std::vector<BodyGroup> open;
+    for (const BodyGroup& unit : units()) {
+      if (mayLeave(unit, knowledge) && isOpen(unit, effort)) open.push_back(unit);
     }
     return open;
   }
 
-  bool isOpen(std::size_t body, int effort) const {
-    const auto& refusal = refusals_[body][static_cast<std::size_t>(effort)];
-    return !refusal || std::any_of(refusal->blockedBy.begin(), refusal->blockedBy.end(),
-                                   [&](std::size_t other) { return !present_[other]; });
+  bool mayLeave(const BodyGroup& group, bool knowledge) const {
+    const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
+    return !stays && heldBy(group, knowledge).empty();
   }
 
-  /// True where a body has left. After a stop all answers are dropped: what is missing could have left as well.
-  bool ask(const std::vector<std::size_t>& bodies, int effort) {
-    host_.asking(bodies.size(), effort);
-    std::vector<RemovalAnswer> answers(bodies.size());
-    host_.team().run(bodies.size(), [&](std::size_t i) {
-      answers[i] = question_.trial.tryRemoval(bodies[i], present_, effort, host_.stopToken());
+  /// Bodies that are to leave before.
+  std::vector<std::size_t> heldBy(const BodyGroup& group, bool knowledge) const {
+    const BodySet others = without(present_, group);
+    std::vector<std::size_t> holding;
+    for (const OrderRule& rule : question_.rules.before) {
+      const bool counts = (rule.demanded || knowledge) && others[rule.first];
+      if (counts && std::binary_search(group.begin(), group.end(), rule.then)) holding.push_back(rule.first);
+    }
+    return holding;
+  }
+
+  bool isOpen(const BodyGroup& group, int effort) const {
+    const auto ofGroup = refusals_.find(group);
+    if (ofGroup == refusals_.end()) return true;
+    const auto refusal = ofGroup->second.find(effort);
+    return refusal == ofGroup->second.end() ||
+           std::any_of(refusal->second.blockedBy.begin(), refusal->second.blockedBy.end(),
+                       [&](std::size_t other) { return !present_[other]; });
+  }
+
+  bool groupsLeave(std::size_t most, bool knowledge) {
+    const auto all = units();
+    std::vector<BodyGroup> groups =
+        question_.trial.groupsAlongLines({present_, question_.staying, all, most}, host_.team(), host_.stopToken());
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                                [&](const BodyGroup& group) { return !mayLeave(group, knowledge); }),
+                 groups.end());
+    // The smallest ones: what they free may leave alone.
+    if (groups.empty() || stopped()) return false;
+    const std::size_t size = groups.front().size();
+    groups.erase(std::find_if(groups.begin(), groups.end(), [&](const BodyGroup& g) { return g.size() > size; }),
+                 groups.end());
+    return ask(groups, 0);
+  }
+
+  /// Each unit with one of those in its way, and the assemblies of the file.
+  bool searchedGroupsLeave(bool knowledge) {
+    if (question_.trial.efforts() <= 1) return false;
+    std::set<BodyGroup> groups;
+    for (const BodyGroup& unit : units()) {
+      const auto ofUnit = refusals_.find(unit);
+      if (ofUnit == refusals_.end()) continue;
+      for (const auto& [effort, refusal] : ofUnit->second) {
+        for (const std::size_t other : refusal.blockedBy) addGroup(groups, unit, unitOf(other));
+      }
+    }
+    for (const BodyGroup& group : assembliesOfTheFile()) groups.insert(group);
+    std::vector<BodyGroup> open;
+    const int effort = std::min(kShortEffort, question_.trial.efforts() - 1);
+    for (const BodyGroup& group : groups) {
+      if (mayLeave(group, knowledge) && isOpen(group, effort)) open.push_back(group);
+    }
+    return askAll(std::move(open), effort);
+  }
+
+  BodyGroup unitOf(std::size_t body) const {
+    for (const BodyGroup& group : question_.rules.together) {
+      if (std::binary_search(group.begin(), group.end(), body)) return group;
+    }
+    return {body};
+  }
+
+  void addGroup(std::set<BodyGroup>& groups, const BodyGroup& one, const BodyGroup& other) const {
+    if (!present_[other.front()] || one == other) return;
+    BodyGroup both = one;
+    both.insert(both.end(), other.begin(), other.end());
+    std::sort(both.begin(), both.end());
+    if (both.size() <= kFewBodies) groups.insert(std::move(both));
+  }
+
+  /// What is still there of them: bodies whose ids are alike up to a "/".
+  std::vector<BodyGroup> assembliesOfTheFile() const {
+    std::map<std::string, BodyGroup> assemblies;
+    for (const std::size_t body : bodiesIn(present_)) {
+      const std::string& id = idOf(body);
+      for (std::size_t end = id.find('/'); end != std::string::npos; end = id.find('/', end + 1)) {
+        assemblies[id.substr(0, end)].push_back(body);
+      }
+    }
+    std::vector<BodyGroup> groups;
+    for (const auto& [name, bodies] : assemblies) {
+      const bool whole = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
+        const BodyGroup unit = unitOf(body);
+        return std::includes(bodies.begin(), bodies.end(), unit.begin(), unit.end());
+      });
+      if (whole && bodies.size() > 1 && bodies.size() <= kMostBodies) groups.push_back(bodies);
+    }
+    return groups;
+  }
+
+  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is missing could have left as well.
+  bool ask(const std::vector<BodyGroup>& groups, int effort) {
+    if (groups.empty()) return false;
+    host_.asking(groups.size(), effort);
+    std::vector<RemovalAnswer> answers(groups.size());
+    host_.team().run(groups.size(), [&](std::size_t i) {
+      answers[i] = question_.trial.tryRemoval(groups[i], present_, effort, host_.stopToken());
     });
     const bool cut = std::any_of(answers.begin(), answers.end(), [](const RemovalAnswer& answer) {
       const auto* refused = std::get_if<Refused>(&answer);
       return refused != nullptr && refused->stopped;
     });
     if (cut) return false;
-    std::vector<std::pair<std::size_t, const Removed*>> leaving;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
+    std::vector<std::pair<BodyGroup, const Removed*>> leaving;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
       if (const auto* removed = std::get_if<Removed>(&answers[i])) {
-        leaving.emplace_back(bodies[i], removed);
+        leaving.emplace_back(groups[i], removed);
       } else {
-        refusals_[bodies[i]][static_cast<std::size_t>(effort)] =
-            Refusal{std::get<Refused>(answers[i]).blockedBy, plan_.steps.size()};
+        refusals_[groups[i]][effort] = {std::get<Refused>(answers[i]).blockedBy, plan_.steps.size()};
       }
     }
     leave(leaving);
     return !leaving.empty();
   }
 
-  void leave(std::vector<std::pair<std::size_t, const Removed*>>& leaving) {
+  void leave(std::vector<std::pair<BodyGroup, const Removed*>>& leaving) {
     if (leaving.empty()) return;
     ++wave_;
-    const auto& bodies = question_.product.bodies;
     std::stable_sort(leaving.begin(), leaving.end(), [&](const auto& a, const auto& b) {
-      return boxVolume(bodies[a.first]) < boxVolume(bodies[b.first]);
+      return boxVolume(question_.product, a.first) < boxVolume(question_.product, b.first);
     });
     const std::size_t before = plan_.steps.size();
-    for (const auto& [body, removed] : leaving) {
-      present_[body] = false;
-      plan_.steps.push_back(stepOf(body, *removed, before));
-      question_.trial.learn(body, removed->path.points);
+    for (const auto& [group, removed] : leaving) {
+      present_ = without(present_, group);
+      plan_.steps.push_back(stepOf(group, *removed, before));
+      question_.trial.learn(group, removed->path.points);
     }
     host_.stepFound(plan_);
   }
 
-  AssemblyStep stepOf(std::size_t body, const Removed& removed, std::size_t afterSteps) const {
+  AssemblyStep stepOf(const BodyGroup& group, const Removed& removed, std::size_t afterSteps) const {
     const MotionCertificate& certificate = removed.path.certificate;
-    AssemblyStep step{idOf(body), removed.path.points, removed.method, wave_, {}, {}};
+    AssemblyStep step{idOf(group.front()), removed.path.points, removed.method, wave_, {}, {}};
+    step.with = idsOf({group.begin() + 1, group.end()});
     step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
     if (certificate.nearest.body >= 0) step.proof.nearest = idOf(static_cast<std::size_t>(certificate.nearest.body));
-    for (const Fit& fit : removed.fits) {
-      const RigidBody& other = question_.product.bodies[fit.obstacle];
-      step.allowances.push_back({other.id, fit.kind, fit.overlap, fit.allowance,
-                                 inWords(fit, question_.product.bodies[body].name, other.name)});
+    for (const BodyFit& each : removed.fits) {
+      const RigidBody& body = question_.product.bodies[each.body];
+      const RigidBody& other = question_.product.bodies[each.fit.obstacle];
+      step.allowances.push_back({other.id, each.fit.kind, each.fit.overlap, each.fit.allowance,
+                                 each.yields ? inWords(each.fit, other.name, body.name)
+                                             : inWords(each.fit, body.name, other.name),
+                                 each.body == group.front() ? std::string() : body.id, each.yields});
     }
     return step;
   }
 
   void finish() {
+    for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort);
     bool complete = true;
     for (const std::size_t body : bodiesIn(present_)) {
       if (question_.staying[body]) continue;
       complete = false;
-      addRefusals(body);
+      addStuck(body);
     }
     if (!complete) plan_.end = stopped() ? PlanEnd::Interrupted : PlanEnd::Stuck;
   }
 
-  /// A body that was never asked is not stuck.
-  void addRefusals(std::size_t body) {
-    bool asked = false;
-    std::set<std::size_t> blocking;
-    for (std::size_t effort = 0; effort < refusals_[body].size(); ++effort) {
-      const auto& refusal = refusals_[body][effort];
-      if (!refusal) continue;
-      asked = true;
-      plan_.refusals.push_back({idOf(body), static_cast<int>(effort), refusal->afterSteps, idsOf(refusal->blockedBy)});
-      for (const std::size_t other : refusal->blockedBy) {
-        if (present_[other]) blocking.insert(other);
+  /// Of what is still there.
+  void addRefusals(const BodyGroup& group, const std::map<int, Refusal>& byEffort) {
+    if (!std::all_of(group.begin(), group.end(), [&](std::size_t body) { return present_[body]; })) return;
+    for (const auto& [effort, refusal] : byEffort) {
+      plan_.refusals.push_back({idOf(group.front()), effort, refusal.afterSteps, idsOf(refusal.blockedBy),
+                                idsOf({group.begin() + 1, group.end()})});
+    }
+  }
+
+  /// A body that was never asked is not stuck, unless a person forbids it to leave.
+  void addStuck(std::size_t body) {
+    const BodyGroup unit = unitOf(body);
+    const std::vector<std::size_t> holding = heldBy(unit, false);
+    std::set<std::size_t> blocking(holding.begin(), holding.end());
+    const auto refused = refusals_.find(unit);
+    if (refused == refusals_.end() && holding.empty()) return;
+    if (refused != refusals_.end()) {
+      for (const auto& [effort, refusal] : refused->second) {
+        for (const std::size_t other : refusal.blockedBy) {
+          if (present_[other]) blocking.insert(other);
+        }
       }
     }
-    if (asked) plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()})});
+    plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}), reasonOf(body, holding, blocking)});
+  }
+
+  std::string reasonOf(std::size_t body, const std::vector<std::size_t>& holding,
+                       const std::set<std::size_t>& blocking) const {
+    const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].name + "'"; };
+    if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
+    for (const std::size_t other : blocking) {
+      if (question_.staying[other]) continue;
+      const auto back = refusals_.find(unitOf(other));
+      if (back == refusals_.end()) continue;
+      for (const auto& [effort, refusal] : back->second) {
+        if (std::find(refusal.blockedBy.begin(), refusal.blockedBy.end(), body) == refusal.blockedBy.end()) continue;
+        return "it and " + name(other) +
+               " hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the "
+               "same time are not searched";
+      }
+    }
+    return "no motion was found, alone or with others";
   }
 
   const SequenceQuestion& question_;
   SequenceHost& host_;
   BodySet present_;
-  std::vector<std::vector<std::optional<Refusal>>> refusals_;  ///< of each body, by effort
+  std::map<BodyGroup, std::map<int, Refusal>> refusals_;  ///< by effort
   std::size_t wave_ = 0;
   AssemblyPlan plan_;
 };
@@ -188,6 +356,7 @@ class GreedySearch {
 AssemblyPlan GreedyStrategy::plan(const SequenceQuestion& question, SequenceHost& host) {
   AssemblyPlan plan = GreedySearch(question, host).run();
   plan.strategy = "greedy";
+  addPrecedence(plan, question, host);
   return plan;
 }
 

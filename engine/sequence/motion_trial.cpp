@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include "engine/planning/path_certificate.h"
+
 namespace glissade {
 namespace {
 
@@ -14,27 +16,49 @@ constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchSteps{150
 
 MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches)
     : fits_(fits),
+      bodies_(product.bodies.size()),
       searches_(searches),
-      prepared_(product.bodies),
-      straight_(product, fits, prepared_),
-      searched_(product, fits, prepared_, seed) {}
+      worlds_(product, fits),
+      straight_(product, fits, worlds_),
+      searched_(product, fits, worlds_, seed) {}
 
-/// A search is refused by those that block the straight lines and those that the body fits.
-RemovalAnswer MotionTrial::tryRemoval(std::size_t body, const BodySet& present, int effort, const StopToken& stop) {
-  if (effort == 0) return straight_.tryRemoval(body, present, stop);
-  RemovalAnswer answer = searched_.tryRemoval(body, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
+/// A search is refused by those that block the straight lines and those that the group fits.
+RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
+                                      const StopToken& stop) {
+  if (effort == 0) return straight_.tryRemoval(group, present, stop);
+  RemovalAnswer answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
   auto* refused = std::get_if<Refused>(&answer);
   if (refused == nullptr || refused->stopped) return answer;
-  const RemovalAnswer straight = straight_.tryRemoval(body, present, stop);
+  const RemovalAnswer straight = straight_.tryRemoval(group, present, stop);
   const auto* lines = std::get_if<Refused>(&straight);
   if (lines == nullptr) return straight;
   if (lines->stopped) return straight;
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
-  for (const Fit& fit : fits_.fitsOf(body, present)) blocking.insert(fit.obstacle);
+  for (const BodyFit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.fit.obstacle);
   refused->blockedBy.assign(blocking.begin(), blocking.end());
   return answer;
 }
 
-void MotionTrial::learn(std::size_t body, const std::vector<PathPoint>& path) { straight_.learn(body, path); }
+std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
+                                                     const StopToken& stop) {
+  return straight_.groups(question, team, stop);
+}
+
+std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                               const std::vector<std::size_t>& left, const StopToken& stop) {
+  const Box3 swept = worlds_.sweptBy(group, path);
+  std::vector<std::size_t> blocking;
+  for (const std::size_t other : left) {
+    if (!swept.intersects(worlds_.boxOf(other))) continue;
+    BodySet alone(bodies_, false);
+    alone[other] = true;
+    const MotionWorld motion = worlds_.world(group, alone);
+    if (firstRefusedEdge(*motion.world->makeQuery(), path, worlds_.parameters(group), stop)) blocking.push_back(other);
+    if (stop.stopRequested()) return {};
+  }
+  return blocking;
+}
+
+void MotionTrial::learn(const BodyGroup& group, const std::vector<PathPoint>& path) { straight_.learn(group, path); }
 
 }  // namespace glissade

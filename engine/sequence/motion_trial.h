@@ -17,13 +17,18 @@ class MotionTrial final : public RemovalTrial {
               int searches = kMostSearches);
 
   int efforts() const override { return 1 + searches_; }
-  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, int effort, const StopToken& stop) override;
-  void learn(std::size_t body, const std::vector<PathPoint>& path) override;
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;
+  std::vector<BodyGroup> groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
+                                          const StopToken& stop) override;
+  std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                    const std::vector<std::size_t>& left, const StopToken& stop) override;
+  void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override;
 
  private:
   const ProductFits& fits_;
+  std::size_t bodies_;
   int searches_;
-  PreparedBodies prepared_;
+  MotionWorlds worlds_;
   StraightRemoval straight_;
   SearchedRemoval searched_;
 };

@@ -1,24 +1,63 @@
 #pragma once
 
+#include <map>
+#include <memory>
+#include <mutex>
+#include <vector>
+
 #include "engine/base/parameters.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
+#include "engine/planning/path.h"
 #include "engine/sequence/product_fits.h"
 
 namespace glissade {
 
-/// What a body moves in while others are there.
+/// A group of bodies as the one rigid body that moves. A single body is itself, in its frame; several are in a frame
+/// at the middle of their common bounding box, with the world's orientation.
+struct MovingObject {
+  MeshPtr mesh;
+  Pose X_WB;              ///< where the product is assembled
+  double radius = 0.0;    ///< about the frame's origin, metres
+  double required = 0.0;  ///< clearance that its motions keep, metres: the least of those of its bodies
+};
+
+/// What a group moves in while others are there.
 struct MotionWorld {
   CollisionWorldPtr world;
   std::vector<std::size_t> bodies;  ///< index in the product of each obstacle of the world
 };
 
-/// Composed of bodies that are prepared; the moving body is thinned as its fits allow.
-MotionWorld motionWorld(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared,
-                        std::size_t body, const BodySet& present);
+/// The worlds in which groups of a product's bodies move. Bodies are prepared once, groups once. May be asked by
+/// several threads at a time.
+class MotionWorlds {
+ public:
+  /// Refers to both.
+  MotionWorlds(const AssembledProduct& product, const ProductFits& fits);
 
-/// The parameters of motions of a body: the defaults for its size, one lane.
-ParameterValues motionParameters(const RigidBody& body);
+  const MovingObject& object(const BodyGroup& group);
+  /// Each body of the group is thinned as its fits allow; bodies of the group are no obstacles.
+  MotionWorld world(const BodyGroup& group, const BodySet& present);
+  /// Of one body beside one other.
+  CollisionWorldPtr pair(std::size_t body, std::size_t other);
+  /// The defaults for the group's size, one slot.
+  ParameterValues parameters(const BodyGroup& group);
+  const Box3& boxOf(std::size_t body) const { return prepared_.boxOf(body); }
+  /// Holds all that is nearer to the group than its required clearance, somewhere on the path.
+  Box3 sweptBy(const BodyGroup& group, const std::vector<PathPoint>& path);
+
+ private:
+  MeshPtr meshAgainst(const BodyGroup& group, const BodyGroup& bodies, std::size_t other);
+  MeshPtr joined(const BodyGroup& bodies, const std::vector<MeshPtr>& meshes, const Pose& X_WG) const;
+
+  const AssembledProduct& product_;
+  const ProductFits& fits_;
+  PreparedBodies prepared_;
+  std::mutex mutex_;  ///< of what follows
+  std::map<BodyGroup, MovingObject> objects_;
+  /// By the mesh of a whole group: some of its bodies as they are taken against an obstacle.
+  std::map<MeshPtr, std::map<std::pair<BodyGroup, std::vector<MeshPtr>>, MeshPtr>> joined_;
+};
 
 /// Obstacles of a motion world become bodies of the product.
 void nameByProduct(MotionCertificate& certificate, const std::vector<std::size_t>& bodies);

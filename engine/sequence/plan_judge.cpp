@@ -1,52 +1,230 @@
 #include "engine/sequence/plan_judge.h"
 
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <thread>
 
 #include "engine/collision/independent_check.h"
+#include "engine/collision/judged_thinning.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/path_examination.h"
-#include "engine/sequence/motion_world.h"
 #include "engine/sequence/product_fits.h"
+#include "engine/sequence/swept_box.h"
 
 namespace glissade {
 namespace {
 
-/// The body's mesh in the frame of a path that begins where it is assembled.
-TriangleMesh inFrameOf(const Pose& first, const RigidBody& body) {
-  return transformed(*body.mesh, inverse(first) * body.X_WB);
+/// Bodies farther from a sweep than this share of the moving body's radius are not looked at more closely.
+constexpr double kNearShare = 0.1;
+
+using MeshAllowance = std::pair<MeshPtr, double>;
+using BodyAllowance = std::pair<std::size_t, double>;
+
+/// By how much the moving body, and the other one, are taken thinner.
+struct PairAllowance {
+  double moving = 0.0;
+  double other = 0.0;
+};
+
+/// The product as the judge takes it: each body thinned and prepared once for each allowance.
+class JudgedProduct {
+ public:
+  JudgedProduct(const AssembledProduct& product, const ProductFits& fits) : product_(product), fits_(fits) {}
+
+  PairAllowance between(std::size_t body, std::size_t other) const {
+    for (const Fit& fit : fits_.fitsOf(body)) {
+      if (fit.obstacle == other) return {fit.allowance, 0.0};
+    }
+    for (const Fit& fit : fits_.yieldingTo(body)) {
+      if (fit.obstacle == other) return {0.0, fit.allowance};
+    }
+    return {};
+  }
+
+  /// For steps in which these bodies move.
+  void prepare(const BodyGroup& moving, ThreadTeam& team) {
+    std::map<MeshAllowance, MeshPtr> meshes;
+    std::map<BodyAllowance, IndependentCheck::ObstaclePtr> obstacles;
+    for (std::size_t body = 0; body < product_.bodies.size(); ++body) {
+      meshes[{product_.bodies[body].mesh, 0.0}] = product_.bodies[body].mesh;
+      obstacles[{body, 0.0}];
+    }
+    for (const std::size_t body : moving) {
+      for (const Fit& fit : fits_.fitsOf(body)) meshes[{product_.bodies[body].mesh, fit.allowance}];
+      for (const Fit& fit : fits_.yieldingTo(body)) {
+        meshes[{product_.bodies[fit.obstacle].mesh, fit.allowance}];
+        obstacles[{fit.obstacle, fit.allowance}];
+      }
+    }
+    fill(meshes, team, [](const MeshAllowance& key) {
+      return std::make_shared<const TriangleMesh>(thinnedForJudging(*key.first, key.second));
+    });
+    meshes_ = std::move(meshes);
+    std::vector<RigidBody> all = product_.bodies;
+    for (const auto& [key, mesh] : meshes_) {
+      if (key.second == 0.0) continue;
+      all.push_back(all.front());
+      all.back().mesh = mesh;
+    }
+    scale_ = IndependentCheck::scaleFor(all);
+    fill(obstacles, team, [&](const BodyAllowance& key) {
+      RigidBody body = product_.bodies[key.first];
+      body.mesh = thinned(key.first, key.second);
+      return IndependentCheck::prepare(body, scale_);
+    });
+    obstacles_ = std::move(obstacles);
+  }
+
+  const AssembledProduct& product() const { return product_; }
+  double scale() const { return scale_; }
+  const MeshPtr& thinned(std::size_t body, double allowance) const {
+    return meshes_.at({product_.bodies[body].mesh, allowance});
+  }
+  const IndependentCheck::ObstaclePtr& obstacle(std::size_t body, double allowance) const {
+    return obstacles_.at({body, allowance});
+  }
+
+ private:
+  /// Makes what is not there yet.
+  template <class Key, class Value, class Make>
+  static void fill(std::map<Key, Value>& map, ThreadTeam& team, const Make& make) {
+    std::vector<std::pair<const Key*, Value*>> open;
+    for (auto& [key, value] : map) {
+      if (!value) open.emplace_back(&key, &value);
+    }
+    team.run(open.size(), [&](std::size_t i) { *open[i].second = make(*open[i].first); });
+  }
+
+  const AssembledProduct& product_;
+  const ProductFits& fits_;
+  double scale_ = 1.0;
+  std::map<MeshAllowance, MeshPtr> meshes_;
+  std::map<BodyAllowance, IndependentCheck::ObstaclePtr> obstacles_;
+};
+
+/// A step by indices.
+struct JudgedStep {
+  const AssemblyStep* step;
+  BodyGroup group;
+  BodySet there;    ///< in the order of the plan
+  BodySet mayBeThere;  ///< in any order that keeps what has to be carried out before
+};
+
+/// Steps that are carried out before, in whatever order: those named, and what these are after.
+std::vector<BodySet> predecessorsOf(const AssemblyPlan& plan) {
+  std::vector<BodySet> before;
+  for (std::size_t step = 0; step < plan.steps.size(); ++step) {
+    BodySet own(plan.steps.size(), false);
+    for (const std::size_t number : plan.steps[step].after) {
+      own[number - 1] = true;
+      for (std::size_t earlier = 0; earlier < number; ++earlier) own[earlier] = own[earlier] || before[number - 1][earlier];
+    }
+    before.push_back(std::move(own));
+  }
+  return before;
 }
 
-bool allowsNoMore(const AssemblyStep& step, const std::vector<Fit>& fits, const AssembledProduct& product) {
-  return std::all_of(step.allowances.begin(), step.allowances.end(), [&](const StepAllowance& allowance) {
-    return std::any_of(fits.begin(), fits.end(), [&](const Fit& fit) {
-      return product.bodies[fit.obstacle].id == allowance.body && allowance.allowance <= fit.allowance;
-    });
+std::vector<JudgedStep> stepsOf(const AssemblyPlan& plan, const AssembledProduct& product) {
+  const std::vector<BodySet> before = predecessorsOf(plan);
+  std::vector<JudgedStep> steps;
+  BodySet there(product.bodies.size(), true);
+  for (const AssemblyStep& step : plan.steps) {
+    JudgedStep judged{&step, {}, there, BodySet(product.bodies.size(), true)};
+    for (const std::string& id : step.bodies()) judged.group.push_back(*product.indexOf(id));
+    for (std::size_t earlier = 0; earlier < steps.size(); ++earlier) {
+      if (before[steps.size()][earlier]) judged.mayBeThere = without(judged.mayBeThere, steps[earlier].group);
+    }
+    there = without(there, judged.group);
+    steps.push_back(std::move(judged));
+  }
+  return steps;
+}
+
+bool allowsNoMore(const JudgedStep& judged, const JudgedProduct& product) {
+  const auto& allowances = judged.step->allowances;
+  return std::all_of(allowances.begin(), allowances.end(), [&](const StepAllowance& allowance) {
+    const auto moving = product.product().indexOf(allowance.moving.empty() ? judged.step->body : allowance.moving);
+    const auto other = product.product().indexOf(allowance.body);
+    if (!moving || !other) return false;
+    const PairAllowance pair = product.between(*moving, *other);
+    return allowance.allowance <= (allowance.yields ? pair.other : pair.moving);
   });
 }
 
-StepJudgement judge(const AssemblyStep& step, std::size_t body, const AssembledProduct& product, const BodySet& present,
-                    const std::vector<Fit>& fits, std::optional<double> required, const StopToken& stop) {
+/// One body of a step against those that may be there and are near its sweep; of others the distance of boxes counts.
+MotionCertificate judgeBody(std::size_t body, const JudgedStep& judged, const JudgedProduct& product,
+                            const std::vector<PathPoint>& points, const ParameterValues& parameters,
+                            const StopToken& stop) {
+  const RigidBody& own = product.product().bodies[body];
+  const Pose X_PB = inverse(points.front().q) * own.X_WB;
+  const auto inPathFrame = [&](const MeshPtr& mesh) {
+    return std::make_shared<const TriangleMesh>(transformed(*mesh, X_PB));
+  };
+  const MeshPtr whole = inPathFrame(own.mesh);
+  const std::vector<Pose> path = configurationsOf(points);
+  const Box3 sweep = sweptBox(*whole, path);
+  const double near = std::max(kNearShare * radiusAboutOrigin(*own.mesh), 4.0 * parameters[ParameterId::RequiredClearance]);
+  std::map<double, MeshPtr> objects{{0.0, whole}};
+  std::vector<IndependentCheck::Against> against;
   std::vector<std::size_t> others;
-  std::vector<RigidBody> obstacles;
-  std::vector<double> allowances;
-  Box3 box;
-  for (const std::size_t other : bodiesIn(present)) {
-    if (other == body) continue;
+  double leastOfFar = std::numeric_limits<double>::infinity();
+  for (const std::size_t other : bodiesIn(without(judged.mayBeThere, judged.group))) {
+    const RigidBody& obstacle = product.product().bodies[other];
+    const double apart = sweep.exteriorDistance(boundingBox(*obstacle.mesh, obstacle.X_WB));
+    if (apart > near) {
+      leastOfFar = std::min(leastOfFar, apart);
+      continue;
+    }
+    const PairAllowance allowance = product.between(body, other);
+    MeshPtr& object = objects[allowance.moving];
+    if (!object) object = inPathFrame(product.thinned(body, allowance.moving));
+    against.push_back({product.obstacle(other, allowance.other), object, allowance.moving + allowance.other > 0.0});
     others.push_back(other);
-    obstacles.push_back(product.bodies[other]);
-    const auto fit = std::find_if(fits.begin(), fits.end(), [&](const Fit& each) { return each.obstacle == other; });
-    allowances.push_back(fit == fits.end() ? 0.0 : fit->allowance);
-    box.extend(boundingBox(*obstacles.back().mesh, obstacles.back().X_WB));
   }
-  const std::vector<PathPoint> points = withUnitRotations(step.path);
-  const TriangleMesh object = inFrameOf(points.front().q, product.bodies[body]);
-  ParameterValues parameters(radiusAboutOrigin(object));
-  if (required) static_cast<void>(parameters.set(ParameterId::RequiredClearance, *required));
-  StepJudgement judgement{step.body, {}, false, allowsNoMore(step, fits, product)};
-  const IndependentCheck check(obstacles, object, allowances);
-  judgement.certificate = check.check(configurationsOf(points), demandsOf(points, parameters), stop);
-  nameByProduct(judgement.certificate, others);
-  judgement.endsOutside = box.isEmpty() || !box.intersects(boundingBox(object, points.back().q));
+  const IndependentCheck check(against, *whole, product.scale());
+  MotionCertificate certificate = check.check(path, demandsOf(points, parameters), stop);
+  if (certificate.nearest.body >= 0) {
+    certificate.nearest.body = static_cast<int>(others[static_cast<std::size_t>(certificate.nearest.body)]);
+  }
+  certificate.minClearance = std::min(certificate.minClearance, leastOfFar);
+  certificate.provedClearance = std::min(certificate.provedClearance, leastOfFar);
+  return certificate;
+}
+
+/// The clearance that is asked for, or the least of the usual ones of the bodies.
+double requiredOf(const JudgedStep& judged, const AssembledProduct& product, std::optional<double> required) {
+  if (required) return *required;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t body : judged.group) {
+    const ParameterValues usual(radiusAboutOrigin(*product.bodies[body].mesh));
+    least = std::min(least, usual[ParameterId::RequiredClearance]);
+  }
+  return least;
+}
+
+StepJudgement judge(const JudgedStep& judged, const JudgedProduct& product, std::optional<double> required,
+                    const StopToken& stop) {
+  const std::vector<PathPoint> points = withUnitRotations(judged.step->path);
+  StepJudgement judgement{judged.step->body, {}, true, allowsNoMore(judged, product)};
+  const Box3 box = boxOf(product.product(), without(judged.there, judged.group));
+  bool first = true;
+  for (const std::size_t body : judged.group) {
+    const RigidBody& own = product.product().bodies[body];
+    ParameterValues parameters(radiusAboutOrigin(*own.mesh));
+    static_cast<void>(
+        parameters.set(ParameterId::RequiredClearance, requiredOf(judged, product.product(), required)));
+    const MotionCertificate certificate = judgeBody(body, judged, product, points, parameters, stop);
+    const Pose end = points.back().q * inverse(points.front().q) * own.X_WB;
+    judgement.endsOutside =
+        judgement.endsOutside && (box.isEmpty() || !box.intersects(boundingBox(*own.mesh, end)));
+    const bool certified = certificate.status == CertificateStatus::Certified;
+    if (first || !certified || certificate.minClearance < judgement.certificate.minClearance) {
+      judgement.certificate = certificate;
+    }
+    first = false;
+    if (!certified) break;
+  }
   return judgement;
 }
 
@@ -54,19 +232,19 @@ StepJudgement judge(const AssemblyStep& step, std::size_t body, const AssembledP
 
 Result<std::vector<StepJudgement>> judgePlan(const AssemblyPlan& plan, const AssembledProduct& product,
                                              std::optional<double> required, const StopToken& stop) {
-  ThreadTeam alone(0);
-  const auto fits = ProductFits::find(product, alone, stop);
+  ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1);
+  const auto fits = ProductFits::find(product, team, stop);
   if (!fits) return fits.error();
-  BodySet present(product.bodies.size(), true);
-  std::vector<StepJudgement> judgements;
-  for (const AssemblyStep& step : plan.steps) {
-    const std::size_t body = *product.indexOf(step.body);
-    judgements.push_back(judge(step, body, product, present, fits->fitsOf(body), required, stop));
-    if (stop.stopRequested()) {
-      return Diagnostic{ErrorKind::Interrupted, "", "", "was interrupted", "Start again."};
-    }
-    present[body] = false;
-  }
+  const std::vector<JudgedStep> steps = stepsOf(plan, product);
+  JudgedProduct judged(product, *fits);
+  BodyGroup moving;
+  for (const JudgedStep& step : steps) moving.insert(moving.end(), step.group.begin(), step.group.end());
+  judged.prepare(moving, team);
+  std::vector<StepJudgement> judgements(steps.size());
+  team.run(steps.size(), [&](std::size_t i) {
+    if (!stop.stopRequested()) judgements[i] = judge(steps[i], judged, required, stop);
+  });
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "was interrupted", "Start again."};
   return judgements;
 }
 

@@ -20,8 +20,9 @@ struct StepJudgement {
   bool valid() const { return certificate.status == CertificateStatus::Certified && endsOutside && allowancesAsFits; }
 };
 
-/// Judges every step by IndependentCheck, against the bodies that are there at that step; the moving body is taken as
-/// thin as its fits allow. Shares with planners the meshes and the definition of fits alone. `required`: clearance,
+/// Judges every step by IndependentCheck, each of its bodies along the common motion: against all bodies but those of
+/// steps that have to be carried out before, so that every order that keeps AssemblyStep::after is judged. Bodies are
+/// taken as thin as their fits allow. Steps are judged by all cores. Shares with planners the meshes and the definition of fits alone. `required`: clearance,
 /// metres; nothing: the usual one for the size of each body. Precondition: the plan is about this product.
 /// Errors: as of findObjectFits(); Interrupted.
 Result<std::vector<StepJudgement>> judgePlan(const AssemblyPlan& plan, const AssembledProduct& product,

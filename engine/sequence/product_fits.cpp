@@ -114,19 +114,59 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     if (!ofBody) return ofBody.error();
     for (const Diagnostic& warning : ofBody->warnings) found.warnings_.push_back(warning);
   }
+  found.exchangeClashes(product, fits);
   ThinnedMeshes meshes;
   for (Moving& moving : found.moving_) {
     for (const Fit& fit : moving.allowed) moving.thinned.push_back(meshes.thinned(moving.whole, fit.allowance));
+    for (const Fit& fit : moving.yielding) {
+      moving.thinnedOthers.push_back(meshes.thinned(product.bodies[fit.obstacle].mesh, fit.allowance));
+    }
   }
   return found;
 }
 
-std::vector<Fit> ProductFits::fitsOf(std::size_t body, const BodySet& present) const {
-  std::vector<Fit> fits;
-  for (const Fit& fit : moving_[body].allowed) {
-    if (present[fit.obstacle]) fits.push_back(fit);
+/// A nut's wall is too thin for what the bolt's shaft has place for. Which of the two is taken thinner makes no
+/// difference to the gap between them.
+void ProductFits::exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits) {
+  for (std::size_t body = 0; body < moving_.size(); ++body) {
+    for (const Fit& clash : fits[body]->clashes) {
+      const auto& others = moving_[clash.obstacle].allowed;
+      const auto back =
+          std::find_if(others.begin(), others.end(), [&](const Fit& fit) { return fit.obstacle == body; });
+      if (back == others.end()) continue;
+      Fit yielding = *back;
+      yielding.obstacle = clash.obstacle;
+      yielding.role = clash.role;
+      moving_[body].yielding.push_back(yielding);
+      const std::string pair =
+          "'" + product.bodies[body].name + "' and '" + product.bodies[clash.obstacle].name + "'";
+      warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(),
+                                     [&](const Diagnostic& warning) { return warning.location == pair; }),
+                      warnings_.end());
+    }
+  }
+}
+
+std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
+  const BodySet others = without(present, group);
+  std::vector<BodyFit> fits;
+  for (const std::size_t body : group) {
+    for (const Fit& fit : moving_[body].allowed) {
+      if (others[fit.obstacle]) fits.push_back({body, fit, false});
+    }
+    for (const Fit& fit : moving_[body].yielding) {
+      if (others[fit.obstacle]) fits.push_back({body, fit, true});
+    }
   }
   return fits;
+}
+
+const MeshPtr& ProductFits::obstacleFor(std::size_t body, std::size_t other) const {
+  const Moving& moving = moving_[body];
+  for (std::size_t i = 0; i < moving.yielding.size(); ++i) {
+    if (moving.yielding[i].obstacle == other) return moving.thinnedOthers[i];
+  }
+  return moving_[other].whole;
 }
 
 const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) const {

@@ -6,7 +6,14 @@
 
 namespace glissade {
 
-/// What each body of a product is taken to be against each other one, when it moves. Immutable, shared by threads.
+/// A fit that a motion rests on: `body` moves past `fit.obstacle`, an index in the product.
+struct BodyFit {
+  std::size_t body = 0;
+  Fit fit;
+  bool yields = false;  ///< the obstacle is taken thinner, not the body
+};
+
+/// What each body of a product and each other one are taken to be when the one moves past the other. Immutable, shared by threads.
 class ProductFits {
  public:
   /// Compares each pair of bodies once. Errors: as of findObjectFits(); Interrupted.
@@ -14,10 +21,15 @@ class ProductFits {
 
   /// Of the body with others; `obstacle` is an index in the product.
   const std::vector<Fit>& fitsOf(std::size_t body) const { return moving_[body].allowed; }
-  /// Those among them with bodies of the set.
-  std::vector<Fit> fitsOf(std::size_t body, const BodySet& present) const;
+  /// Those of a group with bodies of the set that are not in it, also those where the other one yields.
+  std::vector<BodyFit> fitsOf(const BodyGroup& group, const BodySet& present) const;
   /// The body thinned as its fit with the other one allows; the body itself where there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
+  /// Fits of the body where the other one is taken thinner instead, because the body has no place for the allowance;
+  /// `obstacle` is the other one, the role is the body's.
+  const std::vector<Fit>& yieldingTo(std::size_t body) const { return moving_[body].yielding; }
+  /// What the other one is taken to be when the body moves past it: itself, or thinner.
+  const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
   const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
   /// Clashes that nobody accepted, each once, and bodies that cannot be thinned.
@@ -27,9 +39,13 @@ class ProductFits {
   struct Moving {
     std::vector<Fit> allowed;
     std::vector<MeshPtr> thinned;  ///< for each of `allowed`
+    std::vector<Fit> yielding;
+    std::vector<MeshPtr> thinnedOthers;  ///< for each of `yielding`
     std::vector<Vector3> axes;
     MeshPtr whole;
   };
+
+  void exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits);
 
   std::vector<Moving> moving_;  ///< of each body
   Warnings warnings_;

@@ -6,16 +6,15 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/planning/path.h"
-#include "engine/product/object_fits.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/product_fits.h"
 
 namespace glissade {
 
-/// A certified motion that takes a body out of the product.
+/// A certified motion that takes a group out of the product.
 struct Removed {
-  Path path;              ///< the certificate names bodies by their index in the product
-  std::string method;     ///< as of AssemblyStep
-  std::vector<Fit> fits;  ///< with bodies that were there; `obstacle` is the index in the product
+  Path path;                  ///< of MovingObject's frame; the certificate names bodies by their index in the product
+  std::string method;         ///< as of AssemblyStep
+  std::vector<BodyFit> fits;  ///< with bodies that were there
 };
 
 /// No motion was found.
@@ -28,19 +27,36 @@ struct Refused {
 
 using RemovalAnswer = std::variant<Removed, Refused>;
 
-/// Answers whether a body can leave.
+/// What may leave together: see RemovalTrial::groupsAlongLines().
+struct GroupQuestion {
+  const BodySet& present;
+  const BodySet& staying;               ///< bodies that are not to leave
+  const std::vector<BodyGroup>& units;  ///< all bodies that are there, those that only leave together in one
+  std::size_t most = 0;                 ///< bodies of a group
+};
+
+/// Answers whether bodies can leave.
 class RemovalTrial {
  public:
   virtual ~RemovalTrial() = default;
 
   /// How many levels of effort there are, at least 1.
   virtual int efforts() const = 0;
-  /// The body leaves while those of `present` are there, which has the body itself. The answer depends on body, set,
-  /// effort and what was learned, never on other calls. May be called from several threads at a time, for different
-  /// bodies.
-  virtual RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, int effort, const StopToken& stop) = 0;
-  /// A body has left so. Not while others ask.
-  virtual void learn(std::size_t body, const std::vector<PathPoint>& path) = 0;
+  /// The group leaves as one rigid body while those of `present` are there, which has the group itself. The answer
+  /// depends on group, set, effort and what was learned, never on other calls. May be called from several threads at
+  /// a time, for groups that have no body in common.
+  virtual RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
+                                   const StopToken& stop) = 0;
+  /// Groups of several units that can leave along a straight line, no two with a body in common, the smallest first;
+  /// no part of such a group can leave along its line. After a stop the answer is empty.
+  virtual std::vector<BodyGroup> groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
+                                                  const StopToken& stop) = 0;
+  /// Bodies of `left` that would be in the way of the motion, if they were there; ascending. May be called from
+  /// several threads at a time.
+  virtual std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                            const std::vector<std::size_t>& left, const StopToken& stop) = 0;
+  /// A group has left so. Not while others ask.
+  virtual void learn(const BodyGroup& group, const std::vector<PathPoint>& path) = 0;
 };
 
 }  // namespace glissade

@@ -2,7 +2,6 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/planning/automatic/automatic_planner.h"
-#include "engine/sequence/motion_world.h"
 
 namespace glissade {
 namespace {
@@ -25,35 +24,35 @@ class BudgetHost final : public PlannerHost {
 };
 
 /// Room to leave on every side.
-Box3 roomAbout(Box3 box, const RigidBody& body) {
-  box.extend(body.X_WB.position);
-  const Vector3 margin = Vector3::Constant(3.0 * radiusAboutOrigin(*body.mesh));
+Box3 roomAbout(Box3 box, const MovingObject& object) {
+  box.extend(object.X_WB.position);
+  const Vector3 margin = Vector3::Constant(3.0 * object.radius);
   return {box.min() - margin, box.max() + margin};
 }
 
 }  // namespace
 
-RemovalAnswer SearchedRemoval::tryRemoval(std::size_t body, const BodySet& present, std::uint64_t steps,
+RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t steps,
                                           const StopToken& stop) const {
-  const RigidBody& own = product_.bodies[body];
-  const ParameterValues parameters = motionParameters(own);
-  const MotionWorld motion = motionWorld(product_, fits_, prepared_, body, present);
-  Problem problem{motion.world, own.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), own), nullptr, {}};
-  if (!motion.world->makeQuery()->clearAbove(own.X_WB, parameters[ParameterId::RequiredClearance])) return Refused{};
-  AutomaticPlanner planner(problem, seedOf(body, present, steps), 1);
-  BudgetHost host(parameters, steps, stop);
+  const MovingObject& object = worlds_.object(group);
+  const MotionWorld motion = worlds_.world(group, present);
+  Problem problem{motion.world, object.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
+  if (!motion.world->makeQuery()->clearAbove(object.X_WB, object.required)) return Refused{};
+  AutomaticPlanner planner(problem, seedOf(group, present, steps), 1);
+  BudgetHost host(worlds_.parameters(group), steps, stop);
   if (planner.solve(host)) {
     Path path = *planner.path();
     nameByProduct(path.certificate, motion.bodies);
-    return Removed{std::move(path), "auto: " + planner.member(), fits_.fitsOf(body, present)};
+    return Removed{std::move(path), "auto: " + planner.member(), fits_.fitsOf(group, present)};
   }
   return Refused{{}, stop.stopRequested()};
 }
 
 /// Of its own for each question, so that it does not matter which were asked before.
-std::uint64_t SearchedRemoval::seedOf(std::size_t body, const BodySet& present, std::uint64_t steps) const {
-  const std::string question =
-      product_.bodies[body].id + "/" + std::to_string(bodiesIn(present).size()) + "/" + std::to_string(steps);
+std::uint64_t SearchedRemoval::seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t steps) const {
+  std::string question;
+  for (const std::size_t body : group) question += product_.bodies[body].id + "/";
+  question += std::to_string(bodiesIn(present).size()) + "/" + std::to_string(steps);
   return RandomStream(seed_, question).bits();
 }
 

@@ -2,8 +2,7 @@
 
 #include <cstdint>
 
-#include "engine/collision/prepared_bodies.h"
-#include "engine/sequence/product_fits.h"
+#include "engine/sequence/motion_world.h"
 #include "engine/sequence/removal_trial.h"
 
 namespace glissade {
@@ -12,19 +11,19 @@ namespace glissade {
 /// does not depend on the machine.
 class SearchedRemoval {
  public:
-  SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared,
-                  std::uint64_t seed)
-      : product_(product), fits_(fits), prepared_(prepared), seed_(seed) {}
+  SearchedRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds, std::uint64_t seed)
+      : product_(product), fits_(fits), worlds_(worlds), seed_(seed) {}
 
   /// `steps` of the planner at most. The refusal names nobody: a search does not know who was in its way.
-  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, std::uint64_t steps, const StopToken& stop) const;
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t steps,
+                           const StopToken& stop) const;
 
  private:
-  std::uint64_t seedOf(std::size_t body, const BodySet& present, std::uint64_t steps) const;
+  std::uint64_t seedOf(const BodyGroup& group, const BodySet& present, std::uint64_t steps) const;
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
-  PreparedBodies& prepared_;
+  MotionWorlds& worlds_;
   std::uint64_t seed_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
 
 namespace glissade {
@@ -19,6 +20,7 @@ struct SequenceQuestion {
   std::uint64_t seed = 1;
   RemovalTrial& trial;
   const AssemblyPlan* resumed = nullptr;  ///< a plan of the same product, seed and strategy that had not ended; or null
+  OrderRules rules{};
 };
 
 /// What a strategy tells while it works, and asks. Called on the strategy's thread.

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/planning/path_certificate.h"
-#include "engine/sequence/motion_world.h"
+#include "engine/sequence/blocking_graph.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
@@ -32,31 +32,31 @@ double wayOut(const Box3& inner, const Box3& outer, const Vector3& direction, do
 
 }  // namespace
 
-StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared)
-    : product_(product), fits_(fits), prepared_(prepared), lines_(product.bodies.size()) {}
+StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds)
+    : product_(product), fits_(fits), worlds_(worlds), lines_(product.bodies.size()) {}
 
-void StraightRemoval::learn(std::size_t body, const std::vector<PathPoint>& path) {
+void StraightRemoval::learn(const BodyGroup& group, const std::vector<PathPoint>& path) {
   if (path.size() != 2 || path.front().q.orientation.coeffs() != path.back().q.orientation.coeffs()) return;
-  const RigidBody& own = product_.bodies[body];
+  const RigidBody& own = product_.bodies[group.front()];
   const Vector3 way = path.back().q.position - path.front().q.position;
   learned_[own.mesh] = own.X_WB.orientation.conjugate() * way.normalized();
 }
 
-RemovalAnswer StraightRemoval::tryRemoval(std::size_t body, const BodySet& present, const StopToken& stop) {
-  Lines& lines = linesOf(body);
+RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) {
   std::set<std::size_t> blocking;
-  for (Line* line : inOrder(body, lines)) {
-    auto blocker = blockerOf(body, *line, lines, present, stop);
+  const BodySet others = without(present, group);
+  for (const Vector3& direction : directionsOf(group)) {
+    auto blocker = blockerOf(group, direction, others, stop);
     if (!blocker && !stop.stopRequested()) {
-      Path path = certified(body, *line, present, stop);
+      Path path = certified(group, direction, present, stop);
       if (path.certificate.status == CertificateStatus::Certified) {
-        return Removed{std::move(path), "straight", fits_.fitsOf(body, present)};
+        return Removed{std::move(path), "straight", fits_.fitsOf(group, present)};
       }
       // Each of the others allows for the motion, but it could not be proved of them together.
       const int nearest = path.certificate.nearest.body;
       if (nearest >= 0 && !stop.stopRequested()) {
         blocker = static_cast<std::size_t>(nearest);
-        line->blockedBy[*blocker] = true;
+        lineAlong(group.front(), direction).blockedBy[*blocker] = true;
       }
     }
     if (stop.stopRequested()) return Refused{{}, true};
@@ -65,12 +65,44 @@ RemovalAnswer StraightRemoval::tryRemoval(std::size_t body, const BodySet& prese
   return Refused{{blocking.begin(), blocking.end()}, false};
 }
 
+std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, ThreadTeam& team,
+                                               const StopToken& stop) {
+  BodyGroup leaving;
+  for (const std::size_t body : bodiesIn(question.present)) {
+    if (!question.staying[body]) leaving.push_back(body);
+  }
+  if (leaving.empty()) return {};
+  const std::vector<Vector3> directions = directionsOf(leaving);
+  std::vector<std::vector<Blockers>> blockers(product_.bodies.size());
+  team.run(leaving.size(), [&](std::size_t i) {
+    for (const Vector3& direction : directions) {
+      blockers[leaving[i]].push_back(allBlockers(leaving[i], direction, question, stop));
+    }
+  });
+  if (stop.stopRequested()) return {};
+  std::vector<BodyGroup> found;
+  for (std::size_t along = 0; along < directions.size(); ++along) {
+    BlockingGraph graph(product_.bodies.size());
+    for (std::size_t body = 0; body < product_.bodies.size(); ++body) {
+      if (!question.present[body]) continue;
+      if (question.staying[body] || blockers[body][along].forEver) {
+        graph.stays(body);
+      } else {
+        for (const std::size_t other : blockers[body][along].bodies) graph.blocks(other, body);
+      }
+    }
+    for (BodyGroup& group : graph.groups(question.units, question.most)) found.push_back(std::move(group));
+  }
+  return smallestDisjoint(std::move(found), [&](const BodyGroup& group) { return boxVolume(product_, group); });
+}
+
 StraightRemoval::Lines& StraightRemoval::linesOf(std::size_t body) {
   Lines& lines = lines_[body];
   if (lines.known) return lines;
   for (const Vector3& direction : removalDirections(product_, fits_, body)) {
-    lines.lines.push_back(lineAlong(body, direction));
+    lines.lines.push_back(newLine(body, direction));
   }
+  lines.own = lines.lines.size();
   for (const Fit& fit : fits_.fitsOf(body)) lines.order.push_back(fit.obstacle);
   for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
     const bool listed = std::find(lines.order.begin(), lines.order.end(), other) != lines.order.end();
@@ -80,65 +112,120 @@ StraightRemoval::Lines& StraightRemoval::linesOf(std::size_t body) {
   return lines;
 }
 
-StraightRemoval::Line StraightRemoval::lineAlong(std::size_t body, const Vector3& direction) const {
-  const RigidBody& own = product_.bodies[body];
-  BodySet others(product_.bodies.size(), true);
-  others[body] = false;
-  const Box3& box = prepared_.boxOf(body);
-  const double margin = kMargin * radiusAboutOrigin(*own.mesh);
-  Line line{direction, own.X_WB, box, std::vector<std::optional<bool>>(product_.bodies.size())};
-  line.end.position += wayOut(box, boxOf(product_, others), direction, margin) * direction;
-  const Vector3 way = line.end.position - own.X_WB.position;
-  line.swept.extend(Box3(box.min() + way, box.max() + way));
+StraightRemoval::Line& StraightRemoval::lineAlong(std::size_t body, const Vector3& direction) {
+  Lines& lines = linesOf(body);
+  const auto known = std::find_if(lines.lines.begin(), lines.lines.end(),
+                                  [&](const Line& line) { return line.direction.dot(direction) > kSameLine; });
+  if (known != lines.lines.end()) return *known;
+  lines.lines.push_back(newLine(body, direction));
+  return lines.lines.back();
+}
+
+StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Vector3& direction) const {
+  const Box3& box = worlds_.boxOf(body);
+  const double margin = kMargin * radiusAboutOrigin(*product_.bodies[body].mesh);
+  const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), {body}));
+  Line line{direction, wayOut(box, others, direction, margin) * direction, box,
+            std::vector<std::optional<bool>>(product_.bodies.size())};
+  line.swept.extend(Box3(box.min() + line.way, box.max() + line.way));
   line.swept.min() -= Vector3::Constant(margin);
   line.swept.max() += Vector3::Constant(margin);
   return line;
 }
 
-/// That of a twin first. Its direction may be none of the body's own: then it is a line that is not kept in the list's
-/// order, so that the answer does not depend on what was learned earlier.
-std::vector<StraightRemoval::Line*> StraightRemoval::inOrder(std::size_t body, Lines& lines) const {
-  std::vector<Line*> order;
-  for (Line& line : lines.lines) order.push_back(&line);
-  const RigidBody& own = product_.bodies[body];
-  const auto hint = learned_.find(own.mesh);
-  if (hint == learned_.end()) return order;
-  const Vector3 direction = own.X_WB.orientation * hint->second;
-  std::stable_partition(order.begin(), order.end(),
-                        [&](const Line* line) { return line->direction.dot(direction) > kSameLine; });
-  return order;
+/// Those of its bodies, no two alike; that of a twin of the first one before all. A twin's direction may be none of
+/// the body's own: then it is not tried, so that the answer does not depend on what was learned earlier.
+std::vector<Vector3> StraightRemoval::directionsOf(const BodyGroup& group) {
+  std::vector<Vector3> directions;
+  for (const std::size_t body : group) {
+    const Lines& lines = linesOf(body);
+    for (std::size_t i = 0; i < lines.own; ++i) {
+      const Vector3& direction = lines.lines[i].direction;
+      const auto alike = [&](const Vector3& other) { return other.dot(direction) > kSameLine; };
+      if (std::none_of(directions.begin(), directions.end(), alike)) directions.push_back(direction);
+    }
+  }
+  const RigidBody& first = product_.bodies[group.front()];
+  const auto hint = learned_.find(first.mesh);
+  if (hint == learned_.end()) return directions;
+  const Vector3 twin = first.X_WB.orientation * hint->second;
+  std::stable_partition(directions.begin(), directions.end(),
+                        [&](const Vector3& direction) { return direction.dot(twin) > kSameLine; });
+  return directions;
 }
 
 /// Nothing where nobody blocks it, or after a stop.
-std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& line, const Lines& lines,
-                                                      const BodySet& present, const StopToken& stop) {
-  const auto blocked = [&](std::size_t other) { return present[other] && line.blockedBy[other].value_or(false); };
-  const auto known = std::find_if(lines.order.begin(), lines.order.end(), blocked);
-  if (known != lines.order.end()) return *known;
-  for (const std::size_t other : lines.order) {
-    if (!present[other] || line.blockedBy[other]) continue;
-    const bool isBlocking = blocks(other, body, line, stop);
-    if (stop.stopRequested()) return std::nullopt;
-    line.blockedBy[other] = isBlocking;
-    if (isBlocking) return other;
+std::optional<std::size_t> StraightRemoval::blockerOf(const BodyGroup& group, const Vector3& direction,
+                                                      const BodySet& others, const StopToken& stop) {
+  for (const std::size_t body : group) {
+    if (const auto blocker = blockerOf(body, lineAlong(body, direction), others, stop)) return blocker;
   }
   return std::nullopt;
 }
 
-bool StraightRemoval::blocks(std::size_t other, std::size_t body, const Line& line, const StopToken& stop) {
-  if (!line.swept.intersects(prepared_.boxOf(other))) return false;
-  const RigidBody& own = product_.bodies[body];
-  const CollisionWorldPtr pair = prepared_.world(own.mesh, {{other, fits_.meshAgainst(body, other)}});
-  const double required = motionParameters(own)[ParameterId::RequiredClearance];
-  const MotionCheck check = pair->makeQuery()->checkMotion(own.X_WB, line.end, required, SeekViolation::Any, stop);
-  return check.status != CertificateStatus::Certified;
+std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& line, const BodySet& others,
+                                                      const StopToken& stop) {
+  const std::vector<std::size_t>& order = lines_[body].order;
+  const auto blocked = [&](std::size_t other) { return others[other] && line.blockedBy[other].value_or(false); };
+  const auto known = std::find_if(order.begin(), order.end(), blocked);
+  if (known != order.end()) return *known;
+  for (const std::size_t other : order) {
+    if (!others[other] || line.blockedBy[other]) continue;
+    const bool blocks = isBlocking(other, body, line, stop);
+    if (stop.stopRequested()) return std::nullopt;
+    if (blocks) return other;
+  }
+  return std::nullopt;
 }
 
-Path StraightRemoval::certified(std::size_t body, const Line& line, const BodySet& present, const StopToken& stop) {
-  const MotionWorld motion = motionWorld(product_, fits_, prepared_, body, present);
-  Path path{{{product_.bodies[body].X_WB, Author::Computer}, {line.end, Author::Computer}}, {}};
-  path.certificate =
-      certifyPath(*motion.world->makeQuery(), path.points, motionParameters(product_.bodies[body]), stop);
+/// Those that stay are asked first: one of them is enough.
+StraightRemoval::Blockers StraightRemoval::allBlockers(std::size_t body, const Vector3& direction,
+                                                       const GroupQuestion& question, const StopToken& stop) {
+  Line& line = lineAlong(body, direction);
+  Blockers blockers;
+  for (const bool staying : {true, false}) {
+    for (const std::size_t other : lines_[body].order) {
+      if (!question.present[other] || question.staying[other] != staying) continue;
+      if (stop.stopRequested()) return blockers;
+      if (!isBlocking(other, body, line, stop)) continue;
+      if (staying) return {true, {}};
+      blockers.bodies.push_back(other);
+    }
+  }
+  return blockers;
+}
+
+/// Not kept after a stop.
+bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
+  std::optional<bool>& known = line.blockedBy[other];
+  if (known) return *known;
+  bool blocks = false;
+  if (line.swept.intersects(worlds_.boxOf(other))) {
+    const RigidBody& own = product_.bodies[body];
+    Pose end = own.X_WB;
+    end.position += line.way;
+    const MotionCheck check = worlds_.pair(body, other)->makeQuery()->checkMotion(
+        own.X_WB, end, worlds_.object({body}).required, SeekViolation::Any, stop);
+    blocks = check.status != CertificateStatus::Certified;
+  }
+  if (!stop.stopRequested()) known = blocks;
+  return blocks;
+}
+
+/// A body that is out of the box of all others stays so when it goes on.
+Path StraightRemoval::certified(const BodyGroup& group, const Vector3& direction, const BodySet& present,
+                                const StopToken& stop) {
+  const MotionWorld motion = worlds_.world(group, present);
+  Vector3 way = Vector3::Zero();
+  for (const std::size_t body : group) {
+    const Vector3& own = lineAlong(body, direction).way;
+    if (own.squaredNorm() >= way.squaredNorm()) way = own;
+  }
+  const Pose start = worlds_.object(group).X_WB;
+  Pose end = start;
+  end.position += way;
+  Path path{{{start, Author::Computer}, {end, Author::Computer}}, {}};
+  path.certificate = certifyPath(*motion.world->makeQuery(), path.points, worlds_.parameters(group), stop);
   nameByProduct(path.certificate, motion.bodies);
   return path;
 }

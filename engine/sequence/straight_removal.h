@@ -1,53 +1,65 @@
 #pragma once
 
+#include <deque>
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "engine/collision/prepared_bodies.h"
-#include "engine/sequence/product_fits.h"
+#include "engine/sequence/motion_world.h"
 #include "engine/sequence/removal_trial.h"
 
 namespace glissade {
 
 /// Removal along straight lines. Whether a body blocks a line of another one is a fact about the two, found at most
 /// once: the blocking graph of the product for these lines, filled where it is asked. So an answer holds whoever else
-/// leaves.
+/// leaves. A group leaves along a line where nobody outside of it blocks the line of one of its bodies: the smallest
+/// group is all that can be reached in the graph (Wilson and Latombe 1994).
 class StraightRemoval {
  public:
-  StraightRemoval(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared);
+  StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds);
 
   /// As RemovalTrial::tryRemoval().
-  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, const StopToken& stop);
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
+  /// As RemovalTrial::groupsAlongLines().
+  std::vector<BodyGroup> groups(const GroupQuestion& question, ThreadTeam& team, const StopToken& stop);
   /// Bodies of the same geometry try the line of this one first.
-  void learn(std::size_t body, const std::vector<PathPoint>& path);
+  void learn(const BodyGroup& group, const std::vector<PathPoint>& path);
 
  private:
   /// A line of a body, and who blocks it; nothing where it was not asked.
   struct Line {
     Vector3 direction;
-    Pose end;
-    Box3 swept;  ///< holds the body on all of the line
+    Vector3 way;  ///< until the body is out of the bounding box of all others
+    Box3 swept;   ///< holds the body on all of the line
     std::vector<std::optional<bool>> blockedBy;
   };
   struct Lines {
     bool known = false;
-    std::vector<Line> lines;
+    std::size_t own = 0;             ///< the first of `lines`, which are tried; the others were asked for by groups
+    std::deque<Line> lines;          ///< never moved
     std::vector<std::size_t> order;  ///< others, those that it fits first
+  };
+  /// What blocks a body along a direction.
+  struct Blockers {
+    bool forEver = false;  ///< a body that stays does
+    std::vector<std::size_t> bodies;
   };
 
   Lines& linesOf(std::size_t body);
-  Line lineAlong(std::size_t body, const Vector3& direction) const;
-  std::vector<Line*> inOrder(std::size_t body, Lines& lines) const;
-  std::optional<std::size_t> blockerOf(std::size_t body, Line& line, const Lines& lines, const BodySet& present,
+  Line& lineAlong(std::size_t body, const Vector3& direction);
+  Line newLine(std::size_t body, const Vector3& direction) const;
+  std::vector<Vector3> directionsOf(const BodyGroup& group);
+  std::optional<std::size_t> blockerOf(const BodyGroup& group, const Vector3& direction, const BodySet& others,
                                        const StopToken& stop);
-  bool blocks(std::size_t other, std::size_t body, const Line& line, const StopToken& stop);
-  Path certified(std::size_t body, const Line& line, const BodySet& present, const StopToken& stop);
+  std::optional<std::size_t> blockerOf(std::size_t body, Line& line, const BodySet& others, const StopToken& stop);
+  Blockers allBlockers(std::size_t body, const Vector3& direction, const GroupQuestion& question,
+                       const StopToken& stop);
+  bool isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop);
+  Path certified(const BodyGroup& group, const Vector3& direction, const BodySet& present, const StopToken& stop);
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
-  PreparedBodies& prepared_;
+  MotionWorlds& worlds_;
   std::vector<Lines> lines_;            ///< of each body
   std::map<MeshPtr, Vector3> learned_;  ///< in the body's frame, the last one
 };

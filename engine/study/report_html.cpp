@@ -19,6 +19,7 @@ constexpr const char* kStyle = R"(
   :root { --ink: #000000; --soft: #444444; --line: #bbbbbb; --ground: #ffffff; --band: #f4f6f9; }
   figure, tr { break-inside: avoid; }
   h2 { break-after: avoid; }
+  .page { break-before: page; }
   body { max-width: none; padding: 0; font-size: 10pt; }
 }
 body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 68rem; background: var(--ground); color: var(--ink);
@@ -75,7 +76,7 @@ class Page {
 
   void operator()(const ReportHeading& heading) {
     const std::string tag = "h" + std::to_string(heading.level);
-    out += "<" + tag + ">" + escaped(heading.text) + "</" + tag + ">\n";
+    out += "<" + tag + (heading.newPage ? " class=\"page\">" : ">") + escaped(heading.text) + "</" + tag + ">\n";
   }
 
   void operator()(const ReportText& text) { out += "<p>" + escaped(text.text) + "</p>\n"; }

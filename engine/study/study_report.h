@@ -13,6 +13,7 @@ namespace glissade {
 struct ReportHeading {
   std::string text;
   int level = 2;
+  bool newPage = false;  ///< on paper
 };
 struct ReportText {
   std::string text;

@@ -1171,6 +1171,94 @@
         <source>Play back&amp;wards</source>
         <translation>Jouer à re&amp;bours</translation>
     </message>
+    <message>
+        <source>Plan the se&amp;quence</source>
+        <translation>Planifier la sé&amp;quence</translation>
+    </message>
+    <message>
+        <source>Find in which order the parts of the product leave, each with a certified motion</source>
+        <translation>Chercher dans quel ordre les pièces du produit sortent, chacune par un mouvement certifié</translation>
+    </message>
+    <message>
+        <source>&amp;Go on planning</source>
+        <translation>&amp;Continuer la planification</translation>
+    </message>
+    <message>
+        <source>Go on with the sequence where planning was stopped</source>
+        <translation>Continuer la séquence là où la planification a été arrêtée</translation>
+    </message>
+    <message>
+        <source>Selected bodies sta&amp;y</source>
+        <translation>Les corps sélectionnés &amp;restent</translation>
+    </message>
+    <message>
+        <source>Keep the selected bodies in the product when the sequence is planned, or not</source>
+        <translation>Garder les corps sélectionnés dans le produit quand la séquence est planifiée, ou non</translation>
+    </message>
+    <message>
+        <source>Open a sequence...</source>
+        <translation>Ouvrir une séquence...</translation>
+    </message>
+    <message>
+        <source>Read an assembly plan of this product, and prove each step again</source>
+        <translation>Lire un plan d&apos;assemblage de ce produit, et prouver de nouveau chaque étape</translation>
+    </message>
+    <message>
+        <source>Save the sequence...</source>
+        <translation>Enregistrer la séquence...</translation>
+    </message>
+    <message>
+        <source>Save the plan, its work instruction, its table of steps or its animation</source>
+        <translation>Enregistrer le plan, sa gamme de montage, sa table d&apos;étapes ou son animation</translation>
+    </message>
+    <message>
+        <source>Play the sequence</source>
+        <translation>Jouer la séquence</translation>
+    </message>
+    <message>
+        <source>Show all steps one after the other, or hold</source>
+        <translation>Montrer toutes les étapes l&apos;une après l&apos;autre, ou arrêter</translation>
+    </message>
+    <message>
+        <source>Order of assembly</source>
+        <translation>Ordre du montage</translation>
+    </message>
+    <message>
+        <source>Show the steps as they are assembled, or as they are removed</source>
+        <translation>Montrer les étapes dans l&apos;ordre du montage, ou dans celui du démontage</translation>
+    </message>
+    <message>
+        <source>Removed parts stand aside</source>
+        <translation>Pièces sorties à côté</translation>
+    </message>
+    <message>
+        <source>Draw the parts that have left where their motion ends, or draw them no more</source>
+        <translation>Dessiner les pièces sorties là où leur mouvement finit, ou ne plus les dessiner</translation>
+    </message>
+    <message>
+        <source>Show the whole product</source>
+        <translation>Montrer tout le produit</translation>
+    </message>
+    <message>
+        <source>Draw all parts where they are assembled</source>
+        <translation>Dessiner toutes les pièces là où elles sont assemblées</translation>
+    </message>
+    <message>
+        <source>Sequence panel</source>
+        <translation>Panneau Séquence</translation>
+    </message>
+    <message>
+        <source>Bring the assembly plan to the front</source>
+        <translation>Mettre le plan d&apos;assemblage au premier plan</translation>
+    </message>
+    <message>
+        <source>Order as a &amp;graph</source>
+        <translation>Ordre en &amp;graphe</translation>
+    </message>
+    <message>
+        <source>Show which step makes way for which, and who blocks the parts that are stuck</source>
+        <translation>Montrer quelle étape fait place à quelle autre, et ce qui bloque les pièces bloquées</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -3312,6 +3400,10 @@
         <source>Log</source>
         <translation>Journal</translation>
     </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Séquence</translation>
+    </message>
 </context>
 <context>
     <name>glissade::MeasureController</name>
@@ -4667,6 +4759,198 @@
     <message>
         <source>Path %1</source>
         <translation>Chemin %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceController</name>
+    <message>
+        <source>Planning the sequence</source>
+        <translation>Planification de la séquence</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>The body does not leave the product.</source>
+        <translation>Le corps ne sort pas du produit.</translation>
+    </message>
+    <message>
+        <source>The bodies cannot be marked</source>
+        <translation>Les corps ne peuvent pas être marqués</translation>
+    </message>
+    <message>
+        <source>Open an assembly plan of this product</source>
+        <translation>Ouvrir un plan d&apos;assemblage de ce produit</translation>
+    </message>
+    <message>
+        <source>Assembly plans (*.json);;All files (*)</source>
+        <translation>Plans d&apos;assemblage (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The assembly plan cannot be opened</source>
+        <translation>Le plan d&apos;assemblage ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Save the assembly plan</source>
+        <translation>Enregistrer le plan d&apos;assemblage</translation>
+    </message>
+    <message>
+        <source>Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;Animation (*.glb)</source>
+        <translation>Plan d&apos;assemblage (*.json);;Gamme de montage (*.html);;Gamme de montage (*.pdf);;Table des étapes (*.csv);;Animation (*.glb)</translation>
+    </message>
+    <message>
+        <source>The assembly plan cannot be saved</source>
+        <translation>Le plan d&apos;assemblage ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>The assembly plan was saved as %1</source>
+        <translation>Le plan d&apos;assemblage a été enregistré dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequencePanel</name>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>✓ proved again</source>
+        <translation>✓ prouvée de nouveau</translation>
+    </message>
+    <message>
+        <source>✗ does not hold here</source>
+        <translation>✗ ne tient pas ici</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Found after</source>
+        <translation>Trouvée après</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Seconds after planning began</source>
+        <translation>Secondes depuis le début de la planification</translation>
+    </message>
+    <message>
+        <source>The largest of the step; its tool tip lists all</source>
+        <translation>La plus grande de l&apos;étape ; son infobulle les énumère toutes</translation>
+    </message>
+    <message>
+        <source>Steps of the sequence</source>
+        <translation>Étapes de la séquence</translation>
+    </message>
+    <message>
+        <source>Place in the sequence</source>
+        <translation>Position dans la séquence</translation>
+    </message>
+    <message>
+        <source>Exploded view</source>
+        <translation>Vue éclatée</translation>
+    </message>
+    <message>
+        <source>Moves the parts apart along the directions in which they leave</source>
+        <translation>Écarte les pièces dans les directions par lesquelles elles sortent</translation>
+    </message>
+    <message>
+        <source>E&amp;xplode</source>
+        <translation>É&amp;claté</translation>
+    </message>
+    <message>
+        <source>proved %1; smallest %2 to %3</source>
+        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
+    </message>
+    <message>
+        <source>found by %1</source>
+        <translation>trouvée par %1</translation>
+    </message>
+    <message>
+        <source>no motion found</source>
+        <translation>aucun mouvement trouvé</translation>
+    </message>
+    <message>
+        <source>blocked by %1</source>
+        <translation>bloquée par %1</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloquée</translation>
+    </message>
+    <message>
+        <source>No product is open.</source>
+        <translation>Aucun produit n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>Not planned yet.</source>
+        <translation>Pas encore planifié.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts leave, every motion certified.</source>
+        <translation>%1 pièces sur %2 sortent, chaque mouvement est certifié.</translation>
+    </message>
+    <message>
+        <source>%1 stays.</source>
+        <translation>Reste : %1.</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planification…</translation>
+    </message>
+    <message>
+        <source>%1 stuck.</source>
+        <translation>%1 bloquées.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Arrêté avant la fin.</translation>
+    </message>
+    <message>
+        <source>%1 steps do not hold here.</source>
+        <translation>%1 étapes ne tiennent pas ici.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PlanGraphView</name>
+    <message>
+        <source>Order of the steps</source>
+        <translation>Ordre des étapes</translation>
+    </message>
+    <message>
+        <source>An arrow leads from a step to each step that it makes way for</source>
+        <translation>Une flèche mène d&apos;une étape à chaque étape à laquelle elle fait place</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::InstructionJob</name>
+    <message>
+        <source>Choosing the views</source>
+        <translation>Choix des points de vue</translation>
+    </message>
+    <message>
+        <source>Writing the work instruction</source>
+        <translation>Écriture de la gamme de montage</translation>
     </message>
 </context>
 </TS>

@@ -65,8 +65,8 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
        {"base", "geometry", "import", "environment", "collision", "product", "planning", "sequence", "operator"}},
       {"session", {"base", "geometry", "environment", "collision", "planning", "operator"}},
       {"study",
-       {"base", "geometry", "import", "environment", "collision", "product", "planning", "operator", "scenario",
-        "session"}},
+       {"base", "geometry", "import", "environment", "collision", "product", "planning", "sequence", "operator",
+        "scenario", "session"}},
   };
   return allowed;
 }

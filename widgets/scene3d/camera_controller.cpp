@@ -80,6 +80,13 @@ void CameraController::setOrthographic(bool orthographic) {
   if (fitted_) fit(Box3(*fitted_));
 }
 
+void CameraController::enclose(const Box3& box) {
+  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+    const Vector3 p = box.corner(static_cast<Box3::CornerType>(corner));
+    sceneRadius_ = std::max(sceneRadius_, (p - sceneCentre_).norm());
+  }
+}
+
 void CameraController::orbit(double dx, double dy) {
   fitted_.reset();
   // About the world's vertical and the view's own horizontal: the horizon stays level.

@@ -23,6 +23,10 @@ class CameraController {
   /// Without perspective: parallel lines stay parallel, lengths across the view are to scale everywhere.
   void setOrthographic(bool orthographic);
   bool isOrthographic() const { return orthographic_; }
+  /// It shows the whole of what was fitted last: it was not moved since then.
+  bool isFitted() const { return fitted_.has_value(); }
+  /// Near and far plane enclose this box, too; what is looked at stays.
+  void enclose(const Box3& box);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
   void orbit(double dx, double dy);
   /// Turns the picture clockwise about the line of sight, radians; standard views level it again.

@@ -19,9 +19,13 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   state->setMode(GL_NORMALIZE, osg::StateAttribute::ON);
   state->setMode(GL_LINE_SMOOTH, osg::StateAttribute::ON);
   impl_->root->addChild(impl_->backdrop);
-  for (auto& layer : impl_->layers) {
-    layer = new osg::Group;
-    impl_->root->addChild(layer);
+  for (auto& layer : impl_->layers) layer = new osg::Group;
+  for (int id = 0; id < kSceneLayerCount; ++id) {
+    const auto which = static_cast<SceneLayer>(id);
+    if (which == SceneLayer::StartAndGoal) impl_->root->addChild(impl_->motionLayers);
+    const bool isMotion = which >= SceneLayer::StartAndGoal && which <= SceneLayer::Guidance;
+    osg::Group& parent = isMotion ? *impl_->motionLayers : *impl_->root;
+    parent.addChild(&impl_->layer(which));
   }
   impl_->root->addChild(impl_->sectionClip.node());
   impl_->root->addChild(impl_->caps);
@@ -57,6 +61,8 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->refusal.reset();
   impl_->measure = {};
   impl_->inHand.clear();
+  impl_->sequence = {};
+  impl_->motionLayers->setNodeMask(~0U);
   impl_->roadmap.clear();
   impl_->rebuild();
 }
@@ -192,6 +198,15 @@ void SceneView::setPlaybackPose(const std::optional<Pose>& X_WB) {
   impl_->placeObject();
   impl_->showGuidance();
 }
+
+void SceneView::setSequence(const SequencePicture& picture) {
+  const bool entersOrLeaves = impl_->sequence.bodies.empty() != picture.bodies.empty();
+  impl_->sequence = picture;
+  impl_->showSequence();
+  if (entersOrLeaves && impl_->scenario && impl_->camera.isFitted()) fit();
+}
+
+bool SceneView::showsSequence() const { return !impl_->sequence.bodies.empty(); }
 
 void SceneView::setTheme(Theme theme) {
   const float scale = impl_->palette.pixelScale;

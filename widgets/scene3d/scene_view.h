@@ -83,6 +83,19 @@ struct MeasurePicture {
   std::vector<SceneLabel> labels;
 };
 
+/// A body of the product while an assembly plan is shown.
+struct SequenceBody {
+  Pose X_WB;
+  bool shown = true;
+  bool marked = false;  ///< it moves
+};
+
+/// What is drawn of an assembly plan.
+struct SequencePicture {
+  std::vector<SequenceBody> bodies;  ///< the obstacles in their order, then the object; empty: no plan is shown
+  std::vector<Vector3> way;          ///< of the body that moves: points in the world
+};
+
 /// The 3D picture of one scenario and its session: an OSG scene graph and a camera. No Qt; used on
 /// the GUI thread only, by the on-screen and the offscreen widget alike.
 class SceneView {
@@ -149,6 +162,12 @@ class SceneView {
   void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.
   void setPlaybackPose(const std::optional<Pose>& X_WB);
+  /// Draws the product as a plan has it: until an empty picture is set, or another scenario or arrangement. What is
+  /// about the motion of the object alone is not drawn meanwhile. A camera that was moved stays; its planes hold all
+  /// bodies.
+  void setSequence(const SequencePicture& picture);
+  /// A plan is shown.
+  bool showsSequence() const;
   void setTheme(Theme theme);
   /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
   void setPixelScale(double scale);

@@ -60,6 +60,9 @@ struct SceneView::Impl {
   std::vector<Plane> sections;
   std::set<std::string> hidden;  ///< obstacles, by id
   std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  SequencePicture sequence;
+  osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
+  osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
 
@@ -92,10 +95,46 @@ struct SceneView::Impl {
     if (!scenario) return;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       const RigidBody& body = scenario->obstacles[i];
-      if (environment.selectedBodies.count(body.id) == 0 || hidden.count(body.id) != 0 || inHand.count(i) != 0)
-        continue;
-      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), body.X_WB, palette.path, palette));
+      const bool marked = environment.selectedBodies.count(body.id) != 0 || isMarked(i);
+      if (!marked || !isDrawn(i) || inHand.count(i) != 0) continue;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
     }
+    if (sequence.bodies.empty()) return;
+    const RigidBody& last = scenario->object;
+    if (isMarked(scenario->obstacles.size())) {
+      const Pose& X_WB = sequence.bodies.back().X_WB;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(last.mesh), X_WB, palette.path, palette));
+    }
+    if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
+  }
+
+  /// Of an obstacle, or of the object behind the last one.
+  bool isMarked(std::size_t body) const { return body < sequence.bodies.size() && sequence.bodies[body].marked; }
+
+  bool isDrawn(std::size_t obstacle) const {
+    const bool left = obstacle < sequence.bodies.size() && !sequence.bodies[obstacle].shown;
+    return !left && hidden.count(scenario->obstacles[obstacle].id) == 0;
+  }
+
+  const Pose& poseOf(std::size_t obstacle) const {
+    return obstacle < sequence.bodies.size() ? sequence.bodies[obstacle].X_WB : scenario->obstacles[obstacle].X_WB;
+  }
+
+  osg::ref_ptr<osg::Geode> makeWay() const {
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(makeLines(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale));
+    makeUnlit(*geode);
+    return geode;
+  }
+
+  /// Bodies where the plan has them, or back where the scenario has them.
+  void showSequence() {
+    motionLayers->setNodeMask(sequence.bodies.empty() ? ~0U : 0U);
+    if (!scenario) return;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
+    if (!sequence.bodies.empty()) camera.enclose(extent());
+    showHidden();
+    placeObject();
   }
 
   /// The children of these layers are the bodies in their order.
@@ -172,6 +211,7 @@ struct SceneView::Impl {
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       bodies.addChild(drawBody(i));
       drawnModes.push_back(modeOf(scenario->obstacles[i]));
+      place(SceneLayer::Bodies, i, poseOf(i));
     }
     showHidden();
   }
@@ -183,16 +223,16 @@ struct SceneView::Impl {
     for (std::size_t i = 0; i < std::min(sections.size(), kMostSections); ++i) showCaps(i);
   }
 
-  bool hasCaps(std::size_t obstacle) const {
-    return hidden.count(scenario->obstacles[obstacle].id) == 0 && inHand.count(obstacle) == 0;
-  }
+  bool hasCaps(std::size_t obstacle) const { return isDrawn(obstacle) && inHand.count(obstacle) == 0; }
 
   /// The caps of one section are cut by the others.
   void showCaps(std::size_t section) {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       osg::ref_ptr<osg::Group> cap;
-      if (hasCaps(i)) cap = makeCap(scenario->obstacles[i], sections[section], palette);
+      RigidBody body = scenario->obstacles[i];
+      body.X_WB = poseOf(i);
+      if (hasCaps(i)) cap = makeCap(body, sections[section], palette);
       if (!cap) cap = new osg::Group;
       group->addChild(cap);
     }
@@ -213,8 +253,7 @@ struct SceneView::Impl {
   /// The layer's children are the obstacles in their order.
   void showHidden() {
     for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
-      const bool shown = hidden.count(scenario->obstacles[i].id) == 0;
-      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(shown ? ~0U : 0U);
+      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(isDrawn(i) ? ~0U : 0U);
     }
     showSelection();
     showSections();
@@ -251,6 +290,9 @@ struct SceneView::Impl {
     const RigidBody& moved = scenario->object;
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
+    plainObject = makeBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), modeOf(moved), palette);
+    layer(SceneLayer::Object).addChild(plainObject);
+    placeObject();
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
     ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
@@ -298,12 +340,31 @@ struct SceneView::Impl {
   }
 
   void placeObject() {
-    if (!object || !snapshot) return;
-    object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+    if (!object) return;
+    const bool inPlan = !sequence.bodies.empty();
+    object->setNodeMask(inPlan ? 0U : ~0U);
+    plainObject->setNodeMask(inPlan && sequence.bodies.back().shown ? ~0U : 0U);
+    if (inPlan) {
+      plainObject->setMatrix(toOsg(sequence.bodies.back().X_WB));
+    } else if (snapshot) {
+      object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+    }
+  }
+
+  /// Of the bodies that are drawn.
+  Box3 extentOfSequence() const {
+    Box3 box;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      if (isDrawn(i)) box.extend(boundingBox(*scenario->obstacles[i].mesh, poseOf(i)));
+    }
+    const SequenceBody& last = sequence.bodies.back();
+    if (last.shown) box.extend(boundingBox(*scenario->object.mesh, last.X_WB));
+    return box;
   }
 
   Box3 extent() const {
     if (!scenario) return Box3();
+    if (!sequence.bodies.empty()) return extentOfSequence();
     Box3 box = scenario->problem.bounds;
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));

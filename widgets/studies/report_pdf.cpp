@@ -69,7 +69,7 @@ class Composer {
   }
 
   /// Figures are large: their heading begins a page, or it might stay behind alone.
-  void beforeFigures(const ReportHeading& heading) {
+  void onNewPage(const ReportHeading& heading) {
     insertHeading(heading);
     QTextBlockFormat format = cursor_.blockFormat();
     format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
@@ -281,8 +281,9 @@ SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
   composer.title(report.title);
   for (std::size_t i = 0; i < report.blocks.size(); ++i) {
     const auto* heading = std::get_if<ReportHeading>(&report.blocks[i]);
-    if (heading != nullptr && i + 1 < report.blocks.size() && isFigure(report.blocks[i + 1])) {
-      composer.beforeFigures(*heading);
+    const bool beforeFigure = i + 1 < report.blocks.size() && isFigure(report.blocks[i + 1]);
+    if (heading != nullptr && (heading->newPage || beforeFigure)) {
+      composer.onNewPage(*heading);
     } else {
       std::visit(composer, report.blocks[i]);
     }

@@ -1,0 +1,147 @@
+#include "app/window/instruction_job.h"
+
+#include <QImage>
+#include <QTimer>
+
+#include <utility>
+
+#include "app/window/sequence_controller.h"
+#include "engine/sequence/step_view.h"
+#include "engine/study/plan_graph.h"
+#include "engine/study/report_html.h"
+#include "widgets/commands/length_text.h"
+#include "widgets/plots/picture_file.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/studies/plan_graph_view.h"
+#include "widgets/studies/report_pdf.h"
+
+namespace glissade {
+namespace {
+
+/// The part of a step is shown when so much of its way lies behind it, from where it is assembled.
+constexpr double kShownShare = 0.35;
+/// Pictures have this width at most, pixels: what a page needs.
+constexpr int kPictureWidth = 900;
+constexpr double kGraphScale = 1.5;
+
+}  // namespace
+
+InstructionJob::InstructionJob(const Workbench& bench, SequenceController& sequence)
+    : QObject(&sequence), bench_(bench), sequence_(sequence) {}
+
+void InstructionJob::start(const QString& file, Finished finished) {
+  const ShownPlan& shown = sequence_.shown();
+  content_ = std::make_shared<Content>();
+  content_->plan = shown.plan;
+  content_->product = shown.product;
+  content_->checks = shown.checks;
+  content_->name = sequence_.productName();
+  content_->deviation = surfaceDeviation(*bench_.document.scenario());
+  content_->file = file;
+  finished_ = std::move(finished);
+  chooseViews();
+}
+
+void InstructionJob::chooseViews() {
+  bench_.work.run(
+      tr("Choosing the views"), [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto views =
+            std::make_shared<const std::vector<Vector3>>(directionsToEye(*content->plan, *content->product, watch));
+        return [this, content, views] {
+          if (content != content_) return;
+          content->toEye = *views;
+          takePictures();
+        };
+      });
+}
+
+/// The next one, and the others at later turns of the event loop.
+void InstructionJob::takePictures() {
+  const auto content = content_;
+  do {
+    if (const SaveResult taken = takeNextPicture(); !taken) {
+      end(taken);
+      return;
+    }
+    if (content_->pictures.size() == content_->plan->steps.size()) {
+      write();
+      return;
+    }
+  } while (bench_.work.isAtOnce());
+  QTimer::singleShot(0, this, [this, content] {
+    if (content == content_) takePictures();
+  });
+}
+
+SaveResult InstructionJob::takeNextPicture() {
+  if (sequence_.shown().plan != content_->plan) {
+    return notSaved(
+        {ErrorKind::Usage, content_->file.toStdString(), "", "the plan has changed meanwhile", "Save it again."});
+  }
+  CameraController& camera = bench_.scene.view().camera();
+  const CameraController before = camera;
+  const bool first = content_->exploded.empty();
+  const std::size_t step = content_->pictures.size();
+  if (first) {
+    camera.setStandardView(StandardView::Isometric);
+    sequence_.showScene(0.0, 1.0);
+  } else {
+    camera.lookFrom(content_->toEye[step]);
+    sequence_.showScene(static_cast<double>(step) + kShownShare, 0.0);
+  }
+  bench_.scene.view().fit();
+  std::string file;
+  const SaveResult taken = takePicture(first ? QStringLiteral("exploded") : QString::number(step), file);
+  if (first) {
+    content_->exploded = file;
+  } else {
+    content_->pictures.push_back(file);
+  }
+  camera = before;
+  sequence_.showPanelsScene();
+  return taken;
+}
+
+SaveResult InstructionJob::takePicture(const QString& name, std::string& file) {
+  const QString path = content_->folder.filePath(name + QStringLiteral(".png"));
+  file = path.toStdString();
+  bench_.scene.refresh();
+  QImage picture = bench_.scene.picture();
+  if (picture.width() > kPictureWidth) picture = picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation);
+  return savePicture(picture, path);
+}
+
+void InstructionJob::write() {
+  const Language language = windowLanguage();
+  bench_.work.run(tr("Writing the work instruction"),
+                  [this, content = content_, language](const WorkWatch&) -> BackgroundTask::Delivery {
+                    const auto finish = [this, content](const SaveResult& result) -> BackgroundTask::Delivery {
+                      return [this, content, result] {
+                        if (content == content_) end(result);
+                      };
+                    };
+                    const QString graph = content->folder.filePath(QStringLiteral("graph.png"));
+                    const std::string svg = planGraphSvg(*content->plan, *content->product, StudyWords(language));
+                    if (const SaveResult drawn = savePicture(imageOfSvg(svg, kGraphScale), graph); !drawn) {
+                      return finish(drawn);
+                    }
+                    const PlanWords words(language, [](double metres) { return lengthText(metres).toStdString(); });
+                    const StudyReport report =
+                        workInstruction({*content->plan, *content->product, content->name, content->deviation,
+                                         content->checks, content->exploded, graph.toStdString(), content->pictures},
+                                        words);
+                    if (content->file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+                      return finish(writeReportPdf(report, content->file));
+                    }
+                    const auto page = reportHtml(report);
+                    if (!page) return finish(notSaved(page.error()));
+                    return finish(saveFile(content->file.toStdString(), *page));
+                  });
+}
+
+void InstructionJob::end(const SaveResult& result) {
+  content_.reset();
+  if (const auto finished = std::exchange(finished_, nullptr)) finished(result);
+}
+
+}  // namespace glissade

@@ -1,0 +1,323 @@
+#include "app/window/sequence_controller.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/window/sequence_output.h"
+#include "app/window/sequence_script.h"
+#include "engine/scenario/plan_file.h"
+#include "engine/scenario/product_file.h"
+#include "engine/sequence/exploded_view.h"
+#include "engine/sequence/plan_bodies.h"
+#include "engine/study/plan_graph.h"
+#include "widgets/studies/plan_graph_view.h"
+
+namespace glissade {
+namespace {
+
+constexpr const char* kStays = "stays";
+
+std::vector<Vector3> wayOf(const AssemblyStep& step, const RigidBody& body) {
+  const Pose X_PB = inverse(step.path.front().q) * body.X_WB;
+  std::vector<Vector3> way;
+  for (const PathPoint& point : step.path) way.push_back((point.q * X_PB).position);
+  return way;
+}
+
+/// What is there before a step is found.
+AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) {
+  AssemblyPlan plan;
+  plan.end = PlanEnd::Interrupted;
+  for (const RigidBody& body : product.bodies) plan.bodies.push_back(body.id);
+  for (const std::size_t body : bodiesIn(staying)) plan.staying.push_back(plan.bodies[body]);
+  return plan;
+}
+
+}  // namespace
+
+SequenceController::SequenceController(const Workbench& bench)
+    : QObject(&bench.window),
+      bench_(bench),
+      panel_(new SequencePanel(bench.actions, &bench.window)),
+      instruction_(new InstructionJob(bench, *this)) {
+  connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
+  connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
+  connect(&planner_, &SequencePlanner::judged, this, &SequenceController::takeJudged);
+  connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
+  connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
+  connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
+  bench.work.show(planner_.task(), tr("Planning the sequence"), [this] { planner_.stop(); });
+  connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
+  connect(panel_, &SequencePanel::stuckChosen, this, &SequenceController::showStuck);
+  connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceController::followDocument);
+  connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &SequenceController::enableActions);
+  connectActions();
+  enableActions();
+  addSequenceCommands(bench, *this);
+}
+
+void SequenceController::connectActions() {
+  bench_.onAction("sequence.plan", this, [this] { plan(false); });
+  bench_.onAction("sequence.resume", this, [this] { plan(true); });
+  bench_.onAction("sequence.open", this, [this] { chooseFile(); });
+  bench_.onAction("sequence.export", this, [this] { chooseExport(); });
+  bench_.onAction("sequence.graph", this, [this] { showGraph(); });
+  bench_.onAction("sequence.stays", this, [this] { toggleStays(); });
+  bench_.onAction("sequence.show-product", this, [this] {
+    panel_->showExploded(0.0);
+    panel_->showTime(0.0);
+  });
+  connect(bench_.actions["sequence.play"], &QAction::toggled, panel_, &SequencePanel::setPlaying);
+  connect(bench_.actions["sequence.assembly-order"], &QAction::toggled, this,
+          [this](bool assembly) { panel_->setOrder(assembly ? PlanOrder::Assembly : PlanOrder::Removal); });
+  connect(bench_.actions["sequence.aside"], &QAction::toggled, this, &SequenceController::showPanelsScene);
+}
+
+/// What a person has said of the bodies, else the largest.
+BodySet SequenceController::stayingBodies(const AssembledProduct& product) const {
+  BodySet staying(product.bodies.size(), false);
+  const auto& edits = bench_.document.edits()->bodies;
+  for (std::size_t body = 0; body < staying.size(); ++body) {
+    const auto said = edits.find(product.bodies[body].id);
+    if (said == edits.end()) continue;
+    const auto value = said->second.find(kStays);
+    staying[body] = value != said->second.end() && value->second == AttributeValue(true);
+  }
+  if (bodiesIn(staying).empty()) staying[largestBody(product)] = true;
+  return staying;
+}
+
+void SequenceController::toggleStays() {
+  SemanticDocument& semantics = bench_.document.semantics();
+  if (semantics.table().find(AttributeOwner::Body, kStays) == nullptr) {
+    AttributeDefinition definition;
+    definition.name = kStays;
+    definition.label = tr("Stays").toStdString();
+    definition.type = AttributeType::Bool;
+    definition.owner = AttributeOwner::Body;
+    definition.description = tr("The body does not leave the product.").toStdString();
+    definition.initial = false;
+    if (const Outcome added = semantics.addDefinition(definition); !added) {
+      bench_.messages.showError(tr("The bodies cannot be marked"), added.error());
+      return;
+    }
+  }
+  SemanticSelection bodies;
+  bodies.bodies = semantics.selection().bodies;
+  const QString& first = *bodies.bodies.begin();
+  const bool stays = semantics.bodyValue(first, kStays).value == AttributeValue(true);
+  if (const Outcome set = semantics.setAttribute(bodies, kStays, AttributeValue(!stays)); !set) {
+    bench_.messages.showError(tr("The bodies cannot be marked"), set.error());
+  }
+  semantics.endGesture();
+}
+
+void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps) {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario) return;
+  bench_.actions["panel.sequence"]->trigger();
+  const bool goesOn = resume && shown().plan && shown().product;
+  SequenceJob job;
+  job.product = goesOn ? shown().product : std::make_shared<const AssembledProduct>(productOf(*scenario));
+  job.staying = stayingBodies(*job.product);
+  job.seed = bench_.document.settings().seed;
+  job.mostSteps = mostSteps;
+  if (goesOn) {
+    job.resumed = shown().plan;
+    job.seed = job.resumed->seed;
+    std::fill(job.staying.begin(), job.staying.end(), false);
+    for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
+  } else {
+    setPlan({job.product, std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying)), true, {}, {}});
+  }
+  knownSteps_ = goesOn ? job.resumed->steps.size() : 0;
+  planner_.plan(job, bench_.work.isAtOnce());
+  enableActions();
+}
+
+void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
+  if (!grown.plan) return;
+  ShownPlan next = shown();
+  next.plan = grown.plan;
+  next.growing = growing;
+  next.foundAfter.resize(knownSteps_);
+  for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
+  next.checks.resize(std::min(next.checks.size(), knownSteps_));
+  setPlan(next);
+}
+
+void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed) {
+  if (plan != shown().plan) return;
+  ShownPlan next = shown();
+  next.checks.clear();
+  for (const bool agrees : agreed) next.checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
+  setPlan(next);
+}
+
+void SequenceController::setPlan(const ShownPlan& shown) {
+  const bool there = shown.product && shown.plan;
+  playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
+  offsets_ = there ? explodedOffsets(*shown.product, *shown.plan) : std::vector<Vector3>();
+  panel_->setPlan(shown);
+  updateGraph();
+  enableActions();
+}
+
+void SequenceController::showGraph() {
+  if (graph_ == nullptr) graph_ = new PlanGraphView(&bench_.window);
+  graph_->show();
+  graph_->raise();
+  updateGraph();
+}
+
+void SequenceController::updateGraph() {
+  if (graph_ == nullptr || !graph_->isVisible() || !shown().plan || shown().plan->bodies.empty()) return;
+  const QPalette palette = bench_.window.palette();
+  GraphColours colours;
+  colours.ink = palette.color(QPalette::WindowText).name().toStdString();
+  colours.box = palette.color(QPalette::AlternateBase).name().toStdString();
+  colours.ground = palette.color(QPalette::Window).name().toStdString();
+  graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()), colours));
+}
+
+/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone.
+void SequenceController::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  planner_.drop();
+  if ((what & Change::Scenario) || !shown().plan) {
+    setPlan({std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())), nullptr, false, {}, {}});
+    return;
+  }
+  const auto product = std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()));
+  const auto plan = planAbout(*product, *shown().plan);
+  if (!plan) {
+    setPlan({product, nullptr, false, {}, {}});
+    return;
+  }
+  setPlan({product, std::make_shared<const AssemblyPlan>(*plan), false, shown().foundAfter, {}});
+  planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+}
+
+std::optional<Diagnostic> SequenceController::open(const QString& file) {
+  const std::string name = file.toStdString();
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario) {
+    return Diagnostic{ErrorKind::Usage, name, "", "there is no product that the plan could be of",
+                      "Open the product first."};
+  }
+  const auto plan = readPlan(name);
+  if (!plan) return plan.error();
+  const auto product = std::make_shared<const AssembledProduct>(productOf(*scenario));
+  const auto ours = planAbout(*product, *plan);
+  if (!ours) {
+    std::vector<std::string> ids;
+    for (const RigidBody& body : product->bodies) ids.push_back(body.id);
+    return checkSameBodies(*plan, ids, name).error();
+  }
+  planner_.drop();
+  bench_.actions["panel.sequence"]->trigger();
+  setPlan({product, std::make_shared<const AssemblyPlan>(*ours), false, {}, {}});
+  planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+  return std::nullopt;
+}
+
+void SequenceController::showPanelsScene() { showScene(panel_->time(), panel_->exploded()); }
+
+void SequenceController::showScene(double time, double exploded) {
+  const ShownPlan& plan = shown();
+  SequencePicture picture;
+  if (plan.plan && !plan.plan->steps.empty() && (time > 0.0 || exploded > 0.0)) {
+    const std::vector<PlayedBody> played = playback_.at(time);
+    const bool aside = bench_.actions["sequence.aside"]->isChecked();
+    const ScenarioPtr& scenario = bench_.document.scenario();
+    for (std::size_t i = 0; i < played.size(); ++i) {
+      const bool isObject = i + 1 == played.size();
+      const Pose X_WB = played[i].moved * (isObject ? scenario->object : scenario->obstacles[i]).X_WB;
+      const Vector3 apart = played[i].left ? Vector3(Vector3::Zero()) : Vector3(exploded * offsets_[i]);
+      picture.bodies.push_back({{X_WB.position + apart, X_WB.orientation}, aside || !played[i].left, played[i].moves});
+    }
+    const auto step = static_cast<std::size_t>(time);
+    const bool onItsWay = std::any_of(played.begin(), played.end(), [](const PlayedBody& body) { return body.moves; });
+    if (onItsWay && exploded == 0.0) {
+      const AssemblyStep& moving = plan.plan->steps[step];
+      picture.way = wayOf(moving, plan.product->bodies[bodiesOf(moving, *plan.product).front()]);
+    }
+  }
+  bench_.scene.view().setSequence(picture);
+  bench_.scene.refresh();
+}
+
+/// The stuck body and those that block it are selected, so that the view marks them.
+void SequenceController::showStuck(const QString& bodyId) {
+  SemanticSelection selection;
+  selection.bodies.insert(bodyId);
+  for (const StuckBody& stuck : shown().plan->stuck) {
+    if (stuck.body != bodyId.toStdString()) continue;
+    for (const std::string& other : stuck.blockedBy) selection.bodies.insert(QString::fromStdString(other));
+  }
+  panel_->showTime(static_cast<double>(shown().plan->steps.size()));
+  bench_.document.semantics().select(selection);
+}
+
+std::string SequenceController::productName() const {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario->scenario.name.empty()) return scenario->scenario.name;
+  return QFileInfo(QString::fromStdString(scenario->file)).completeBaseName().toStdString();
+}
+
+void SequenceController::exportTo(const QString& file, const InstructionJob::Finished& finished) {
+  if (!shown().plan || shown().plan->steps.empty()) {
+    finished(
+        notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
+  } else if (isInstruction(file)) {
+    instruction_->start(file, finished);
+  } else {
+    const std::string& product = bench_.document.scenario()->file;
+    finished(writeSequence(shown(), panel_->order(), product.empty() ? productName() : product, productName(), file));
+  }
+}
+
+void SequenceController::chooseFile() {
+  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open an assembly plan of this product"),
+                                                    QString(), tr("Assembly plans (*.json);;All files (*)"));
+  if (file.isEmpty()) return;
+  if (const auto why = open(file)) bench_.messages.showError(tr("The assembly plan cannot be opened"), *why);
+}
+
+void SequenceController::chooseExport() {
+  const QString file = QFileDialog::getSaveFileName(
+      &bench_.window, tr("Save the assembly plan"), QStringLiteral("plan.json"),
+      tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
+         "Animation (*.glb)"));
+  if (file.isEmpty()) return;
+  exportTo(file, [this, file](const SaveResult& saved) {
+    if (!saved) {
+      bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
+    } else {
+      bench_.messages.showStatus(tr("The assembly plan was saved as %1").arg(file));
+    }
+  });
+}
+
+void SequenceController::enableActions() {
+  const bool product = bench_.document.scenario() != nullptr && !bench_.document.scenario()->obstacles.empty();
+  const bool busy = planner_.isPlanning();
+  const PlanPtr& plan = shown().plan;
+  const bool steps = plan && !plan->steps.empty();
+  const bool open =
+      plan && !plan->bodies.empty() && (plan->end == PlanEnd::Interrupted || plan->end == PlanEnd::TimeLimit);
+  bench_.enable("sequence.plan", product && !busy);
+  bench_.enable("sequence.resume", open && !busy);
+  bench_.enable("sequence.open", product && !busy);
+  bench_.enable("sequence.export", steps && !busy);
+  bench_.enable("sequence.play", steps);
+  bench_.enable("sequence.show-product", steps);
+  bench_.enable("sequence.graph", steps || (plan && !plan->stuck.empty()));
+  bench_.enable("sequence.stays", !bench_.document.semantics().selection().bodies.empty());
+}
+
+}  // namespace glissade

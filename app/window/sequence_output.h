@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+#include "engine/base/file_save.h"
+#include "engine/sequence/plan_bodies.h"
+#include "widgets/panels/sequence_panel.h"
+
+namespace glissade {
+
+/// Writes a plan in the format of the file's ending: .json as the command line does, .csv, .glb. `product` is the file
+/// that the plan is about, or a name where there is none. Errors: Usage for another ending; those of writing.
+SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::string& product, const std::string& name,
+                         const QString& file);
+
+/// The file is a work instruction: .html or .pdf.
+bool isInstruction(const QString& file);
+
+}  // namespace glissade

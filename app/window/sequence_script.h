@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/window/workbench.h"
+
+namespace glissade {
+
+class SequenceController;
+
+/// The script commands about the assembly plan.
+void addSequenceCommands(const Workbench& bench, SequenceController& sequence);
+
+}  // namespace glissade

@@ -1,0 +1,99 @@
+#include "engine/scenario/glb_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+using Json = GlbBuilder::Json;
+
+constexpr double kRoughness = 0.8;
+
+/// glTF's colours are linear, ours sRGB.
+double linear(double value) { return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4); }
+
+Json coordinateList(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+Json coordinateList(const Quaternion& q) { return {q.x(), q.y(), q.z(), q.w()}; }
+
+std::size_t addMaterial(GlbBuilder& glb, const RigidBody& body, double opacity) {
+  const Json colour{linear(body.colour[0]), linear(body.colour[1]), linear(body.colour[2]), opacity};
+  Json material{
+      {"name", body.name},
+      {"pbrMetallicRoughness", {{"baseColorFactor", colour}, {"metallicFactor", 0.0}, {"roughnessFactor", kRoughness}}},
+      {"doubleSided", true}};
+  if (opacity < 1.0) material["alphaMode"] = "BLEND";
+  return glb.add("materials", material);
+}
+
+/// Corners are not shared, so that edges stay hard; so there is nothing to index, and glTF takes them by threes.
+Json surfaceOf(GlbBuilder& glb, const TriangleMesh& mesh) {
+  const auto corners = static_cast<Eigen::Index>(3 * mesh.triangles.size());
+  Eigen::MatrixXf positions(3, corners);
+  Eigen::MatrixXf normals(3, corners);
+  Eigen::Index column = 0;
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    const Vector3 normal = faceNormal(mesh, triangle);
+    for (const std::uint32_t vertex : triangle) {
+      positions.col(column) = mesh.vertices[vertex].cast<float>();
+      normals.col(column++) = normal.cast<float>();
+    }
+  }
+  return {{"POSITION", glb.addNumbers(positions, GlbBuilder::Use::Vertices)},
+          {"NORMAL", glb.addNumbers(normals, GlbBuilder::Use::Vertices)}};
+}
+
+/// A sampler each for translation and rotation of one node.
+void addTrack(GlbBuilder& glb, const GlbTrack& track, Json& animation) {
+  const auto count = static_cast<Eigen::Index>(track.frames.size());
+  Eigen::MatrixXf times(1, count);
+  Eigen::MatrixXf translations(3, count);
+  Eigen::MatrixXf rotations(4, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const KeyFrame& frame = track.frames[static_cast<std::size_t>(i)];
+    times(0, i) = frame.time;
+    translations.col(i) = frame.q.position.cast<float>();
+    rotations.col(i) = frame.q.orientation.coeffs().cast<float>();  // x y z w, as glTF
+  }
+  const auto numbers = [&](const Eigen::MatrixXf& values) {
+    return glb.addNumbers(values, GlbBuilder::Use::KeyFrames);
+  };
+  const std::size_t input = numbers(times);
+  for (const auto& [path, values] : {std::pair("translation", &translations), std::pair("rotation", &rotations)}) {
+    const std::size_t sampler = animation["samplers"].size();
+    animation["samplers"].push_back({{"input", input}, {"interpolation", "LINEAR"}, {"output", numbers(*values)}});
+    animation["channels"].push_back({{"sampler", sampler}, {"target", {{"node", track.node}, {"path", path}}}});
+  }
+}
+
+}  // namespace
+
+std::size_t addGlbWorld(GlbBuilder& glb) {
+  const double half = std::sqrt(0.5);
+  return glb.add("nodes", {{"name", "World"}, {"rotation", {-half, 0.0, 0.0, half}}});
+}
+
+std::size_t addGlbBody(GlbBuilder& glb, std::size_t world, const RigidBody& body, double opacity) {
+  const std::size_t material = addMaterial(glb, body, opacity);
+  const Json surface{{"attributes", surfaceOf(glb, *body.mesh)}, {"material", material}};
+  const std::size_t mesh = glb.add("meshes", {{"name", body.name}, {"primitives", Json::array({surface})}});
+  const std::size_t node = glb.add("nodes", {{"name", body.name},
+                                             {"translation", coordinateList(body.X_WB.position)},
+                                             {"rotation", coordinateList(body.X_WB.orientation)},
+                                             {"mesh", mesh}});
+  glb.json()["nodes"][world]["children"].push_back(node);
+  return node;
+}
+
+void addGlbAnimation(GlbBuilder& glb, const char* name, const std::vector<GlbTrack>& tracks) {
+  Json animation{{"name", name}, {"samplers", Json::array()}, {"channels", Json::array()}};
+  for (const GlbTrack& track : tracks) addTrack(glb, track, animation);
+  glb.add("animations", std::move(animation));
+}
+
+bool isWithinSinglePrecision(const std::vector<KeyFrame>& frames) {
+  return std::all_of(frames.begin(), frames.end(),
+                     [](const KeyFrame& frame) { return frame.q.position.cast<float>().allFinite(); });
+}
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/sequence/assembled_product.h"
+
+namespace glissade {
+
+/// What a person demands of an assembly plan; bodies by id, or by the end of ids behind a "/".
+struct SequenceDemands {
+  std::vector<std::vector<std::string>> together;           ///< these leave as one
+  std::vector<std::pair<std::string, std::string>> before;  ///< the first leaves before the second
+
+  bool operator==(const SequenceDemands&) const = default;
+};
+
+/// One body leaves before another one.
+struct OrderRule {
+  std::size_t first = 0;
+  std::size_t then = 0;
+  bool demanded = true;  ///< by a person; else it is given up where nothing else can leave
+};
+
+/// Demands and knowledge about a product's bodies, by index.
+struct OrderRules {
+  std::vector<BodyGroup> together;  ///< no body is in two
+  std::vector<OrderRule> before;
+};
+
+/// The bodies of these ids, or whose ids end in "/" and this; empty where there is none.
+BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name);
+
+/// The demands by index. A name that several bodies have stands for all of them. Errors, Usage with `location`: a name
+/// that no body has; a body in two groups; demands in a circle.
+Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProduct& product);
+
+}  // namespace glissade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/planning/path.h"
+
+namespace glissade {
+
+/// A part of a motion that goes in one direction and turns about one axis.
+struct MotionLeg {
+  Vector3 direction = Vector3::Zero();  ///< unit, world; zero where it only turns
+  double length = 0.0;                  ///< metres
+  Vector3 axis = Vector3::Zero();       ///< unit, world; zero where it does not turn
+  double turn = 0.0;                    ///< radians
+};
+
+/// The motion as legs: consecutive edges of the same direction and axis are one.
+std::vector<MotionLeg> legsOf(const std::vector<PathPoint>& path);
+
+/// The same motion from its end to its beginning.
+std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs);
+
+/// Unit direction from the first to the last position; nothing has moved: up.
+Vector3 exitDirection(const std::vector<PathPoint>& path);
+
+}  // namespace glissade

@@ -1,0 +1,40 @@
+#include "engine/sequence/step_precedence.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace glissade {
+
+void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
+  std::vector<BodyGroup> groups;
+  std::vector<std::size_t> stepOf(question.product.bodies.size(), 0);
+  for (std::size_t step = 0; step < plan.steps.size(); ++step) {
+    BodyGroup group;
+    for (const std::string& id : plan.steps[step].bodies()) group.push_back(*question.product.indexOf(id));
+    std::sort(group.begin(), group.end());
+    for (const std::size_t body : group) stepOf[body] = step + 1;
+    groups.push_back(std::move(group));
+  }
+  host.team().run(groups.size(), [&](std::size_t step) {
+    std::vector<std::size_t> left;
+    for (std::size_t earlier = 0; earlier < step; ++earlier) {
+      left.insert(left.end(), groups[earlier].begin(), groups[earlier].end());
+    }
+    std::set<std::size_t> after;
+    for (const std::size_t body :
+         question.trial.inTheWay(groups[step], plan.steps[step].path, left, host.stopToken())) {
+      after.insert(stepOf[body]);
+    }
+    for (const OrderRule& rule : question.rules.before) {
+      const std::size_t first = stepOf[rule.first];
+      if (stepOf[rule.then] == step + 1 && first != 0 && first <= step) after.insert(first);
+    }
+    plan.steps[step].after.assign(after.begin(), after.end());
+    if (!host.stopToken().stopRequested()) return;
+    plan.steps[step].after.resize(step);
+    std::iota(plan.steps[step].after.begin(), plan.steps[step].after.end(), std::size_t{1});
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+
+/// Finds for every step which steps have to be carried out before: those of bodies that would be in the way of its
+/// motion, and those that rules ask for and that are earlier. After a stop: all earlier ones.
+void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
+
+}  // namespace glissade

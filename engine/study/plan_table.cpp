@@ -1,0 +1,75 @@
+#include "engine/study/plan_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/sequence/step_motion.h"
+#include "engine/study/csv_table.h"
+#include "engine/study/plan_words.h"
+
+namespace glissade {
+namespace {
+
+std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
+
+double largestAllowance(const AssemblyStep& step) {
+  double largest = 0.0;
+  for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  return largest;
+}
+
+void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
+             PlanOrder order) {
+  const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
+  double length = 0.0;
+  double turn = 0.0;
+  for (const MotionLeg& leg : legsOf(step.path)) {
+    length += leg.length;
+    turn += leg.turn;
+  }
+  table.row();
+  table.number(static_cast<double>(number));
+  std::string parts;
+  for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
+  table.text(parts);
+  table.text(step.method);
+  table.text(PlanWords(Language::English, lengthInMillimetres).motion(step, order));
+  table.number(length);
+  table.number(turn);
+  table.number(finite(step.proof.provedClearance));
+  table.number(finite(step.proof.minClearance));
+  table.text(step.proof.nearest.empty() ? "" : nameOf(step.proof.nearest));
+  table.number(largestAllowance(step));
+  table.number(static_cast<double>(step.wave));
+  table.text("");
+}
+
+void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& product) {
+  const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
+  std::string blockers;
+  for (const std::string& other : stuck.blockedBy) blockers += (blockers.empty() ? "" : "; ") + nameOf(other);
+  table.row();
+  table.number(std::nullopt);
+  table.text(nameOf(stuck.body));
+  for (int column = 0; column < 2; ++column) table.text("");
+  for (int column = 0; column < 4; ++column) table.number(std::nullopt);
+  table.text("");
+  for (int column = 0; column < 2; ++column) table.number(std::nullopt);
+  table.text(blockers);
+}
+
+}  // namespace
+
+std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order) {
+  CsvTable table;
+  table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
+                "nearest", "allowance_m", "wave", "blocked_by"});
+  const std::size_t steps = plan.steps.size();
+  for (std::size_t i = 0; i < steps; ++i) {
+    addStep(table, plan.steps[order == PlanOrder::Assembly ? steps - 1 - i : i], i + 1, product, order);
+  }
+  for (const StuckBody& stuck : plan.stuck) addStuck(table, stuck, product);
+  return table.content();
+}
+
+}  // namespace glissade

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/plan_bodies.h"
+
+namespace glissade {
+
+/// The steps of a plan as CSV, a line each in the given order, lengths in metres: step, part, method, motion (in
+/// English), length, turn, proved clearance, smallest clearance, nearest part, largest allowance, wave. Parts that stay
+/// because no motion was found follow without a number, with the parts that block them. Precondition: the plan is about
+/// this product.
+std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order);
+
+}  // namespace glissade

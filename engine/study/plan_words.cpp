@@ -1,0 +1,104 @@
+#include "engine/study/plan_words.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/product/contact_report.h"
+#include "engine/sequence/step_motion.h"
+
+namespace glissade {
+namespace {
+
+/// A direction within two degrees of an axis is that of the axis.
+constexpr double kAlongAxis = 0.9994;
+/// Motions of more legs are summed up.
+constexpr std::size_t kMostLegs = 3;
+
+std::string decimals(double value, int digits) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+std::string degrees(double radians) { return decimals(radians * 180.0 / std::acos(-1.0), 0) + "°"; }
+
+}  // namespace
+
+std::string PlanWords::direction(const Vector3& direction) const {
+  static constexpr std::array<const char*, 6> kNames{"+X", "−X", "+Y", "−Y", "up (+Z)", "down (−Z)"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] > kAlongAxis) return words_(kNames[static_cast<std::size_t>(2 * axis)]);
+    if (direction[axis] < -kAlongAxis) return words_(kNames[static_cast<std::size_t>(2 * axis + 1)]);
+  }
+  return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
+}
+
+std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
+  const auto removal = legsOf(step.path);
+  const auto legs = order == PlanOrder::Assembly ? reversed(removal) : removal;
+  if (legs.empty()) return words_("does not move");
+  if (legs.size() > kMostLegs) {
+    double length = 0.0;
+    double turn = 0.0;
+    for (const MotionLeg& leg : legs) {
+      length += leg.length;
+      turn += leg.turn;
+    }
+    const Vector3 towards = exitDirection(step.path);
+    const std::string travelled = turn > 0.01 ? length_(length) + ", " + degrees(turn) : length_(length);
+    return order == PlanOrder::Removal ? words_("around obstacles, %1, out %2", {travelled, direction(towards)})
+                                       : words_("around obstacles, %1, in %2", {travelled, direction(-towards)});
+  }
+  std::string text;
+  for (const MotionLeg& leg : legs) {
+    if (!text.empty()) text += words_(", then ");
+    const std::string turn = leg.turn > 0.0 ? degrees(leg.turn) : "";
+    if (leg.length > 0.0 && leg.turn > 0.0) {
+      text += words_("%1, %2, turning %3 about %4",
+                     {direction(leg.direction), length_(leg.length), turn, direction(leg.axis)});
+    } else if (leg.turn > 0.0) {
+      text += words_("turn %1 about %2", {turn, direction(leg.axis)});
+    } else {
+      text += direction(leg.direction) + ", " + length_(leg.length);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const AssembledProduct& product) const {
+  std::vector<std::string> texts;
+  for (const StepAllowance& allowance : step.allowances) {
+    const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
+    texts.push_back(words_("taken %1 thinner against %2 (%3)",
+                           {length_(allowance.allowance), shortName(other.name), words_(kindName(allowance.kind))}));
+  }
+  return texts;
+}
+
+std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product) {
+  std::string names;
+  for (const std::size_t body : bodiesOf(step, product)) {
+    names += (names.empty() ? "" : ", ") + shortName(product.bodies[body].name);
+  }
+  return names;
+}
+
+std::string lengthInMillimetres(double metres) {
+  return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm";
+}
+
+std::string shortName(const std::string& name) {
+  const std::size_t slash = name.rfind('/');
+  return slash == std::string::npos || slash + 1 == name.size() ? name : name.substr(slash + 1);
+}
+
+std::string kindOfPart(const std::string& name) {
+  const std::string last = shortName(name);
+  const std::size_t number = last.rfind('#');
+  const bool counted = number != std::string::npos && number > 0 &&
+                       last.find_first_not_of("0123456789", number + 1) == std::string::npos;
+  return counted ? last.substr(0, number) : last;
+}
+
+}  // namespace glissade

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/plan_bodies.h"
+#include "engine/study/study_words.h"
+
+namespace glissade {
+
+/// What the independent check says of a step.
+enum class StepCheck { NotAsked, Agrees, Disagrees };
+
+/// What people read of an assembly plan, in their language.
+class PlanWords {
+ public:
+  /// A length as people read it: "24.0 mm".
+  using LengthText = std::function<std::string(double metres)>;
+
+  PlanWords(Language language, LengthText length) : words_(language), length_(std::move(length)) {}
+
+  const StudyWords& words() const { return words_; }
+  std::string length(double metres) const { return length_(metres); }
+  /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
+  std::string motion(const AssemblyStep& step, PlanOrder order) const;
+  /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
+  std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
+
+ private:
+  std::string direction(const Vector3& direction) const;
+
+  StudyWords words_;
+  LengthText length_;
+};
+
+/// Short names of the bodies that leave in a step: "bolt", or "bolt, nut" of a group.
+std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product);
+
+/// "62.0 mm", with a point in every language.
+std::string lengthInMillimetres(double metres);
+
+/// The last part of a name that tells the tree: "bolt" of "bracket-assembly#2/bolt".
+std::string shortName(const std::string& name);
+
+/// The name without the number that tells two of one name apart: "nut" of "nut#2".
+std::string kindOfPart(const std::string& name);
+
+}  // namespace glissade

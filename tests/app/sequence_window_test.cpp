@@ -1,0 +1,110 @@
+// The assembly plan of a product in the whole window, without a display.
+#include "tests/app/window_fixture.h"
+#include "tests/engine/support/step_files.h"
+
+namespace {
+
+using namespace glissade::test;
+
+class SequenceWindow : public WindowTest {
+ protected:
+  void expectGood(const RunResult& result) { EXPECT_EQ(result.exitCode, 0) << result.errors.toStdString(); }
+  RunResult runOnStand(const QString& script, const QStringList& options = {}) {
+    return run(QStringLiteral("roller-stand"), script, options);
+  }
+  QString file(const char* name) const { return folder.filePath(QLatin1String(name)); }
+  QByteArray content(const char* name) const {
+    QFile written(file(name));
+    EXPECT_TRUE(written.open(QIODevice::ReadOnly)) << name;
+    return written.readAll();
+  }
+};
+
+TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
+  expectGood(
+      runOnStand(QStringLiteral("expect-sequence end none\nplan-sequence all\nexpect-sequence parts 10\n"
+                                "expect-sequence steps 10\nexpect-sequence stuck 0\nexpect-sequence end complete\n"
+                                "show-step 3\nscreenshot %1\naction sequence.show-product\nexplode 1\n"
+                                "screenshot %2\n")
+                     .arg(file("step.png"), file("exploded.png"))));
+  EXPECT_GT(difference(QImage(file("step.png")), QImage(file("exploded.png"))).share, 0.01);
+}
+
+TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
+  expectGood(
+      runOnStand(QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexport-sequence %1\n"
+                                "action sequence.resume\nexpect-sequence end complete\nexpect-sequence steps 10\n"
+                                "open-sequence %1\nexpect-sequence end interrupted\naction sequence.resume\n"
+                                "expect-sequence steps 10\n")
+                     .arg(file("begun.json"))));
+}
+
+TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nopen-sequence %1\n"
+                                       "expect-sequence proved 10\nexpect-sequence refuted 0\n"
+                                       "place bar 0,0,40 0,0,0\nexpect-sequence steps 10\n"
+                                       "action edit.undo\nexpect-sequence proved 10\n"
+                                       "open %2\nexpect-sequence end none\n")
+                            .arg(file("plan.json"), kSource + QStringLiteral("/samples/sliding-plane/scenario.json"))));
+}
+
+TEST_F(SequenceWindow, ThePlanOfTheCommandLineIsThatOfTheWindow) {
+  const QString stand = kSource + QStringLiteral("/samples/roller-stand/scenario.json");
+  const auto commandLine = [](const QStringList& words) {
+    QProcess process;
+    process.start(QString::fromStdString(programDirectory() + "/glissade-cli"), words);
+    EXPECT_TRUE(process.waitForFinished(60000));
+    return process.exitCode();
+  };
+  ASSERT_EQ(commandLine({QStringLiteral("sequence"), stand, QStringLiteral("--out"), file("cli.json")}), 0);
+  expectGood(runOnStand(QStringLiteral("open-sequence %1\nexpect-sequence proved 10\nplan-sequence all\n"
+                                       "export-sequence %2\n")
+                            .arg(file("cli.json"), file("window.json"))));
+  EXPECT_EQ(commandLine({QStringLiteral("check"), stand, file("window.json")}), 0);
+}
+
+TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
+  expectGood(runOnStand(QStringLiteral("select body bar\naction sequence.stays\nplan-sequence 1\nexport-sequence %1\n"
+                                       "action edit.undo\naction sequence.plan\nexpect-sequence end complete\n")
+                            .arg(file("bar.json"))));
+  EXPECT_TRUE(content("bar.json").simplified().contains("\"staying\": [ \"bar\" ]"));
+}
+
+TEST_F(SequenceWindow, EveryFormatIsWritten) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\naction sequence.assembly-order\nexport-sequence %1\n"
+                                       "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")
+                            .arg(file("plan.html"), file("plan.pdf"), file("plan.csv"), file("plan.glb"))));
+  const QByteArray page = content("plan.html");
+  EXPECT_EQ(page.count("<img"), 12) << "ten steps, the exploded view, the graph";
+  EXPECT_EQ(page.count("class=\"page\""), 12) << "parts list, ten steps, the graph";
+  EXPECT_TRUE(content("plan.pdf").startsWith("%PDF"));
+  EXPECT_EQ(content("plan.csv").count('\n'), 11);
+  EXPECT_TRUE(content("plan.glb").startsWith("glTF"));
+}
+
+TEST_F(SequenceWindow, TheWorkInstructionIsInTheLanguageOfTheWindow) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\n").arg(file("fr.html")),
+                        {QStringLiteral("--language"), QStringLiteral("fr")}));
+  EXPECT_TRUE(content("fr.html").contains("Gamme de montage"));
+}
+
+TEST_F(SequenceWindow, WrongCommandsAndFilesAreErrors) {
+  const QString none = file("none.json");
+  for (const QString& script :
+       {QStringLiteral("open-sequence %1\n").arg(none), QStringLiteral("export-sequence %1\n").arg(none),
+        QStringLiteral("plan-sequence all\nexport-sequence %1.doc\n").arg(none), QStringLiteral("show-step 1\n"),
+        QStringLiteral("plan-sequence some\n"), QStringLiteral("explode 2\n"),
+        QStringLiteral("expect-sequence moon 1\n"), QStringLiteral("plan-sequence all\nexpect-sequence steps 3\n")}) {
+    EXPECT_NE(runOnStand(script).exitCode, 0) << script.toStdString();
+  }
+}
+
+TEST_F(SequenceWindow, ThePanelAndTheExplodedViewLookAsTheyDid) {
+  expectGood(runOnStand(QStringLiteral("plan-sequence all\nshow-step 6\nscreenshot %1\naction sequence.show-product\n"
+                                       "explode 1\naction view.fit\nscreenshot %2\n")
+                            .arg(file("step.png"), file("exploded.png"))));
+  expectLike(file("step.png"), QStringLiteral("sequence-step"));
+  expectLike(file("exploded.png"), QStringLiteral("sequence-exploded"));
+}
+
+}  // namespace

@@ -1,0 +1,53 @@
+#include "engine/sequence/plan_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+/// The same product as a scenario has it: ids of its own, the first body last.
+AssembledProduct renamed(AssembledProduct product) {
+  std::rotate(product.bodies.begin(), product.bodies.begin() + 1, product.bodies.end());
+  for (RigidBody& body : product.bodies) body.id = "part." + body.name;
+  return product;
+}
+
+TEST(PlanBodies, APlanOfTheFileIsAboutTheScenarioThatWasMadeOfIt) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  plan.stuck.push_back({"drawer", {"pin"}});
+  const AssembledProduct ours = renamed(product);
+  const auto about = planAbout(ours, plan);
+  ASSERT_TRUE(about);
+  EXPECT_EQ(test::orderOf(*about), (std::vector<std::string>{"part.cap", "part.pin", "part.drawer"}));
+  EXPECT_EQ(about->staying, std::vector<std::string>{"part.cabinet"});
+  EXPECT_EQ(about->stuck[0].blockedBy, std::vector<std::string>{"part.pin"});
+  for (std::size_t i = 0; i < ours.bodies.size(); ++i) EXPECT_EQ(about->bodies[i], ours.bodies[i].id);
+  for (const AssemblyStep& step : about->steps) {
+    EXPECT_TRUE(step.proof.nearest.empty() || ours.indexOf(step.proof.nearest));
+  }
+}
+
+TEST(PlanBodies, APlanOfAnotherProductIsNotTaken) {
+  const AssemblyPlan plan = test::planOf(test::lockedDrawer(), "cabinet");
+  EXPECT_FALSE(planAbout(test::chain(), plan));
+  AssembledProduct two = test::lockedDrawer();
+  for (RigidBody& body : two.bodies) {
+    body.id += ".x";
+    body.name = "same";
+  }
+  EXPECT_FALSE(planAbout(two, plan)) << "names that do not tell bodies apart";
+}
+
+TEST(PlanBodies, AllBodiesOfAGroupLeave) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyStep step;
+  step.body = "pin";
+  step.with = {"cap"};
+  EXPECT_EQ(bodiesOf(step, product), (std::vector<std::size_t>{*product.indexOf("pin"), *product.indexOf("cap")}));
+}
+
+}  // namespace
+}  // namespace glissade

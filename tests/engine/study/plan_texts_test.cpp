@@ -1,0 +1,163 @@
+// What people read of an assembly plan: words, table, graph, work instruction.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "engine/study/plan_graph.h"
+#include "engine/study/plan_table.h"
+#include "engine/study/report_html.h"
+#include "engine/study/work_instruction.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+AssemblyStep stepOf(const std::string& body, const std::vector<Pose>& way) {
+  AssemblyStep step;
+  step.body = body;
+  for (const Pose& q : way) step.path.push_back({q, Author::Computer});
+  step.method = "straight";
+  step.proof = {0, 1e-6, 2e-6, 3e-4, "cabinet"};
+  return step;
+}
+
+AssemblyPlan somePlan() {
+  AssemblyPlan plan;
+  plan.bodies = {"drawer", "cabinet", "pin", "cap"};
+  plan.staying = {"cabinet"};
+  plan.steps.push_back(stepOf("cap", {Pose::identity(), Pose::translation({0.0, 0.0, 0.5})}));
+  plan.steps.push_back(
+      stepOf("pin", {Pose::identity(), Pose::translation({0.0, 0.0, 0.25}), Pose::translation({0.1, 0.0, 0.25})}));
+  plan.steps[1].after = {1};
+  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Thread, 4e-4, 4.1e-4, "text"});
+  plan.stuck = {{"drawer", {"cabinet"}}};
+  plan.end = PlanEnd::Stuck;
+  return plan;
+}
+
+PlanWords wordsIn(Language language) { return PlanWords(language, lengthInMillimetres); }
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(PlanWords, MotionsAreToldInTheOrderThatIsAskedFor) {
+  const AssemblyPlan plan = somePlan();
+  const PlanWords english = wordsIn(Language::English);
+  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Removal), "up (+Z), 500.0 mm");
+  EXPECT_EQ(english.motion(plan.steps[0], PlanOrder::Assembly), "down (−Z), 500.0 mm");
+  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Removal), "up (+Z), 250.0 mm, then +X, 100.0 mm");
+  EXPECT_EQ(english.motion(plan.steps[1], PlanOrder::Assembly), "−X, 100.0 mm, then down (−Z), 250.0 mm");
+  EXPECT_EQ(wordsIn(Language::French).motion(plan.steps[0], PlanOrder::Assembly), "bas (−Z), 500.0 mm");
+}
+
+TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
+  const PlanWords english = wordsIn(Language::English);
+  const Pose turned{Vector3::Zero(), fromRollPitchYaw(0.0, 0.0, std::acos(0.0))};
+  EXPECT_EQ(english.motion(stepOf("cap", {Pose::identity(), turned}), PlanOrder::Removal), "turn 90° about up (+Z)");
+  std::vector<Pose> way{Pose::identity()};
+  for (int i = 1; i <= 6; ++i) way.push_back(Pose::translation({0.1 * (i / 2), 0.1 * ((i + 1) / 2), 0.0}));
+  const std::string text = english.motion(stepOf("cap", way), PlanOrder::Removal);
+  EXPECT_NE(text.find("around obstacles, 600.0 mm"), std::string::npos) << text;
+}
+
+TEST(PlanWords, NamesAreShort) {
+  EXPECT_EQ(shortName("bracket-assembly#2/bolt#3"), "bolt#3");
+  EXPECT_EQ(shortName("plate"), "plate");
+  EXPECT_EQ(kindOfPart("bracket-assembly#2/bolt#3"), "bolt");
+  EXPECT_EQ(kindOfPart("no#one"), "no#one");
+}
+
+TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
+  const AssembledProduct product = test::lockedDrawer();
+  const auto removal = linesOf(planAsCsv(somePlan(), product, PlanOrder::Removal));
+  ASSERT_EQ(removal.size(), 4U);
+  EXPECT_EQ(removal[1], "1,cap,straight,\"up (+Z), 500.0 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,");
+  EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet");
+  const auto assembly = linesOf(planAsCsv(somePlan(), product, PlanOrder::Assembly));
+  EXPECT_EQ(assembly[2].rfind("2,cap,straight,\"down", 0), 0U) << assembly[2];
+  for (const std::string& line : removal) {
+    std::size_t columns = 1;
+    bool quoted = false;
+    for (const char c : line) {
+      if (c == '"') quoted = !quoted;
+      if (c == ',' && !quoted) ++columns;
+    }
+    EXPECT_EQ(columns, 12U) << line;
+  }
+}
+
+std::size_t countOf(const std::string& what, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(PlanGraph, ArrowsThatOthersImplyAreLeftOut) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = somePlan();
+  plan.stuck.clear();
+  plan.steps.push_back(stepOf("drawer", {Pose::identity(), Pose::translation({1.0, 0.0, 0.0})}));
+  plan.steps[2].after = {1, 2};
+  const std::string svg = planGraphSvg(plan, product, StudyWords());
+  EXPECT_EQ(countOf("<text", svg), 3U);
+  EXPECT_EQ(countOf(" C", svg), 2U) << "cap to pin, pin to drawer";
+}
+
+TEST(PlanGraph, StuckPartsHaveArrowsFromWhatBlocksThem) {
+  const std::string svg = planGraphSvg(somePlan(), test::lockedDrawer(), StudyWords(Language::French));
+  EXPECT_EQ(countOf("stroke-dasharray", svg), 1U);
+  EXPECT_NE(svg.find("drawer (bloquée)"), std::string::npos);
+  EXPECT_NE(svg.find("cabinet (reste)"), std::string::npos);
+}
+
+std::size_t headings(const StudyReport& report) {
+  return static_cast<std::size_t>(std::count_if(report.blocks.begin(), report.blocks.end(), [](const auto& block) {
+    return std::holds_alternative<ReportHeading>(block);
+  }));
+}
+
+TEST(WorkInstruction, HasAPageForEachStepInTheOrderOfAssembly) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = somePlan();
+  const StudyReport report =
+      workInstruction({plan, product, "drawer", 1e-5, {StepCheck::Agrees, StepCheck::Disagrees}, "", "", {}},
+                      wordsIn(Language::English));
+  EXPECT_EQ(headings(report), 4U) << "parts list, two steps, parts without a step";
+  const auto page = reportHtml(report);
+  ASSERT_TRUE(page.ok());
+  EXPECT_LT(page->find("Step 1 of 2: pin"), page->find("Step 2 of 2: cap"));
+  EXPECT_NE(page->find("taken 0.4100 mm thinner against cabinet (thread)"), std::string::npos);
+  EXPECT_NE(page->find("The independent check agrees with 1 of 2 steps."), std::string::npos);
+  EXPECT_NE(page->find("the independent check does not agree"), std::string::npos);
+  EXPECT_EQ(countOf("class=\"page\"", *page), 4U);
+}
+
+/// No English sentence is left in the French one.
+TEST(WorkInstruction, IsWhollyInFrench) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = somePlan();
+  const auto page =
+      reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
+  ASSERT_TRUE(page.ok());
+  EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
+  for (const char* word : {" the ", "Step", "Part", "part ", "Clearance", "Allowance", "thread", "Found", "stuck"}) {
+    const std::size_t body = page->find("<body>");
+    EXPECT_EQ(page->find(word, body), std::string::npos) << word;
+  }
+}
+
+TEST(WorkInstruction, AMissingPictureIsAnError) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = somePlan();
+  EXPECT_FALSE(
+      reportHtml(workInstruction({plan, product, "drawer", 0.0, {}, "/gone.png", "", {}}, wordsIn(Language::English)))
+          .ok());
+}
+
+}  // namespace
+}  // namespace glissade

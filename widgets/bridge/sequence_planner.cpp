@@ -1,0 +1,168 @@
+#include "widgets/bridge/sequence_planner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "engine/sequence/motion_trial.h"
+#include "engine/sequence/plan_judge.h"
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Finding the fits of the product, as a share of all work.
+constexpr double kFitsShare = 0.1;
+
+/// Passes on what the strategy tells, on the worker's thread.
+class AnnouncingHost final : public SequenceHost {
+ public:
+  using Announce = std::function<void(const GrownPlan&)>;
+
+  AnnouncingHost(const SequenceJob& job, WorkWatch watch, StopSource stop, ThreadTeam& team, Announce announce)
+      : job_(job),
+        watch_(std::move(watch)),
+        stop_(std::move(stop)),
+        token_(stop_.token()),
+        team_(team),
+        announce_(std::move(announce)) {
+    if (job.resumed) grown_.plan = job.resumed;
+    known_ = job.resumed ? job.resumed->steps.size() : 0;
+    stopWhereEnough(known_);
+  }
+
+  const StopToken& stopToken() const override { return token_; }
+  ThreadTeam& team() override { return team_; }
+
+  void asking(std::size_t bodies, int effort) override {
+    grown_.asking = bodies;
+    grown_.effort = effort;
+    if (effort > 0) announce_(grown_);
+  }
+
+  void stepFound(const AssemblyPlan& plan) override {
+    grown_.plan = std::make_shared<const AssemblyPlan>(plan);
+    const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
+    grown_.foundAfter.resize(plan.steps.size() - known_, seconds);
+    const double parts = static_cast<double>(std::max<std::size_t>(1, plan.parts()));
+    watch_.report(kFitsShare + (1.0 - kFitsShare) * static_cast<double>(plan.steps.size()) / parts);
+    announce_(grown_);
+    stopWhereEnough(plan.steps.size());
+  }
+
+  GrownPlan ended(AssemblyPlan plan) {
+    grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
+    grown_.asking = 0;
+    return grown_;
+  }
+
+ private:
+  void stopWhereEnough(std::size_t steps) {
+    if (job_.mostSteps && steps >= *job_.mostSteps) stop_.requestStop();
+  }
+
+  const SequenceJob& job_;
+  WorkWatch watch_;
+  StopSource stop_;
+  StopToken token_;
+  ThreadTeam& team_;
+  Announce announce_;
+  Clock::time_point begin_ = Clock::now();
+  std::size_t known_ = 0;
+  GrownPlan grown_;
+};
+
+std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
+
+Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
+                         const AnnouncingHost::Announce& announce) {
+  ThreadTeam team(helpers());
+  const AssembledProduct& product = *job.product;
+  const auto fits = ProductFits::find(product, team, stop.token());
+  if (!fits) return fits.error();
+  watch.report(kFitsShare);
+  MotionTrial trial(product, *fits, job.seed);
+  AnnouncingHost host(job, watch, stop, team, announce);
+  const auto strategy = makeSequenceStrategyRegistry().find(job.strategy)->make();
+  return host.ended(strategy->plan({product, job.staying, job.seed, trial, job.resumed.get()}, host));
+}
+
+}  // namespace
+
+SequencePlanner::SequencePlanner(QObject* parent) : QObject(parent) {
+  connect(&task_, &BackgroundTask::ended, this, [this] { planning_ = false; });
+  connect(&task_, &BackgroundTask::failed, this, &SequencePlanner::failed);
+}
+
+SequencePlanner::~SequencePlanner() {
+  task_.disconnect(this);
+  drop();
+}
+
+/// What was asked before another request is not announced any more.
+void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t request) {
+  QMetaObject::invokeMethod(this, [this, signal, request] {
+    if (request == request_) signal();
+  });
+}
+
+void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
+  drop();
+  stop_ = StopSource();
+  const std::uint64_t request = request_;
+  const auto announce = [this, request](const GrownPlan& grown) {
+    deliver([this, grown] { emit this->grown(grown); }, request);
+  };
+  planning_ = true;
+  task_.start(
+      "planning the sequence",
+      [this, job, stop = stop_, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto found = std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, announce));
+        return [this, found] {
+          planning_ = false;
+          if (*found) {
+            emit planned(**found);
+          } else if (found->error().kind != ErrorKind::Interrupted) {
+            emit failed(found->error());
+          }
+        };
+      },
+      atOnce);
+}
+
+void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, bool atOnce) {
+  drop();
+  stop_ = StopSource();
+  task_.start(
+      "checking the sequence",
+      [this, product, plan, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {
+        const auto judgements = judgePlan(*plan, *product, std::nullopt, stop);
+        if (!judgements) {
+          if (judgements.error().kind == ErrorKind::Interrupted) return [] {};
+          return [this, why = judgements.error()] { emit failed(why); };
+        }
+        std::vector<bool> agreed;
+        for (const StepJudgement& judgement : *judgements) agreed.push_back(judgement.valid());
+        return [this, plan, agreed] { emit judged(plan, agreed); };
+      },
+      atOnce);
+}
+
+void SequencePlanner::stop() {
+  if (!planning_) {
+    drop();
+    return;
+  }
+  stop_.requestStop();
+}
+
+void SequencePlanner::drop() {
+  ++request_;
+  planning_ = false;
+  stop_.requestStop();
+  task_.cancel();
+}
+
+}  // namespace glissade

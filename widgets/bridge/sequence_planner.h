@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/assembly_plan.h"
+#include "widgets/bridge/background_task.h"
+
+namespace glissade {
+
+using ProductPtr = std::shared_ptr<const AssembledProduct>;
+using PlanPtr = std::shared_ptr<const AssemblyPlan>;
+
+/// What is planned.
+struct SequenceJob {
+  ProductPtr product;
+  BodySet staying;
+  std::string strategy = "greedy";
+  std::uint64_t seed = 1;
+  PlanPtr resumed;                       ///< goes on from this plan; null: begins anew
+  std::optional<std::size_t> mostSteps;  ///< stops once the plan has so many
+};
+
+/// A plan as far as it is there.
+struct GrownPlan {
+  PlanPtr plan;
+  std::vector<double>
+      foundAfter;          ///< seconds since planning began, of the steps that were found since then, the last ones
+  std::size_t asking = 0;  ///< parts that are asked now
+  int effort = 0;          ///< 0: straight motions; above: searches
+};
+
+/// Plans a sequence on a worker, with all cores, and judges plans there. Steps are announced while they are found. A
+/// class that crosses between the GUI thread and the engine.
+class SequencePlanner final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SequencePlanner(QObject* parent = nullptr);
+  ~SequencePlanner() override;
+
+  /// `atOnce`: before this returns.
+  void plan(const SequenceJob& job, bool atOnce);
+  /// Judges each step by the independent check, against the bodies that are there at that step.
+  void judge(const ProductPtr& product, const PlanPtr& plan, bool atOnce);
+  /// Planning ends with the plan so far, which is announced by planned(). Judging is forgotten.
+  void stop();
+  /// Forgets what is under way.
+  void drop();
+  bool isPlanning() const { return planning_; }
+  BackgroundTask& task() { return task_; }
+
+ signals:
+  void grown(const glissade::GrownPlan& plan);
+  /// Complete, stuck or stopped.
+  void planned(const glissade::GrownPlan& plan);
+  /// Of each step, whether the check agrees.
+  void judged(const glissade::PlanPtr& plan, const std::vector<bool>& agreed);
+  void failed(const glissade::Diagnostic& why);
+
+ private:
+  void deliver(const std::function<void()>& signal, std::uint64_t request);
+
+  BackgroundTask task_;
+  StopSource stop_;
+  std::uint64_t request_ = 0;
+  bool planning_ = false;
+};
+
+}  // namespace glissade

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QDialog>
+#include <QImage>
+
+#include <string>
+
+namespace glissade {
+
+/// An SVG picture of a plan's order in a window of its own, with scroll bars where it is larger.
+class PlanGraphView final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PlanGraphView(QWidget* parent);
+
+  void setPicture(const std::string& svg);
+};
+
+/// The SVG as pixels, so many for each of its units; smaller where it would have more than the side's most pixels.
+QImage imageOfSvg(const std::string& svg, double scale);
+
+}  // namespace glissade
