@@ -94,7 +94,6 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   connect(device_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit deviceChosen(device_->currentData().toString()); });
   connect(seed_, &SeedBox::seedChosen, this, [this](quint64 seed) { emit commanded(command::SetSeed{seed}); });
-  showUse();
 }
 
 /// Those for daily use first; the others below a title that cannot be chosen.
