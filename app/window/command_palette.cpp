@@ -1,12 +1,23 @@
 #include "app/window/command_palette.h"
 
 #include <QKeyEvent>
+#include <QPixmap>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace glissade {
 namespace {
+
+constexpr int kIconSize = 16;
+constexpr int kRowHeight = 24;
+
+/// So that all names begin at one place.
+QIcon noIcon() {
+  QPixmap pixmap(kIconSize, kIconSize);
+  pixmap.fill(Qt::transparent);
+  return QIcon(pixmap);
+}
 
 QString plainName(const QAction& action) {
   return QString(action.text()).remove(QLatin1Char('&')).remove(QStringLiteral("..."));
@@ -47,7 +58,7 @@ CommandPalette::CommandPalette(const ActionCatalogue& actions, QWidget* parent)
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   list_->setAccessibleName(tr("Commands"));
-  list_->setUniformItemSizes(true);
+  list_->setIconSize(QSize(kIconSize, kIconSize));
   auto* column = new QVBoxLayout(this);
   column->addWidget(field_);
   column->addWidget(list_, 1);
@@ -64,7 +75,8 @@ void CommandPalette::showMatches() {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     const QAction& action = *shown_[i];
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(action.icon(), plainName(action), list_);
+    auto* item = new QListWidgetItem(action.icon().isNull() ? noIcon() : action.icon(), plainName(action), list_);
+    item->setSizeHint(QSize(0, kRowHeight));
     if (!keys.isEmpty()) item->setText(item->text() + QStringLiteral("    ") + keys);
     item->setToolTip(action.statusTip());
     if (action.isCheckable() && action.isChecked()) item->setText(QStringLiteral("✓ ") + item->text());

@@ -34,6 +34,14 @@ QString scenarioLines(const WorkbenchDocument& document) {
   return text;
 }
 
+/// With %1 for what is wrong there.
+QString placeText(const std::string& location) {
+  if (location.empty()) return QStringLiteral("%1");
+  if (location == "start") return LogController::tr("Start: %1");
+  if (location == "goal") return LogController::tr("Goal: %1");
+  return QString::fromStdString(location).replace(QLatin1Char('%'), QLatin1Char(' ')) + QStringLiteral(": %1");
+}
+
 }  // namespace
 
 LogController::LogController(const Workbench& bench)
@@ -71,8 +79,8 @@ void LogController::followRun(const SnapshotPtr& snapshot) {
   if (!problem.empty() && problem != problem_) {
     const bool expected =
         snapshot->problem->kind == ErrorKind::LimitReached || snapshot->problem->kind == ErrorKind::NoPath;
-    log.add(expected ? LogLevel::Warning : LogLevel::Error, QString::fromStdString(snapshot->problem->location) +
-                                                                QLatin1Char(' ') + diagnosticText(*snapshot->problem));
+    log.add(expected ? LogLevel::Warning : LogLevel::Error,
+            placeText(snapshot->problem->location).arg(diagnosticText(*snapshot->problem)));
   }
   const bool ended = !isRunning(*snapshot) && (snapshot->run != run_ || snapshot->state != state_);
   if (ended && snapshot->run > 0 && !snapshot->problem) {

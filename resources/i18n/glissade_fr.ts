@@ -545,7 +545,7 @@
     </message>
     <message>
         <source>Save &amp;recording...</source>
-        <translation>Enregistrer la &amp;session...</translation>
+        <translation>Sauvegarder l&apos;en&amp;registrement...</translation>
     </message>
     <message>
         <source>Save what was done in the last run, to replay it bit by bit</source>
@@ -3310,6 +3310,14 @@
         <source>Opened &apos;%1&apos;, obstacles: %2</source>
         <translation>« %1 » ouvert, obstacles : %2</translation>
     </message>
+    <message>
+        <source>Start: %1</source>
+        <translation>Départ : %1</translation>
+    </message>
+    <message>
+        <source>Goal: %1</source>
+        <translation>But : %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::LogPanel</name>
@@ -3981,7 +3989,7 @@
     </message>
     <message>
         <source>Save the recording</source>
-        <translation>Enregistrer la session</translation>
+        <translation>Sauvegarder l&apos;enregistrement</translation>
     </message>
     <message>
         <source>Recordings (*.json)</source>

@@ -62,7 +62,7 @@ TEST_F(DailyWindow, PathsAreKeptWithTheScenarioAndProvedAgain) {
                                       "open-kept-path first\nexpect-path certified\n"
                                       "show-path first yes\nshow-path @2 yes\n"
                                       "select-path first\naction paths.pin\nexpect-kept-path @1 proved\n"
-                                      "place left -250,0,0 0,0,0\nexpect-kept-path first blocked\n"
+                                      "place left -150,0,0 0,0,0\nexpect-kept-path first blocked\n"
                                       "action edit.undo\nexpect-kept-path first proved\n"
                                       "select-path first\naction paths.remove\nexpect-kept-paths 1\n")
                            .arg(saved)));
