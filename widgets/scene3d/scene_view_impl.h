@@ -1,0 +1,335 @@
+#pragma once
+
+#include <osg/BlendFunc>
+#include <osg/ColorMask>
+#include <osg/Group>
+#include <osg/LightModel>
+#include <osg/MatrixTransform>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "widgets/scene3d/backdrop.h"
+#include "widgets/scene3d/body_layer.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/difficulty_layer.h"
+#include "widgets/scene3d/environment_layers.h"
+#include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/guidance_layer.h"
+#include "widgets/scene3d/osg_convert.h"
+#include "widgets/scene3d/path_layer.h"
+#include "widgets/scene3d/roadmap_layer.h"
+#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/section_layer.h"
+
+namespace glissade {
+
+/// What a SceneView holds and draws. For scene_view.cpp alone.
+struct SceneView::Impl {
+  osg::ref_ptr<osg::Group> root = new osg::Group;
+  osg::ref_ptr<osg::Group> backdrop = new osg::Group;
+  std::array<osg::ref_ptr<osg::Group>, kSceneLayerCount> layers;
+  osg::ref_ptr<osg::MatrixTransform> object;
+  RoadmapLayer roadmap;
+  bool roadmapKept = false;
+  CameraController camera;
+  ScenePalette palette = paletteOf(Theme::Light);
+  std::shared_ptr<const LoadedScenario> scenario;
+  SnapshotPtr snapshot;
+  std::shared_ptr<const Path> drawnPath;
+  std::shared_ptr<const PathExamination> drawnRefusal;
+  bool pathByAuthor = false;
+  std::shared_ptr<const ClearanceProfile> pathProfile;
+  std::optional<Pose> playback;
+  EnvironmentPicture environment;
+  CoarsePlanPtr drawnPlan;
+  std::optional<std::size_t> shownStep;
+  std::shared_ptr<const Difficulty> difficulty;
+  BodyShapes shapes;
+  DisplayMode mode = DisplayMode::ShadedWithEdges;
+  bool drawnSeeThrough = false;                 ///< since places or cells are shown
+  std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
+  SectionClip sectionClip;
+  osg::ref_ptr<osg::Group> caps = new osg::Group;
+  std::vector<Plane> sections;
+  std::set<std::string> hidden;  ///< obstacles, by id
+  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  SequencePicture sequence;
+  osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
+  osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
+
+  osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
+
+  void fill(SceneLayer id, const osg::ref_ptr<osg::Group>& content) {
+    layer(id).removeChildren(0, layer(id).getNumChildren());
+    if (content) layer(id).addChild(content);
+  }
+
+  bool visible(SceneLayer id) const { return layers[static_cast<std::size_t>(id)]->getNodeMask() != 0U; }
+
+  /// Layers that are hidden stay empty: some take time to make.
+  void showEnvironment() {
+    const auto show = [&](SceneLayer id, const std::function<osg::ref_ptr<osg::Group>()>& make) {
+      fill(id, environment.knowledge && visible(id) ? make() : nullptr);
+    };
+    const auto cells = [&](CellKind kind) {
+      return makeCells(*environment.knowledge->environment->octree, kind, environment.finestCellLevel, palette);
+    };
+    show(SceneLayer::FreeCells, [&] { return cells(CellKind::Free); });
+    show(SceneLayer::MobileCells, [&] { return cells(CellKind::Mobile); });
+    show(SceneLayer::StaticCells, [&] { return cells(CellKind::Static); });
+    show(SceneLayer::Places, [&] { return makePlaces(environment, palette); });
+    show(SceneLayer::Borders, [&] { return makeBorders(environment.knowledge->environment->map, palette); });
+    showModes();
+    showSelection();
+  }
+
+  void showSelection() {
+    fill(SceneLayer::Selection, environment.knowledge ? makeSelection(environment, palette) : nullptr);
+    if (!scenario) return;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      const RigidBody& body = scenario->obstacles[i];
+      const bool marked = environment.selectedBodies.count(body.id) != 0 || isMarked(i);
+      if (!marked || !isDrawn(i) || inHand.count(i) != 0) continue;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(body.mesh), poseOf(i), palette.path, palette));
+    }
+    if (sequence.bodies.empty()) return;
+    const RigidBody& last = scenario->object;
+    if (isMarked(scenario->obstacles.size())) {
+      const Pose& X_WB = sequence.bodies.back().X_WB;
+      layer(SceneLayer::Selection).addChild(makeHighlight(shapes.of(last.mesh), X_WB, palette.path, palette));
+    }
+    if (sequence.way.size() > 1) layer(SceneLayer::Selection).addChild(makeWay());
+  }
+
+  /// Of an obstacle, or of the object behind the last one.
+  bool isMarked(std::size_t body) const { return body < sequence.bodies.size() && sequence.bodies[body].marked; }
+
+  bool isDrawn(std::size_t obstacle) const {
+    const bool left = obstacle < sequence.bodies.size() && !sequence.bodies[obstacle].shown;
+    return !left && hidden.count(scenario->obstacles[obstacle].id) == 0;
+  }
+
+  const Pose& poseOf(std::size_t obstacle) const {
+    return obstacle < sequence.bodies.size() ? sequence.bodies[obstacle].X_WB : scenario->obstacles[obstacle].X_WB;
+  }
+
+  osg::ref_ptr<osg::Geode> makeWay() const {
+    osg::ref_ptr<osg::Geode> geode = new osg::Geode;
+    geode->addDrawable(makeLines(sequence.way, LineKind::Strip, palette.path, 2.5F * palette.pixelScale));
+    makeUnlit(*geode);
+    return geode;
+  }
+
+  /// Bodies where the plan has them, or back where the scenario has them.
+  void showSequence() {
+    motionLayers->setNodeMask(sequence.bodies.empty() ? ~0U : 0U);
+    if (!scenario) return;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
+    if (!sequence.bodies.empty()) camera.enclose(extent());
+    showHidden();
+    placeObject();
+  }
+
+  /// The children of these layers are the bodies in their order.
+  void place(SceneLayer id, std::size_t child, const Pose& X_WB) {
+    auto* body = static_cast<osg::MatrixTransform*>(layer(id).getChild(static_cast<unsigned>(child)));
+    body->setMatrix(toOsg(X_WB));
+  }
+
+  void showPlan() {
+    const CoarsePlan* plan = drawnPlan.get();
+    const auto show = [&](SceneLayer id, const std::function<osg::ref_ptr<osg::Group>()>& make) {
+      fill(id, plan != nullptr && visible(id) ? make() : nullptr);
+    };
+    show(SceneLayer::Graph, [&] { return plan->graph ? makeGraph(*plan->graph, palette) : nullptr; });
+    show(SceneLayer::CoarsePath, [&] { return plan->graph ? makeCoarsePath(*plan, palette) : nullptr; });
+    show(SceneLayer::Milestones, [&] { return makeMilestones(*plan, shapes.of(scenario->object.mesh), palette); });
+    show(SceneLayer::Region, [&]() -> osg::ref_ptr<osg::Group> {
+      const TopologicalStep* step = stepShown(*plan);
+      return step != nullptr && step->region ? makeRegion(*step->region, palette) : nullptr;
+    });
+  }
+
+  void showDifficulty() {
+    fill(SceneLayer::Difficulty, difficulty ? makeDifficulty(*difficulty, *scenario, shapes, palette) : nullptr);
+  }
+
+  const TopologicalStep* stepShown(const CoarsePlan& plan) const {
+    if (shownStep) return *shownStep < plan.steps.size() ? &plan.steps[*shownStep] : nullptr;
+    for (const TopologicalStep& step : plan.steps) {
+      if (step.result == StepResult::Running) return &step;
+    }
+    return nullptr;
+  }
+
+  DisplayMode modeOf(const RigidBody& body) const {
+    const auto own = ownModes.find(body.id);
+    if (own != ownModes.end()) return own->second;
+    return mode != DisplayMode::Wireframe && showsSpace() ? DisplayMode::SeeThrough : mode;
+  }
+
+  /// Places and cells lie behind obstacles and in their holes: opaque obstacles would hide them.
+  bool showsSpace() const {
+    constexpr std::array kSpace{SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
+                                SceneLayer::Places, SceneLayer::Borders};
+    return environment.knowledge &&
+           std::any_of(kSpace.begin(), kSpace.end(), [this](SceneLayer id) { return visible(id); });
+  }
+
+  /// Draws the bodies anew where the layers that are shown ask for another display mode.
+  void showModes() {
+    if (!scenario || drawnSeeThrough == showsSpace()) return;
+    showBodies();
+  }
+
+  void showBodies() {
+    drawnSeeThrough = showsSpace();
+    osg::Group& bodies = layer(SceneLayer::Bodies);
+    bodies.removeChildren(0, bodies.getNumChildren());
+    for (const RigidBody& body : scenario->obstacles) {
+      bodies.addChild(makeBody(shapes.of(body.mesh), body.X_WB, toOsg(body.colour), modeOf(body), palette));
+    }
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
+    showHidden();
+  }
+
+  void showSections() {
+    sectionClip.setSections(sections, {&layer(SceneLayer::Bodies), &layer(SceneLayer::Selection)});
+    caps->removeChildren(0, caps->getNumChildren());
+    if (!scenario || !visible(SceneLayer::Bodies)) return;
+    for (std::size_t i = 0; i < std::min(sections.size(), kMostSections); ++i) showCaps(i);
+  }
+
+  /// The caps of one section are cut by the others.
+  void showCaps(std::size_t section) {
+    osg::ref_ptr<osg::Group> group = new osg::Group;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      if (!isDrawn(i) || inHand.count(i) != 0) continue;
+      RigidBody body = scenario->obstacles[i];
+      body.X_WB = poseOf(i);
+      if (const auto cap = makeCap(body, sections[section], palette)) group->addChild(cap);
+    }
+    for (std::size_t other = 0; other < sections.size(); ++other) {
+      if (other != section)
+        group->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(other), osg::StateAttribute::ON);
+    }
+    caps->addChild(group);
+  }
+
+  /// The layer's children are the obstacles in their order.
+  void showHidden() {
+    for (std::size_t i = 0; scenario && i < scenario->obstacles.size(); ++i) {
+      layer(SceneLayer::Bodies).getChild(static_cast<unsigned>(i))->setNodeMask(isDrawn(i) ? ~0U : 0U);
+    }
+    showSelection();
+    showSections();
+  }
+
+  void rebuild() {
+    backdrop->removeChildren(0, backdrop->getNumChildren());
+    backdrop->addChild(makeBackdrop(palette));
+    for (const SceneLayer id : {SceneLayer::Bodies, SceneLayer::Object, SceneLayer::StartAndGoal, SceneLayer::Workspace,
+                                SceneLayer::Path, SceneLayer::Contact, SceneLayer::Guidance}) {
+      layer(id).removeChildren(0, layer(id).getNumChildren());
+    }
+    object = nullptr;
+    drawnPath.reset();
+    drawnRefusal.reset();
+    showEnvironment();
+    showDifficulty();
+    if (!scenario) return;
+    showPlan();
+    showBodies();
+    const RigidBody& moved = scenario->object;
+    object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
+    layer(SceneLayer::Object).addChild(object);
+    plainObject = makeBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), modeOf(moved), palette);
+    layer(SceneLayer::Object).addChild(plainObject);
+    placeObject();
+    osg::Group& ends = layer(SceneLayer::StartAndGoal);
+    ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
+    if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
+      ends.addChild(makeGhost(shapes.of(moved.mesh), *goal, palette.goal, palette));
+    }
+    layer(SceneLayer::Workspace)
+        .addChild(makeLines(boxEdges(scenario->scenario.workspace), LineKind::Segments,
+                            osg::Vec4(palette.lines.r(), palette.lines.g(), palette.lines.b(), 0.35F),
+                            palette.pixelScale));
+    showSnapshot();
+  }
+
+  void showSnapshot() {
+    if (!snapshot || !scenario) return;
+    roadmap.update(*snapshot);
+    roadmap.setFaded(snapshot->path && !roadmapKept);
+    showPath();
+    osg::Group& contact = layer(SceneLayer::Contact);
+    contact.removeChildren(0, contact.getNumChildren());
+    if (!playback) contact.addChild(makeContact(*snapshot, palette));
+    placeObject();
+    showGuidance();
+  }
+
+  /// The arrow, and the object's tint.
+  void showGuidance() {
+    if (!object || !snapshot) return;
+    const bool shown = visible(SceneLayer::Guidance) && !playback && !snapshot->path;
+    const double radius = scenario->problem.world->objectRadius();
+    fill(SceneLayer::Guidance, shown ? makeGuidance(snapshot->device, radius, palette) : nullptr);
+    const float strength = shown ? guidanceStrength(snapshot->device.guidance) : 0.0F;
+    setBodyColour(*object, guidanceTint(toOsg(scenario->object.colour), strength, palette));
+  }
+
+  void showPath() {
+    if (snapshot->path == drawnPath && snapshot->refused == drawnRefusal) return;
+    drawnPath = snapshot->path;
+    drawnRefusal = snapshot->refused;
+    osg::Group& group = layer(SceneLayer::Path);
+    group.removeChildren(0, group.getNumChildren());
+    if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, shapes.of(scenario->object.mesh), palette));
+    if (!drawnPath) return;
+    group.addChild(makePath({*drawnPath, shapes.of(scenario->object.mesh), pathProfile.get(), pathByAuthor}, palette));
+    if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
+  }
+
+  void placeObject() {
+    if (!object) return;
+    const bool inPlan = !sequence.bodies.empty();
+    object->setNodeMask(inPlan ? 0U : ~0U);
+    plainObject->setNodeMask(inPlan && sequence.bodies.back().shown ? ~0U : 0U);
+    if (inPlan) {
+      plainObject->setMatrix(toOsg(sequence.bodies.back().X_WB));
+    } else if (snapshot) {
+      object->setMatrix(toOsg(playback ? *playback : snapshot->device.q_device));
+    }
+  }
+
+  /// Of the bodies that are drawn.
+  Box3 extentOfSequence() const {
+    Box3 box;
+    for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
+      if (isDrawn(i)) box.extend(boundingBox(*scenario->obstacles[i].mesh, poseOf(i)));
+    }
+    const SequenceBody& last = sequence.bodies.back();
+    if (last.shown) box.extend(boundingBox(*scenario->object.mesh, last.X_WB));
+    return box;
+  }
+
+  Box3 extent() const {
+    if (!scenario) return Box3();
+    if (!sequence.bodies.empty()) return extentOfSequence();
+    Box3 box = scenario->problem.bounds;
+    for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+    box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
+    if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
+      box.extend(boundingBox(*scenario->object.mesh, *goal));
+    }
+    return box;
+  }
+};
+
+}  // namespace glissade
