@@ -42,8 +42,7 @@ TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
 TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {
   expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nopen-sequence %1\n"
                                        "expect-sequence proved 10\nexpect-sequence refuted 0\n"
-                                       "place bar 0,0,40 0,0,0\nexpect-sequence steps 10\n"
-                                       "action edit.undo\nexpect-sequence proved 10\n"
+                                       "place stand 0,0,1 0,0,0\nexpect-sequence proved 10\n"
                                        "open %2\nexpect-sequence end none\n")
                             .arg(file("plan.json"), kSource + QStringLiteral("/samples/sliding-plane/scenario.json"))));
 }
@@ -64,10 +63,11 @@ TEST_F(SequenceWindow, ThePlanOfTheCommandLineIsThatOfTheWindow) {
 }
 
 TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
-  expectGood(runOnStand(QStringLiteral("select body bar\naction sequence.stays\nplan-sequence 1\nexport-sequence %1\n"
-                                       "action edit.undo\naction sequence.plan\nexpect-sequence end complete\n")
-                            .arg(file("bar.json"))));
-  EXPECT_TRUE(content("bar.json").simplified().contains("\"staying\": [ \"bar\" ]"));
+  expectGood(
+      runOnStand(QStringLiteral("select body stand/bar\naction sequence.stays\nplan-sequence 1\nexport-sequence %1\n"
+                                "action edit.undo\naction sequence.plan\nexpect-sequence end complete\n")
+                     .arg(file("bar.json"))));
+  EXPECT_TRUE(content("bar.json").simplified().contains("\"staying\": [ \"stand/bar\" ]"));
 }
 
 TEST_F(SequenceWindow, EveryFormatIsWritten) {

@@ -84,7 +84,7 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   table_->setAlternatingRowColors(true);
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->setAccessibleName(tr("Steps of the sequence"));
-  table_->setMinimumHeight(4 * fontMetrics().height());
+  table_->setMinimumHeight(2 * fontMetrics().height());
   table_->header()->setSectionResizeMode(QHeaderView::Interactive);
   play_->setAccessibleName(tr("Place in the sequence"));
   play_->setToolTip(tr("Place in the sequence"));
