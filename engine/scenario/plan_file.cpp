@@ -65,6 +65,8 @@ Json toJson(const AssemblyStep& step) {
             {"wave", step.wave},             {"after", step.after},
             {"certificate", toJson(step.proof)}, {"allowances", Json::array()},
             {"path", Json::array()}};
+  if (!step.falling.empty()) json["falling"] = step.falling;
+  if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   for (const PathPoint& point : step.path) {
     Json configuration = toJson(point.q);
@@ -145,7 +147,8 @@ class PlanReader {
   }
 
   void readStep(const JsonCursor& at) {
-    at.allowOnly({"bodies", "method", "wave", "after", "certificate", "allowances", "path"});
+    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances",
+                  "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
@@ -156,7 +159,13 @@ class PlanReader {
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
     step.after = readPredecessors(at);
+    if (const auto fastener = at.find("fastener")) {
+      const auto kind = fastenerByName(fastener->text());
+      if (!kind) fastener->fail("is not screw, nut, washer, pin or none");
+      step.fastener = *kind;
+    }
     step.method = at.at("method").text();
+    if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
     step.proof = readProof(at.at("certificate"));
     const JsonCursor allowances = at.at("allowances");

@@ -37,6 +37,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
     loaded.product.deflections.push_back(known == scenario->deflections.end() ? 0.0 : known->second);
   }
   loaded.product.fits = scenario->scenario.fits;
+  loaded.demands = scenario->scenario.sequence;
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

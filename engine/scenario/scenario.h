@@ -13,6 +13,7 @@
 #include "engine/planning/coarse/strategy_rules.h"
 #include "engine/planning/problem.h"
 #include "engine/product/object_fits.h"
+#include "engine/sequence/order_rules.h"
 
 namespace glissade {
 
@@ -98,6 +99,7 @@ struct Scenario {
   std::vector<MilestoneEdit> milestones;
   std::optional<StrategyRules> rules;  ///< of strategy "own"
   FitSettings fits;
+  SequenceDemands sequence;
   std::uint64_t seed = 1;
 };
 

@@ -7,6 +7,7 @@
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
+#include "engine/scenario/sequence_json.h"
 
 namespace glissade {
 namespace {
@@ -142,7 +143,7 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description", "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",  "planner", "parameters", "environment",
-                  "attributes", "places",  "milestones", "rules",       "fits",    "seed"});
+                  "attributes", "places",  "milestones", "rules",       "fits",    "sequence", "seed"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -171,6 +172,7 @@ Scenario readScenario(const JsonCursor& root) {
   scenario.parameters = readParameters(root.find("parameters"));
   readSemantics(root, scenario);
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
+  if (const auto sequence = root.find("sequence")) scenario.sequence = readSequence(*sequence);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   return scenario;
 }

@@ -4,6 +4,7 @@
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
+#include "engine/scenario/sequence_json.h"
 
 namespace glissade {
 namespace {
@@ -108,6 +109,7 @@ Json scenarioJson(const Scenario& scenario) {
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   addSemantics(scenario, json);
   addFits(scenario.fits, json);
+  addSequence(scenario.sequence, json);
   json["seed"] = scenario.seed;
   return json;
 }

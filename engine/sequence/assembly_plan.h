@@ -6,6 +6,7 @@
 
 #include "engine/planning/path.h"
 #include "engine/product/fit_settings.h"
+#include "engine/sequence/fastener_kind.h"
 
 namespace glissade {
 
@@ -44,6 +45,10 @@ struct AssemblyStep {
   /// Steps that have to be carried out before, by number from 1, ascending: their bodies would be in the way, or the
   /// order is demanded. Any order that keeps this of all steps is proved as well.
   std::vector<std::size_t> after{};
+
+  FastenerKind fastener = FastenerKind::None;  ///< of a single body
+  /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
+  std::vector<std::string> falling{};
 
   /// Ids of all bodies that leave, the first one first.
   std::vector<std::string> bodies() const {

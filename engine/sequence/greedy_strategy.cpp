@@ -256,6 +256,11 @@ class GreedySearch {
     return !leaving.empty();
   }
 
+  /// Bodies that fall where the group leaves now.
+  BodyGroup fallingWithout(const BodyGroup& group) const {
+    return question_.standing == nullptr ? BodyGroup() : question_.standing->newlyFalling(present_, group);
+  }
+
   void leave(std::vector<std::pair<BodyGroup, const Removed*>>& leaving) {
     if (leaving.empty()) return;
     ++wave_;
@@ -263,18 +268,34 @@ class GreedySearch {
       return boxVolume(question_.product, a.first) < boxVolume(question_.product, b.first);
     });
     const std::size_t before = plan_.steps.size();
-    for (const auto& [group, removed] : leaving) {
-      present_ = without(present_, group);
-      plan_.steps.push_back(stepOf(group, *removed, before));
-      question_.trial.learn(group, removed->path.points);
+    const std::pair<BodyGroup, const Removed*>* least = nullptr;  // of those after which bodies fall
+    BodyGroup leastFalling;
+    for (const auto& each : leaving) {
+      BodyGroup falling = fallingWithout(each.first);
+      if (falling.empty()) {
+        carryOut(each.first, *each.second, before, {});
+      } else if (least == nullptr || falling.size() < leastFalling.size()) {
+        least = &each;
+        leastFalling = std::move(falling);
+      }
     }
+    // The others are asked again when something else has left: they may do without then.
+    if (plan_.steps.size() == before) carryOut(least->first, *least->second, before, leastFalling);
     host_.stepFound(plan_);
+  }
+
+  void carryOut(const BodyGroup& group, const Removed& removed, std::size_t before, const BodyGroup& falling) {
+    present_ = without(present_, group);
+    plan_.steps.push_back(stepOf(group, removed, before));
+    plan_.steps.back().falling = idsOf(falling);
+    question_.trial.learn(group, removed.path.points);
   }
 
   AssemblyStep stepOf(const BodyGroup& group, const Removed& removed, std::size_t afterSteps) const {
     const MotionCertificate& certificate = removed.path.certificate;
     AssemblyStep step{idOf(group.front()), removed.path.points, removed.method, wave_, {}, {}};
     step.with = idsOf({group.begin() + 1, group.end()});
+    if (group.size() == 1 && !question_.fasteners.empty()) step.fastener = question_.fasteners[group.front()];
     step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
     if (certificate.nearest.body >= 0) step.proof.nearest = idOf(static_cast<std::size_t>(certificate.nearest.body));
     for (const BodyFit& each : removed.fits) {

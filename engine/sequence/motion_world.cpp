@@ -78,8 +78,11 @@ MotionWorld MotionWorlds::world(const BodyGroup& group, const BodySet& present) 
     for (const std::size_t body : group) {
       const MeshPtr& obstacle = fits_.obstacleFor(body, other);
       const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.first == obstacle; });
-      if (same == parts.end()) parts.push_back({obstacle, {body}});
-      if (same != parts.end()) same->second.push_back(body);
+      if (same != parts.end()) {
+        same->second.push_back(body);
+      } else {
+        parts.push_back({obstacle, {body}});
+      }
     }
     for (const auto& [obstacle, bodies] : parts) {
       motion.bodies.push_back(other);

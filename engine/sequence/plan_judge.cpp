@@ -111,12 +111,13 @@ struct JudgedStep {
   BodySet mayBeThere;  ///< in any order that keeps what has to be carried out before
 };
 
-/// Steps that are carried out before, in whatever order: those named, and what these are after.
+/// Steps that are carried out before, in whatever order: those named that are earlier, and what these are after.
 std::vector<BodySet> predecessorsOf(const AssemblyPlan& plan) {
   std::vector<BodySet> before;
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
     BodySet own(plan.steps.size(), false);
     for (const std::size_t number : plan.steps[step].after) {
+      if (number == 0 || number > step) continue;
       own[number - 1] = true;
       for (std::size_t earlier = 0; earlier < number; ++earlier) own[earlier] = own[earlier] || before[number - 1][earlier];
     }

@@ -114,6 +114,7 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     if (!ofBody) return ofBody.error();
     for (const Diagnostic& warning : ofBody->warnings) found.warnings_.push_back(warning);
   }
+  found.contacts_ = contacts.contacts;
   found.exchangeClashes(product, fits);
   ThinnedMeshes meshes;
   for (Moving& moving : found.moving_) {

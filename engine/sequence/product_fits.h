@@ -32,6 +32,8 @@ class ProductFits {
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
   const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
+  /// All contacts of the product; none where fits are off.
+  const std::vector<Contact>& contacts() const { return contacts_; }
   /// Clashes that nobody accepted, each once, and bodies that cannot be thinned.
   const Warnings& warnings() const { return warnings_; }
 
@@ -48,6 +50,7 @@ class ProductFits {
   void exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits);
 
   std::vector<Moving> moving_;  ///< of each body
+  std::vector<Contact> contacts_;
   Warnings warnings_;
 };
 

@@ -71,6 +71,7 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, Th
   for (const std::size_t body : bodiesIn(question.present)) {
     if (!question.staying[body]) leaving.push_back(body);
   }
+  if (leaving.empty()) return {};
   const std::vector<Vector3> directions = directionsOf(leaving);
   std::vector<std::vector<Blockers>> blockers(product_.bodies.size());
   team.run(leaving.size(), [&](std::size_t i) {
