@@ -11,11 +11,13 @@ namespace {
 constexpr double kPieceShare = 1.0 / 16.0;
 constexpr std::size_t kMostPieces = 4000;
 /// Normals with a larger cosine are one direction.
-constexpr double kSameNormal = 0.9;
+constexpr double kSameNormal = 0.5;
 /// The two surfaces look at each other where the cosine of their normals is below this.
 constexpr double kFacing = -0.5;
 /// Directions in the tangent plane in which the outermost point is kept.
 constexpr int kOutermost = 6;
+/// Where there are more directions of normals than this, each keeps its two points that are farthest apart.
+constexpr std::size_t kFewDirections = 2;
 
 Vector3 unitNormal(const Triangle& triangle) {
   const Vector3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
@@ -79,8 +81,22 @@ class PointSearch {
   std::vector<ContactPoint> points_;
 };
 
+std::vector<const ContactPoint*> farthestTwo(const std::vector<const ContactPoint*>& points) {
+  std::vector<const ContactPoint*> two{points.front()};
+  double most = 0.0;
+  for (const ContactPoint* one : points) {
+    for (const ContactPoint* other : points) {
+      const double apart = (one->point - other->point).norm();
+      if (apart <= most) continue;
+      most = apart;
+      two = {one, other};
+    }
+  }
+  return two;
+}
+
 /// Of the points of one direction of the normal.
-void addOutermost(const std::vector<const ContactPoint*>& points, std::vector<ContactPoint>& kept) {
+void addOutermost(const std::vector<const ContactPoint*>& points, bool onlyTwo, std::vector<ContactPoint>& kept) {
   const Vector3 normal = points.front()->normal;
   const Vector3 along = normal.unitOrthogonal();
   const Vector3 across = normal.cross(along);
@@ -93,6 +109,7 @@ void addOutermost(const std::vector<const ContactPoint*>& points, std::vector<Co
     });
     if (std::find(chosen.begin(), chosen.end(), *outermost) == chosen.end()) chosen.push_back(*outermost);
   }
+  if (onlyTwo) chosen = farthestTwo(chosen);
   for (const ContactPoint* point : chosen) kept.push_back(*point);
 }
 
@@ -120,7 +137,7 @@ std::vector<ContactPoint> contactPoints(const TriangleTree& a, const TriangleTre
     }
   }
   std::vector<ContactPoint> kept;
-  for (const auto& points : directions) addOutermost(points, kept);
+  for (const auto& points : directions) addOutermost(points, directions.size() > kFewDirections, kept);
   return kept;
 }
 

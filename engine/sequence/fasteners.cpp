@@ -127,13 +127,8 @@ FastenerKind kindOf(const TurnedShape& shape) {
                                                                                 : FastenerKind::None;
 }
 
-struct ShapeKind {
-  FastenerKind kind = FastenerKind::None;
-  int sides = 0;
-};
-
 /// About any axis of a cylinder through its middle.
-ShapeKind kindByShape(const TriangleMesh& raw) {
+FastenerKind kindByShape(const TriangleMesh& raw) {
   const TriangleMesh mesh = welded(raw);
   const SurfaceRegions regions = findSurfaceRegions(mesh);
   const Vector3 middle = boundingBox(mesh).center();
@@ -145,9 +140,9 @@ ShapeKind kindByShape(const TriangleMesh& raw) {
     const TurnedShape shape = shapeAbout(mesh, regions, axis);
     if (offAxis(middle, axis) > kOffAxis * shape.radius) continue;
     const FastenerKind kind = kindOf(shape);
-    if (kind != FastenerKind::None) return {kind, shape.sides};
+    if (kind != FastenerKind::None) return kind;
   }
-  return {};
+  return FastenerKind::None;
 }
 
 /// What a body's contacts say of it.
@@ -155,7 +150,6 @@ struct Role {
   bool touches = false;
   bool shaft = false;
   bool hole = false;
-  bool thread = false;
 };
 
 std::vector<Role> rolesOf(std::size_t bodies, const std::vector<Contact>& contacts) {
@@ -169,17 +163,16 @@ std::vector<Role> rolesOf(std::size_t bodies, const std::vector<Contact>& contac
       const bool shaft = contact.axis->shaftIsA == isA;
       role.shaft = role.shaft || shaft;
       role.hole = role.hole || !shaft;
-      role.thread = role.thread || contact.kind == ContactKind::Thread;
     }
   }
   return roles;
 }
 
-bool confirms(const Role& role, const ShapeKind& shape) {
-  switch (shape.kind) {
+bool confirms(const Role& role, FastenerKind shape) {
+  switch (shape) {
     case FastenerKind::Screw:
     case FastenerKind::Pin: return role.shaft;
-    case FastenerKind::Nut: return role.hole && (shape.sides == 6 || role.thread);
+    case FastenerKind::Nut: return role.hole;
     case FastenerKind::Washer: return role.touches;
     case FastenerKind::None: break;
   }
@@ -198,12 +191,12 @@ std::optional<FastenerKind> fastenerByName(const std::string& name) {
 
 std::vector<FastenerKind> fastenersOf(const AssembledProduct& product, const std::vector<Contact>& contacts) {
   const std::vector<Role> roles = rolesOf(product.bodies.size(), contacts);
-  std::map<MeshPtr, ShapeKind> shapes;
+  std::map<MeshPtr, FastenerKind> shapes;
   std::vector<FastenerKind> kinds;
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
     const MeshPtr& mesh = product.bodies[body].mesh;
     if (shapes.count(mesh) == 0) shapes[mesh] = kindByShape(*mesh);
-    kinds.push_back(confirms(roles[body], shapes[mesh]) ? shapes[mesh].kind : FastenerKind::None);
+    kinds.push_back(confirms(roles[body], shapes[mesh]) ? shapes[mesh] : FastenerKind::None);
   }
   return kinds;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
 
 namespace glissade {
@@ -31,7 +32,7 @@ class GreedySearch {
   }
 
   AssemblyPlan run() {
-    while (!stopped() && (wave(true) || (!stopped() && wave(false)))) {
+    while (!stopped() && wave()) {
     }
     finish();
     return std::move(plan_);
@@ -46,11 +47,7 @@ class GreedySearch {
   const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
 
-  std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies) const {
-    std::vector<std::string> ids;
-    for (const std::size_t body : bodies) ids.push_back(idOf(body));
-    return ids;
-  }
+  std::vector<std::string> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
 
   std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
     std::vector<std::size_t> bodies;
@@ -58,7 +55,7 @@ class GreedySearch {
     return bodies;
   }
 
-  BodyGroup groupOf(const std::string& body, const std::vector<std::string>& with) const {
+  BodyGroup refusedGroup(const std::string& body, const std::vector<std::string>& with) const {
     BodyGroup group = indicesOf(with);
     group.push_back(*question_.product.indexOf(body));
     std::sort(group.begin(), group.end());
@@ -67,14 +64,14 @@ class GreedySearch {
 
   void resume(const AssemblyPlan& earlier) {
     for (const AssemblyStep& step : earlier.steps) {
-      const BodyGroup group = groupOf(step.body, step.with);
+      const BodyGroup group = groupOf(step, question_.product);
       plan_.steps.push_back(step);
       present_ = without(present_, group);
       wave_ = step.wave;
       question_.trial.learn(group, step.path);
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
-      refusals_[groupOf(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
+      refusals_[refusedGroup(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
                                                                         refused.afterSteps};
     }
   }
@@ -92,16 +89,17 @@ class GreedySearch {
     return units;
   }
 
-  /// False where nothing is left to ask. `knowledge`: rules that nobody demands are kept, too.
-  bool wave(bool knowledge) {
+  /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
+  bool wave() {
+    if (askAll(openUnits(0, true), 0)) return true;
     const int efforts = question_.trial.efforts();
-    for (int effort = 0; effort < efforts; ++effort) {
-      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
-      if (askAll(openUnits(effort, knowledge), effort)) return true;
-      if (stopped()) return false;
+    for (int effort = 0; effort < efforts && !stopped(); ++effort) {
+      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+      if (askAll(openUnits(effort, false), effort)) return true;
     }
-    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
-    return searchedGroupsLeave(knowledge) || groupsLeave(kMostBodies, knowledge);
+    if (stopped()) return false;
+    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+    return searchedGroupsLeave() || groupsLeave(kMostBodies);
   }
 
   /// Some at a time; true as soon as something has left.
@@ -136,6 +134,7 @@ class GreedySearch {
     return open;
   }
 
+  /// `knowledge`: rules that nobody demands count, too.
   bool mayLeave(const BodyGroup& group, bool knowledge) const {
     const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
     return !stays && heldBy(group, knowledge).empty();
@@ -161,12 +160,12 @@ class GreedySearch {
                        [&](std::size_t other) { return !present_[other]; });
   }
 
-  bool groupsLeave(std::size_t most, bool knowledge) {
+  bool groupsLeave(std::size_t most) {
     const auto all = units();
     std::vector<BodyGroup> groups =
         question_.trial.groupsAlongLines({present_, question_.staying, all, most}, host_.team(), host_.stopToken());
     groups.erase(std::remove_if(groups.begin(), groups.end(),
-                                [&](const BodyGroup& group) { return !mayLeave(group, knowledge); }),
+                                [&](const BodyGroup& group) { return !mayLeave(group, false); }),
                  groups.end());
     // The smallest ones: what they free may leave alone.
     if (groups.empty() || stopped()) return false;
@@ -177,7 +176,7 @@ class GreedySearch {
   }
 
   /// Each unit with one of those in its way, and the assemblies of the file.
-  bool searchedGroupsLeave(bool knowledge) {
+  bool searchedGroupsLeave() {
     if (question_.trial.efforts() <= 1) return false;
     std::set<BodyGroup> groups;
     for (const BodyGroup& unit : units()) {
@@ -191,7 +190,7 @@ class GreedySearch {
     std::vector<BodyGroup> open;
     const int effort = std::min(kShortEffort, question_.trial.efforts() - 1);
     for (const BodyGroup& group : groups) {
-      if (mayLeave(group, knowledge) && isOpen(group, effort)) open.push_back(group);
+      if (mayLeave(group, false) && isOpen(group, effort)) open.push_back(group);
     }
     return askAll(std::move(open), effort);
   }
@@ -286,27 +285,10 @@ class GreedySearch {
 
   void carryOut(const BodyGroup& group, const Removed& removed, std::size_t before, const BodyGroup& falling) {
     present_ = without(present_, group);
-    plan_.steps.push_back(stepOf(group, removed, before));
+    plan_.steps.push_back(makeStep(group, removed, question_, before));
+    plan_.steps.back().wave = wave_;
     plan_.steps.back().falling = idsOf(falling);
     question_.trial.learn(group, removed.path.points);
-  }
-
-  AssemblyStep stepOf(const BodyGroup& group, const Removed& removed, std::size_t afterSteps) const {
-    const MotionCertificate& certificate = removed.path.certificate;
-    AssemblyStep step{idOf(group.front()), removed.path.points, removed.method, wave_, {}, {}};
-    step.with = idsOf({group.begin() + 1, group.end()});
-    if (group.size() == 1 && !question_.fasteners.empty()) step.fastener = question_.fasteners[group.front()];
-    step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
-    if (certificate.nearest.body >= 0) step.proof.nearest = idOf(static_cast<std::size_t>(certificate.nearest.body));
-    for (const BodyFit& each : removed.fits) {
-      const RigidBody& body = question_.product.bodies[each.body];
-      const RigidBody& other = question_.product.bodies[each.fit.obstacle];
-      step.allowances.push_back({other.id, each.fit.kind, each.fit.overlap, each.fit.allowance,
-                                 each.yields ? inWords(each.fit, other.name, body.name)
-                                             : inWords(each.fit, body.name, other.name),
-                                 each.body == group.front() ? std::string() : body.id, each.yields});
-    }
-    return step;
   }
 
   void finish() {

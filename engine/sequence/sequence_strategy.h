@@ -65,7 +65,7 @@ class SequenceStrategyRegistry {
   std::vector<SequenceStrategyEntry> entries_;
 };
 
-/// greedy.
+/// greedy, best-first.
 SequenceStrategyRegistry makeSequenceStrategyRegistry();
 
 }  // namespace glissade

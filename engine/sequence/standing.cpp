@@ -41,8 +41,15 @@ Standing::Standing(const AssembledProduct& product, const Bodies& bodies, Thread
     if (contact.kind == ContactKind::Clearance) return;
     const bool bonded = isBonded(contact, bodies.fasteners);
     const double reach = contact.overlap + contact.deviation + kTouching;
+    if (bonded) {
+      const Box3 common = trees[contact.a]->box().intersection(trees[contact.b]->box());
+      const Vector3 between = 0.5 * (bodies_[contact.a].centre + bodies_[contact.b].centre);
+      found[i].push_back(
+          {contact.a, contact.b, common.isEmpty() ? between : common.center(), Vector3::UnitZ(), true});
+      return;
+    }
     for (const ContactPoint& at : contactPoints(*trees[contact.a], *trees[contact.b], reach)) {
-      found[i].push_back({contact.a, contact.b, at.point, at.normal, bonded});
+      found[i].push_back({contact.a, contact.b, at.point, at.normal, false});
     }
   });
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -68,6 +68,16 @@ class Balance {
     addWrench(at.a, at.point, -force);
   }
 
+  /// Any force and torque between the two.
+  void addBond(const SupportPoint& at) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        addForce(at, sign * Vector3::Unit(axis));
+        addTorque(at, sign * Vector3::Unit(axis));
+      }
+    }
+  }
+
   /// What stays unbalanced of each body, in shares of its weight.
   std::vector<double> solve() {
     std::vector<double> unbalanced(bodies_.size(), 0.0);
@@ -101,6 +111,17 @@ class Balance {
   }
 
  private:
+  /// In units of the mean weight times the size of `b`.
+  void addTorque(const SupportPoint& at, const Vector3& torque) {
+    if (firstRow_[at.a] < 0 && firstRow_[at.b] < 0) return;
+    columns_.begin(0.0);
+    for (const auto& [body, sign] : {std::pair{at.b, 1.0}, std::pair{at.a, -1.0}}) {
+      if (firstRow_[body] < 0) continue;
+      const double share = sign * bodies_[at.b].size / bodies_[body].size;
+      for (int axis = 0; axis < 3; ++axis) columns_.add(firstRow_[body] + 3 + axis, share * torque[axis]);
+    }
+  }
+
   void addWrench(std::size_t body, const Vector3& point, const Vector3& force) {
     const int row = firstRow_[body];
     if (row < 0) return;
@@ -125,11 +146,14 @@ std::vector<bool> outOfEquilibrium(const std::vector<SupportedBody>& bodies, con
                                    const Vector3& gravity, double friction) {
   Balance balance(bodies, gravity);
   for (const SupportPoint& at : points) {
+    if (at.bonded) {
+      balance.addBond(at);
+      continue;
+    }
     const Vector3 along = at.normal.unitOrthogonal();
     const Vector3 across = at.normal.cross(along);
     for (const Vector3& tangent : {along, Vector3(-along), across, Vector3(-across)}) {
       balance.addForce(at, at.normal + friction * tangent);
-      if (at.bonded) balance.addForce(at, -at.normal + friction * tangent);
     }
   }
   std::vector<bool> out;

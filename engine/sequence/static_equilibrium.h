@@ -19,8 +19,8 @@ struct SupportPoint {
   std::size_t a = 0;  ///< indices of the bodies
   std::size_t b = 0;
   Vector3 point = Vector3::Zero();
-  Vector3 normal = Vector3::UnitZ();  ///< unit, out of `a`
-  bool bonded = false;                ///< takes forces in every direction, as a thread or a press fit does
+  Vector3 normal = Vector3::UnitZ();  ///< unit, out of `a`; of a bond without meaning
+  bool bonded = false;                ///< takes every force and torque, as a thread or a press fit does
 };
 
 /// Which bodies are not in equilibrium under gravity (a unit direction): the forces at the points, within the pyramid

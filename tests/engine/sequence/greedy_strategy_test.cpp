@@ -50,6 +50,10 @@ class RuledTrial final : public RemovalTrial {
     }
     return blocking;
   }
+  std::optional<Removed> certified(const BodyGroup&, const std::vector<PathPoint>& path, const std::string& method,
+                                   const BodySet&, const StopToken&) override {
+    return Removed{{path, {}}, method, {}};
+  }
   void learn(const BodyGroup& group, const std::vector<PathPoint>&) override { learned.push_back(group.front()); }
 
   std::vector<std::size_t> learned;

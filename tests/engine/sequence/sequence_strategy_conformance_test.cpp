@@ -61,7 +61,11 @@ std::vector<std::string> strategies() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SequenceStrategies, testing::ValuesIn(strategies()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace glissade
