@@ -159,7 +159,7 @@ int exitCodeOf(const AssemblyPlan& plan) {
 
 Outcome checkOptions(const SequenceOptions& options) {
   if (makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy, "Choose greedy."};
+    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy, "Choose greedy or best-first."};
   }
   if (!(options.timeLimit >= 0.0)) {
     return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
