@@ -17,7 +17,9 @@ constexpr std::size_t kSearchedTogether = 4;
 constexpr std::size_t kFewBodies = 4;
 constexpr std::size_t kMostBodies = 32;
 /// Searches up to this effort come before groups.
-constexpr int kShortEffort = 2;
+constexpr int kShortEffort = 1;
+/// Of searches of groups.
+constexpr int kGroupEffort = 2;
 
 class GreedySearch {
  public:
@@ -188,7 +190,7 @@ class GreedySearch {
     }
     for (const BodyGroup& group : assembliesOfTheFile()) groups.insert(group);
     std::vector<BodyGroup> open;
-    const int effort = std::min(kShortEffort, question_.trial.efforts() - 1);
+    const int effort = std::min(kGroupEffort, question_.trial.efforts() - 1);
     for (const BodyGroup& group : groups) {
       if (mayLeave(group, false) && isOpen(group, effort)) open.push_back(group);
     }

@@ -33,13 +33,14 @@ class JudgedProduct {
   JudgedProduct(const AssembledProduct& product, const ProductFits& fits) : product_(product), fits_(fits) {}
 
   PairAllowance between(std::size_t body, std::size_t other) const {
+    PairAllowance pair;
     for (const Fit& fit : fits_.fitsOf(body)) {
-      if (fit.obstacle == other) return {fit.allowance, 0.0};
+      if (fit.obstacle == other) pair.moving = fit.allowance;
     }
     for (const Fit& fit : fits_.yieldingTo(body)) {
-      if (fit.obstacle == other) return {0.0, fit.allowance};
+      if (fit.obstacle == other) pair.other = fit.allowance;
     }
-    return {};
+    return pair;
   }
 
   /// For steps in which these bodies move.

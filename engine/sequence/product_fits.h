@@ -25,8 +25,9 @@ class ProductFits {
   std::vector<BodyFit> fitsOf(const BodyGroup& group, const BodySet& present) const;
   /// The body thinned as its fit with the other one allows; the body itself where there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
-  /// Fits of the body where the other one is taken thinner instead, because the body has no place for the allowance;
-  /// `obstacle` is the other one, the role is the body's.
+  /// Fits of the body where the other one is taken thinner: instead of the body, because that has no place for the
+  /// allowance, or as the body, because neither has place for all of it. `obstacle` is the other one, the role is the
+  /// body's.
   const std::vector<Fit>& yieldingTo(std::size_t body) const { return moving_[body].yielding; }
   /// What the other one is taken to be when the body moves past it: itself, or thinner.
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
@@ -47,7 +48,8 @@ class ProductFits {
     MeshPtr whole;
   };
 
-  void exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits);
+  void resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits, ThreadTeam& team);
+  void yieldTo(std::size_t body, Fit fit, const AssembledProduct& product);
 
   std::vector<Moving> moving_;  ///< of each body
   std::vector<Contact> contacts_;
