@@ -84,7 +84,8 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     demands.before.emplace_back(pair[0], pair[1]);
   }
   if (!options.gravity.empty()) {
-    if (options.gravity.size() != 3 || Vector3(options.gravity[0], options.gravity[1], options.gravity[2]).isZero(0.0)) {
+    if (options.gravity.size() != 3 ||
+        Vector3(options.gravity[0], options.gravity[1], options.gravity[2]).isZero(0.0)) {
       return Diagnostic{ErrorKind::Usage, "", "--gravity", "is no direction", "Give three numbers, as 0 0 -1."};
     }
     demands.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
@@ -143,8 +144,8 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     }
     std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
   }
-  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, every motion certified, " << seconds
-            << " s\n";
+  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size()
+            << " steps, every motion certified, " << seconds << " s\n";
 }
 
 int exitCodeOf(const AssemblyPlan& plan) {
@@ -159,7 +160,8 @@ int exitCodeOf(const AssemblyPlan& plan) {
 
 Outcome checkOptions(const SequenceOptions& options) {
   if (makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy, "Choose greedy or best-first."};
+    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy,
+                      "Choose greedy or best-first."};
   }
   if (!(options.timeLimit >= 0.0)) {
     return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
@@ -218,8 +220,8 @@ int runSequence(const SequenceOptions& options) {
   const auto strategy = makeSequenceStrategyRegistry().find(options.strategy)->make();
   const std::vector<FastenerKind> fasteners = fastenersOf(product, fits->contacts());
   for (const OrderRule& rule : fastenerRules(fasteners, fits->contacts())) rules->before.push_back(rule);
-  Standing standing(product,
-                    {fits->contacts(), fasteners, *staying, densitiesOf(*demands, product), demands->gravity}, team);
+  Standing standing(product, {fits->contacts(), fasteners, *staying, densitiesOf(*demands, product), demands->gravity},
+                    team);
   AssemblyPlan plan = strategy->plan(
       {product, *staying, seed, trial, earlier ? &*earlier : nullptr, *rules, fasteners, &standing}, host);
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;

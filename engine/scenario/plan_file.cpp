@@ -51,20 +51,19 @@ Json toJson(const StepProof& proof) {
 
 Json toJson(const StepAllowance& allowance) {
   Json json{{"body", allowance.body},
-          {"kind", kindName(allowance.kind)},
-          {"overlap_m", allowance.overlap},
-          {"allowance_m", allowance.allowance},
-          {"text", allowance.text}};
+            {"kind", kindName(allowance.kind)},
+            {"overlap_m", allowance.overlap},
+            {"allowance_m", allowance.allowance},
+            {"text", allowance.text}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
   return json;
 }
 
 Json toJson(const AssemblyStep& step) {
-  Json json{{"bodies", step.bodies()},       {"method", step.method},
-            {"wave", step.wave},             {"after", step.after},
-            {"certificate", toJson(step.proof)}, {"allowances", Json::array()},
-            {"path", Json::array()}};
+  Json json{
+      {"bodies", step.bodies()},           {"method", step.method},       {"wave", step.wave},    {"after", step.after},
+      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}, {"path", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
@@ -80,8 +79,8 @@ Json toJson(const AssemblyStep& step) {
 class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed", "end", "certified",
-                  "bodies", "staying", "steps", "stuck", "refusals"});
+    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
+                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals"});
     if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
@@ -147,8 +146,7 @@ class PlanReader {
   }
 
   void readStep(const JsonCursor& at) {
-    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances",
-                  "path"});
+    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances", "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);

@@ -143,7 +143,7 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version", "name",       "description", "assets",  "bodies",     "object",
                   "start",      "goal",    "workspace",  "way_points",  "planner", "parameters", "environment",
-                  "attributes", "places",  "milestones", "rules",       "fits",    "sequence", "seed"});
+                  "attributes", "places",  "milestones", "rules",       "fits",    "sequence",   "seed"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();

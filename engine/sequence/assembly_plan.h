@@ -37,8 +37,8 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  std::string method;  ///< "straight", or "auto" and what found it: "auto: turning-rrt"
-  std::size_t wave = 0;         ///< steps of one wave were found together, from 1
+  std::string method;    ///< "straight", or "auto" and what found it: "auto: turning-rrt"
+  std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there
   std::vector<std::string> with{};        ///< ids of the other bodies of a group

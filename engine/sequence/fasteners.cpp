@@ -42,7 +42,7 @@ struct TurnedShape {
   double through = 0.0;      ///< radius of the narrowest coaxial hole that goes through most of it; 0: none
   double headLength = 0.0;   ///< of what is wider than the shaft
   bool headAtEnd = false;
-  int sides = 0;  ///< planes along the axis, all equally far from it
+  int sides = 0;  ///< of a prism about the axis
 };
 
 double offAxis(const Vector3& point, const CylinderRegion& axis) {
@@ -55,7 +55,7 @@ bool isCoaxial(const CylinderRegion& one, const CylinderRegion& axis) {
          offAxis(one.point, axis) < kSameLength * axis.radius;
 }
 
-/// Sides of a prism: the planes along the axis that are nearest to it, where they are as many as all of that distance.
+/// Sides of a prism: the planes along the axis, where all are equally far from it, or, of four, each two of them.
 int sidesAbout(const SurfaceRegions& regions, const CylinderRegion& axis) {
   std::vector<double> distances;
   for (const PlaneRegion& plane : regions.planes) {
@@ -66,8 +66,11 @@ int sidesAbout(const SurfaceRegions& regions, const CylinderRegion& axis) {
   if (distances.empty()) return 0;
   std::sort(distances.begin(), distances.end());
   const double first = distances.front();
-  const bool equal = distances.back() - first < kSameLength * first;
-  return equal ? static_cast<int>(distances.size()) : 0;
+  const auto alike = [&](double one, double other) { return std::abs(one - other) < kSameLength * first; };
+  const bool equal = alike(distances.back(), first);
+  const bool rectangle =
+      distances.size() == 4 && alike(distances[0], distances[1]) && alike(distances[2], distances[3]);
+  return equal || rectangle ? static_cast<int>(distances.size()) : 0;
 }
 
 TurnedShape shapeAbout(const TriangleMesh& mesh, const SurfaceRegions& regions, const CylinderRegion& axis) {
@@ -123,8 +126,7 @@ FastenerKind kindOf(const TurnedShape& shape) {
     return FastenerKind::Screw;
   }
   const double length = shape.height / shape.shaft;
-  return head < 1.0 + kSameLength && length >= kLeastPin && length <= kMostPin ? FastenerKind::Pin
-                                                                                : FastenerKind::None;
+  return head < 1.0 + kSameLength && length >= kLeastPin && length <= kMostPin ? FastenerKind::Pin : FastenerKind::None;
 }
 
 /// About any axis of a cylinder through its middle.
@@ -134,7 +136,8 @@ FastenerKind kindByShape(const TriangleMesh& raw) {
   const Vector3 middle = boundingBox(mesh).center();
   std::vector<const CylinderRegion*> tried;
   for (const CylinderRegion& axis : regions.cylinders) {
-    const bool known = std::any_of(tried.begin(), tried.end(), [&](const auto* other) { return isCoaxial(axis, *other); });
+    const bool known =
+        std::any_of(tried.begin(), tried.end(), [&](const auto* other) { return isCoaxial(axis, *other); });
     if (known) continue;
     tried.push_back(&axis);
     const TurnedShape shape = shapeAbout(mesh, regions, axis);

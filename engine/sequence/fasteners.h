@@ -11,7 +11,7 @@ namespace glissade {
 
 /// What each body is, by its shape (planes and cylinders about one axis) and its coaxial contacts; names do not count.
 /// - screw: a shaft in a hole, with a wider head at one end
-/// - nut: a hole on a shaft, through a prism of six or four equal sides
+/// - nut: a hole on a shaft, through a prism of six equal sides, or of four
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters
 std::vector<FastenerKind> fastenersOf(const AssembledProduct& product, const std::vector<Contact>& contacts);

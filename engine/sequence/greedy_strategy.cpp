@@ -74,7 +74,7 @@ class GreedySearch {
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
       refusals_[refusedGroup(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
-                                                                        refused.afterSteps};
+                                                                             refused.afterSteps};
     }
   }
 
@@ -166,9 +166,9 @@ class GreedySearch {
     const auto all = units();
     std::vector<BodyGroup> groups =
         question_.trial.groupsAlongLines({present_, question_.staying, all, most}, host_.team(), host_.stopToken());
-    groups.erase(std::remove_if(groups.begin(), groups.end(),
-                                [&](const BodyGroup& group) { return !mayLeave(group, false); }),
-                 groups.end());
+    groups.erase(
+        std::remove_if(groups.begin(), groups.end(), [&](const BodyGroup& group) { return !mayLeave(group, false); }),
+        groups.end());
     // The smallest ones: what they free may leave alone.
     if (groups.empty() || stopped()) return false;
     const std::size_t size = groups.front().size();
@@ -232,7 +232,8 @@ class GreedySearch {
     return groups;
   }
 
-  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is missing could have left as well.
+  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is
+  /// missing could have left as well.
   bool ask(const std::vector<BodyGroup>& groups, int effort) {
     if (groups.empty()) return false;
     host_.asking(groups.size(), effort);

@@ -44,7 +44,9 @@ struct Node {
   std::vector<std::size_t> order;
   CarriedOut done;
 
-  bool operator<(const Node& other) const { return std::pair(other.estimate, other.number) < std::pair(estimate, number); }
+  bool operator<(const Node& other) const {
+    return std::pair(other.estimate, other.number) < std::pair(estimate, number);
+  }
 };
 
 }  // namespace

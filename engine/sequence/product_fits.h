@@ -13,7 +13,8 @@ struct BodyFit {
   bool yields = false;  ///< the obstacle is taken thinner, not the body
 };
 
-/// What each body of a product and each other one are taken to be when the one moves past the other. Immutable, shared by threads.
+/// What each body of a product and each other one are taken to be when the one moves past the other. Immutable, shared
+/// by threads.
 class ProductFits {
  public:
   /// Compares each pair of bodies once. Errors: as of findObjectFits(); Interrupted.

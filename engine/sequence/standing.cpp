@@ -44,8 +44,7 @@ Standing::Standing(const AssembledProduct& product, const Bodies& bodies, Thread
     if (bonded) {
       const Box3 common = trees[contact.a]->box().intersection(trees[contact.b]->box());
       const Vector3 between = 0.5 * (bodies_[contact.a].centre + bodies_[contact.b].centre);
-      found[i].push_back(
-          {contact.a, contact.b, common.isEmpty() ? between : common.center(), Vector3::UnitZ(), true});
+      found[i].push_back({contact.a, contact.b, common.isEmpty() ? between : common.center(), Vector3::UnitZ(), true});
       return;
     }
     for (const ContactPoint& at : contactPoints(*trees[contact.a], *trees[contact.b], reach)) {

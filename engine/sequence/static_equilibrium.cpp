@@ -42,7 +42,8 @@ class Columns {
 /// it times the body's size.
 class Balance {
  public:
-  Balance(const std::vector<SupportedBody>& bodies, const Vector3& gravity) : bodies_(bodies), firstRow_(bodies.size(), -1) {
+  Balance(const std::vector<SupportedBody>& bodies, const Vector3& gravity)
+      : bodies_(bodies), firstRow_(bodies.size(), -1) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t body = 0; body < bodies.size(); ++body) {

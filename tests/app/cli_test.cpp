@@ -587,9 +587,8 @@ TEST_F(Cli, InterlockedSamplesLeaveByATurnOrAsAGroupOrAreRefused) {
     int exitCode;
     std::vector<std::vector<std::string>> steps;
   };
-  for (const Row& row : std::initializer_list<Row>{{"turn", 0, {{"turn-key"}}},
-                                                   {"group", 0, {{"group-slot", "group-tongue"}}},
-                                                   {"two-hands", 1, {}}}) {
+  for (const Row& row : std::initializer_list<Row>{
+           {"turn", 0, {{"turn-key"}}}, {"group", 0, {{"group-slot", "group-tongue"}}}, {"two-hands", 1, {}}}) {
     const std::string file = folderOfSamples + row.name + ".json";
     const Finished found = run("sequence " + file + " --json --out " + plan);
     EXPECT_EQ(found.exitCode, row.exitCode) << row.name << found.err;

@@ -39,19 +39,21 @@ TriangleMesh boltMesh(double radius, double head) {
 /// All on one axis, which may point anywhere; names say nothing.
 AssembledProduct fastened(const Pose& X_WF, double shaft = 0.004) {
   const auto at = [&](double z) { return X_WF * Pose::translation({0.0, 0.0, z}); };
-  return test::productOf({placed("1", boltMesh(shaft, 0.007), at(0.0)), placed("2", prismRing(0.004, 0.007, 0.006, 6), at(0.006)),
-                          placed("3", test::makeRing(0.004, 0.009, 0.0015, kSegments), at(0.00225)),
-                          placed("4", prismRing(0.004, 0.03, 0.0205, 4), at(-0.00875)),
-                          placed("5", test::makeRing(0.0, 0.002, 0.02, kSegments), at(0.0) * Pose::translation({0.015, 0.0, -0.00875})),
-                          placed("6", test::makeRing(0.002, 0.0035, 0.002, kSegments), at(0.0) * Pose::translation({0.015, 0.0, 0.0025}))},
-                         true);
+  return test::productOf(
+      {placed("1", boltMesh(shaft, 0.007), at(0.0)), placed("2", prismRing(0.004, 0.007, 0.006, 6), at(0.006)),
+       placed("3", test::makeRing(0.004, 0.009, 0.0015, kSegments), at(0.00225)),
+       placed("4", prismRing(0.004, 0.03, 0.0205, 4), at(-0.00875)),
+       placed("5", test::makeRing(0.0, 0.002, 0.02, kSegments), at(0.0) * Pose::translation({0.015, 0.0, -0.00875})),
+       placed("6", test::makeRing(0.002, 0.0035, 0.002, kSegments), at(0.0) * Pose::translation({0.015, 0.0, 0.0025}))},
+      true);
 }
 
 TEST(Fasteners, AreRecognisedByShapeAndContactsInEveryDirection) {
   RandomStream random(1, "directions");
   for (int round = 0; round < 5; ++round) {
     Pose X_WF;
-    X_WF.orientation = fromRollPitchYaw(random.uniform(-3.0, 3.0), random.uniform(-1.5, 1.5), random.uniform(-3.0, 3.0));
+    X_WF.orientation =
+        fromRollPitchYaw(random.uniform(-3.0, 3.0), random.uniform(-1.5, 1.5), random.uniform(-3.0, 3.0));
     const AssembledProduct product = fastened(X_WF);
     const ProductFits fits = test::fitsOf(product);
     const auto kinds = fastenersOf(product, fits.contacts());
@@ -89,14 +91,31 @@ TEST(Fasteners, NutsLeaveBeforeTheirBolts) {
   EXPECT_NE(std::find(step.after.begin(), step.after.end(), number), step.after.end());
 }
 
+/// As those of as1: a box with a hole.
+TEST(Fasteners, ANutMayBeARectangle) {
+  for (const double width : {0.016, 0.02, 0.05}) {
+    TriangleMesh nut = prismRing(0.004, 0.02, 0.006, 4);
+    for (std::size_t i = 0; i < 2 * kSegments; ++i) {
+      const Vector3 corner = fromRollPitchYaw(0.0, 0.0, 0.25 * 3.14159265358979323846) * nut.vertices[i];
+      nut.vertices[i] = {corner.x() * width / 0.0283, corner.y() * 0.012 / 0.0283, corner.z()};
+    }
+    const AssembledProduct product =
+        test::productOf({placed("1", boltMesh(0.004, 0.007), Pose::identity()),
+                         placed("2", std::move(nut), Pose::translation({0.0, 0.0, 0.006}))},
+                        true);
+    const auto kinds = fastenersOf(product, test::fitsOf(product).contacts());
+    EXPECT_EQ(kinds[1], width < 0.03 ? FastenerKind::Nut : FastenerKind::None) << width;
+  }
+}
+
 TEST(Fasteners, ShapeAloneIsNotEnough) {
   const auto kinds = fastenersOf(fastened(Pose::identity()), {});
   EXPECT_EQ(std::count(kinds.begin(), kinds.end(), FastenerKind::None), static_cast<std::ptrdiff_t>(kinds.size()));
 }
 
 TEST(Fasteners, HaveNames) {
-  for (const FastenerKind kind : {FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut, FastenerKind::Washer,
-                                  FastenerKind::Pin}) {
+  for (const FastenerKind kind :
+       {FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut, FastenerKind::Washer, FastenerKind::Pin}) {
     EXPECT_EQ(fastenerByName(fastenerName(kind)), kind);
   }
   EXPECT_FALSE(fastenerByName("rivet").has_value());

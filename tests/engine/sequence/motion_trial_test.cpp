@@ -67,8 +67,7 @@ TEST(MotionTrial, MotionsHoldForEverySubset) {
       BodySet subset = present;
       for (std::size_t other = 0; other < 4; ++other) subset[other] = subset[other] && (mask >> other & 1U) != 0;
       const auto motion = worlds.world({body}, subset);
-      const auto certificate =
-          certifyPath(*motion.world->makeQuery(), step.path, worlds.parameters({body}));
+      const auto certificate = certifyPath(*motion.world->makeQuery(), step.path, worlds.parameters({body}));
       EXPECT_EQ(certificate.status, CertificateStatus::Certified) << step.body << ", bodies " << mask;
     }
   }
@@ -101,18 +100,18 @@ TEST(MotionTrial, ComposedWorldsAnswerAsThoseBuiltAtOnce) {
 /// A tongue in a slot, both in a tray that is open at the top.
 AssembledProduct tongueInTray() {
   return test::productOf({test::bodyOf("tray", {{{1.6, 1.6, 0.1}, {0.0, 0.0, -0.45}},
-                                               {{0.1, 1.6, 0.8}, {-0.75, 0.0, -0.1}},
-                                               {{0.1, 1.6, 0.8}, {0.75, 0.0, -0.1}},
-                                               {{1.6, 0.1, 0.8}, {0.0, -0.75, -0.1}},
-                                               {{1.6, 0.1, 0.8}, {0.0, 0.75, -0.1}}}),
+                                                {{0.1, 1.6, 0.8}, {-0.75, 0.0, -0.1}},
+                                                {{0.1, 1.6, 0.8}, {0.75, 0.0, -0.1}},
+                                                {{1.6, 0.1, 0.8}, {0.0, -0.75, -0.1}},
+                                                {{1.6, 0.1, 0.8}, {0.0, 0.75, -0.1}}}),
                           test::bodyOf("slot", {{{0.1, 1.36, 0.6}, {-0.6, 0.0, -0.05}},
-                                               {{0.6, 1.36, 0.1}, {-0.35, 0.0, 0.2}},
-                                               {{0.6, 1.36, 0.1}, {-0.35, 0.0, -0.3}},
-                                               {{0.1, 1.36, 0.15}, {-0.1, 0.0, 0.1}},
-                                               {{0.1, 1.36, 0.15}, {-0.1, 0.0, -0.2}}}),
+                                                {{0.6, 1.36, 0.1}, {-0.35, 0.0, 0.2}},
+                                                {{0.6, 1.36, 0.1}, {-0.35, 0.0, -0.3}},
+                                                {{0.1, 1.36, 0.15}, {-0.1, 0.0, 0.1}},
+                                                {{0.1, 1.36, 0.15}, {-0.1, 0.0, -0.2}}}),
                           test::bodyOf("tongue", {{{0.1, 1.36, 0.36}, {-0.25, 0.0, -0.05}},
-                                                 {{0.6, 1.36, 0.08}, {0.0, 0.0, -0.05}},
-                                                 {{0.4, 1.36, 0.6}, {0.3, 0.0, -0.05}}}),
+                                                  {{0.6, 1.36, 0.08}, {0.0, 0.0, -0.05}},
+                                                  {{0.4, 1.36, 0.6}, {0.3, 0.0, -0.05}}}),
                           boxBody("lamp", Vector3::Constant(0.2), Pose::translation({3.0, 0.0, 0.0}))});
 }
 
@@ -143,9 +142,8 @@ TEST(MotionTrial, WhatAPersonWantsTogetherLeavesAsOne) {
   BodySet staying(4, false);
   staying[bodyNamed(product, "cabinet")] = true;
   const BodyGroup both{bodyNamed(product, "pin"), bodyNamed(product, "cap")};
-  const AssemblyPlan plan =
-      makeSequenceStrategyRegistry().find("greedy")->make()->plan({product, staying, 1, trial, nullptr, {{both}, {}}},
-                                                                  host);
+  const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(
+      {product, staying, 1, trial, nullptr, {{both}, {}}}, host);
   ASSERT_EQ(plan.steps.size(), 2U);
   EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"pin", "cap"}));
   EXPECT_EQ(plan.steps[1].body, "drawer");

@@ -28,7 +28,8 @@ TEST(OrderRules, NamesStandForAllBodiesThatEndInThem) {
   EXPECT_EQ(bodiesNamed(product, "bolt"), (BodyGroup{0, 1}));
   EXPECT_EQ(bodiesNamed(product, "nut"), BodyGroup{2});
   EXPECT_TRUE(bodiesNamed(product, "olt").empty());
-  const auto rules = resolved(demanded({Names{"nut", "a/bolt"}}, {{"nut", "bolt"}}), named({"a/bolt", "b/bolt", "nut"}));
+  const auto rules =
+      resolved(demanded({Names{"nut", "a/bolt"}}, {{"nut", "bolt"}}), named({"a/bolt", "b/bolt", "nut"}));
   ASSERT_FALSE(rules.ok()) << "the nut and a bolt leave as one, and one before the other";
   const auto sound = resolved(demanded({Names{"nut", "bolts"}}, {{"nut", "bolt"}}), product);
   ASSERT_TRUE(sound.ok());

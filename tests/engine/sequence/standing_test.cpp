@@ -24,8 +24,11 @@ struct BeamFixture {
       : product(beamOnPosts()),
         fits(test::fitsOf(product)),
         standing(product,
-                 {fits.contacts(), std::vector<FastenerKind>(5, FastenerKind::None), {true, false, false, false, false},
-                  densitiesOf({}, product), gravity},
+                 {fits.contacts(),
+                  std::vector<FastenerKind>(5, FastenerKind::None),
+                  {true, false, false, false, false},
+                  densitiesOf({}, product),
+                  gravity},
                  alone) {}
   ThreadTeam alone{0};
   AssembledProduct product;
@@ -88,7 +91,8 @@ TEST(ContactPoints, AreTheCornersOfTheCommonFace) {
   EXPECT_NEAR(box.min().x(), 0.0, 0.2);
   EXPECT_NEAR(box.max().x(), 1.0, 0.2);
   EXPECT_NEAR(box.sizes().y(), 2.0, 0.4);
-  EXPECT_TRUE(contactPoints(below, TriangleTree(transformed(makeBox({1, 1, 1}), Pose::translation({0, 0, 1.1}))), 1e-4).empty());
+  EXPECT_TRUE(contactPoints(below, TriangleTree(transformed(makeBox({1, 1, 1}), Pose::translation({0, 0, 1.1}))), 1e-4)
+                  .empty());
 }
 
 }  // namespace

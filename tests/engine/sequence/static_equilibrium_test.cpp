@@ -83,7 +83,8 @@ TEST(StaticEquilibrium, BondsHoldFromAboveAndContactsDoNot) {
       point.bonded = bonded;
       point.normal = -Vector3::UnitZ();
     }
-    const auto out = outOfEquilibrium({ground(), {1.0, {0.0, 0.0, -0.2}, 0.5, false}}, points, -Vector3::UnitZ(), kFriction);
+    const auto out =
+        outOfEquilibrium({ground(), {1.0, {0.0, 0.0, -0.2}, 0.5, false}}, points, -Vector3::UnitZ(), kFriction);
     EXPECT_EQ(out[1], !bonded);
   }
 }
