@@ -194,6 +194,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
   sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
+  sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
+      ->expected(3);
   addLength(
       *sequence, "--deflection", [&options](double value) { options.deflection = value; },
       "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");

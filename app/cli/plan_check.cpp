@@ -74,8 +74,7 @@ int runPlanCheck(const CheckOptions& options) {
   } else {
     for (std::size_t i = 0; i < judgements->size(); ++i) print((*judgements)[i], i + 1, product);
     std::cout << (all ? "valid" : "invalid") << ": " << valid << " of " << plan->steps.size()
-              << " steps are certified, " << remaining << " of " << plan->parts()
-              << " parts have no step\n";
+              << " steps are certified, " << remaining << " of " << plan->parts() << " parts have no step\n";
     if (loaded->deviation > 0.0) {
       std::cout << "the certificates are about triangles: surfaces may be " << loaded->deviation * 1e3
                 << " mm nearer than they are\n";

@@ -10,6 +10,7 @@
 #include "app/cli/interrupt.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
+#include "engine/sequence/fasteners.h"
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/sequence_strategy.h"
 
@@ -82,6 +83,13 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     }
     demands.before.emplace_back(pair[0], pair[1]);
   }
+  if (!options.gravity.empty()) {
+    if (options.gravity.size() != 3 ||
+        Vector3(options.gravity[0], options.gravity[1], options.gravity[2]).isZero(0.0)) {
+      return Diagnostic{ErrorKind::Usage, "", "--gravity", "is no direction", "Give three numbers, as 0 0 -1."};
+    }
+    demands.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
+  }
   return demands;
 }
 
@@ -116,12 +124,15 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const AssemblyStep& step = plan.steps[i];
-    std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step) << ": " << step.method;
+    std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step);
+    if (step.fastener != FastenerKind::None) std::cout << " (" << fastenerName(step.fastener) << ")";
+    std::cout << ": " << step.method;
     if (!step.proof.nearest.empty()) {
       std::cout << ", clearance " << step.proof.minClearance * 1e3 << " mm to '" << host.nameOf(step.proof.nearest)
                 << "'";
     }
     std::cout << "\n";
+    for (const std::string& id : step.falling) std::cout << "      to be held: " << host.nameOf(id) << "\n";
     for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
   }
   for (const StuckBody& stuck : plan.stuck) {
@@ -133,8 +144,8 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     }
     std::cout << (stuck.reason.empty() ? "" : ": ") << stuck.reason << "\n";
   }
-  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size() << " steps, every motion certified, " << seconds
-            << " s\n";
+  std::cout << plan.removed() << " of " << plan.parts() << " parts leave in " << plan.steps.size()
+            << " steps, every motion certified, " << seconds << " s\n";
 }
 
 int exitCodeOf(const AssemblyPlan& plan) {
@@ -149,7 +160,8 @@ int exitCodeOf(const AssemblyPlan& plan) {
 
 Outcome checkOptions(const SequenceOptions& options) {
   if (makeSequenceStrategyRegistry().find(options.strategy) == nullptr) {
-    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy, "Choose greedy."};
+    return Diagnostic{ErrorKind::Usage, "", "--strategy", "is unknown: " + options.strategy,
+                      "Choose greedy or best-first."};
   }
   if (!(options.timeLimit >= 0.0)) {
     return Diagnostic{ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."};
@@ -193,7 +205,7 @@ int runSequence(const SequenceOptions& options) {
   if (!staying) return reportError(staying.error(), options.format);
   const auto demands = demandsOf(options, loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
-  const auto rules = resolved(*demands, product);
+  auto rules = resolved(*demands, product);
   if (!rules) return reportError(rules.error(), options.format);
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
@@ -206,7 +218,12 @@ int runSequence(const SequenceOptions& options) {
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
   const auto strategy = makeSequenceStrategyRegistry().find(options.strategy)->make();
-  AssemblyPlan plan = strategy->plan({product, *staying, seed, trial, earlier ? &*earlier : nullptr, *rules}, host);
+  const std::vector<FastenerKind> fasteners = fastenersOf(product, fits->contacts());
+  for (const OrderRule& rule : fastenerRules(fasteners, fits->contacts())) rules->before.push_back(rule);
+  Standing standing(product, {fits->contacts(), fasteners, *staying, densitiesOf(*demands, product), demands->gravity},
+                    team);
+  AssemblyPlan plan = strategy->plan(
+      {product, *staying, seed, trial, earlier ? &*earlier : nullptr, *rules, fasteners, &standing}, host);
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
   const double seconds = secondsSince(begin);

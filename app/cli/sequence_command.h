@@ -19,6 +19,7 @@ struct SequenceOptions {
   std::vector<std::string> staying;   ///< ids or ends of ids; empty: the largest body
   std::vector<std::string> together;  ///< demands: names with commas between them
   std::vector<std::string> before;    ///< demands: "first,then"
+  std::vector<double> gravity;        ///< its direction; empty: the scenario's, or down
   double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
   std::string out;                    ///< plan file to write; empty: none
   std::string resume;                 ///< plan file to go on from; empty: none

@@ -58,6 +58,49 @@ Box3 boxAround(const Corners& corners) {
   return box;
 }
 
+/// Boxes by where they are along the longest axis of all of them, so that only those near a box are looked at.
+class BoxRow {
+ public:
+  explicit BoxRow(const std::vector<Box3>& boxes) : boxes_(boxes) {
+    Box3 all;
+    for (const Box3& box : boxes) all.extend(box);
+    if (all.isEmpty()) return;
+    all.sizes().maxCoeff(&axis_);
+    low_ = all.min()[axis_];
+    const double length = all.sizes()[axis_];
+    perLength_ = length > 0.0 ? kBins / length : 0.0;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t bin = binOf(boxes[i].min()); bin <= binOf(boxes[i].max()); ++bin) bins_[bin].push_back(i);
+    }
+  }
+
+  /// Calls `take` with each box that meets this one, once, until it returns false.
+  template <class Take>
+  void visit(const Box3& box, const Take& take) const {
+    const std::size_t first = binOf(box.min());
+    for (std::size_t bin = first; bin <= binOf(box.max()); ++bin) {
+      for (const std::uint32_t i : bins_[bin]) {
+        const bool before = bin > first && binOf(boxes_[i].min()) < bin;
+        if (!before && box.intersects(boxes_[i]) && !take(i)) return;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBins = 512;
+
+  std::size_t binOf(const Vector3& at) const {
+    const double bin = (at[axis_] - low_) * perLength_;
+    return bin > 0.0 ? std::min(static_cast<std::size_t>(bin), kBins - 1) : 0;
+  }
+
+  const std::vector<Box3>& boxes_;
+  Eigen::Index axis_ = 0;
+  double low_ = 0.0;
+  double perLength_ = 0.0;
+  std::array<std::vector<std::uint32_t>, kBins> bins_;
+};
+
 /// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
 class JudgedBody {
  public:
@@ -134,6 +177,7 @@ class JudgedBody {
   void findRooms(double allowance) {
     const double reach = allowance / kThicknessShare;
     const double same = kSameFace * box_.diagonal().norm();
+    const BoxRow row(boxes_);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       const Corners& face = faces_[f];
       const Vector3 middle = (face[0] + face[1] + face[2]) / 3.0;
@@ -143,11 +187,11 @@ class JudgedBody {
         const Vector3 to = from - reach * normals_[f];
         Box3 box(from);
         box.extend(to);
-        for (std::size_t other = 0; other < faces_.size(); ++other) {
-          if (!box.intersects(boxes_[other])) continue;
+        row.visit(box, [&](std::uint32_t other) {
           const double hit = reach * crossing(from, to, faces_[other]);
           if (hit > same) thickness = std::min(thickness, hit);
-        }
+          return true;
+        });
       }
       rooms_.push_back(kThicknessShare * thickness);
     }
@@ -218,15 +262,16 @@ class JudgedBody {
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
     std::set<std::uint32_t> bad;
+    const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
-      for (std::size_t f = 0; f < faces_.size(); ++f) {
-        if (!box.intersects(boxes_[f]) || piece[moved[0]] != piece[triangles_[f][0]]) continue;
-        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f])) continue;
+      row.visit(box, [&](std::uint32_t f) {
+        if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
+        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f])) return true;
         bad.insert(moved.begin(), moved.end());
-        break;
-      }
+        return false;
+      });
     }
     return bad;
   }

@@ -5,7 +5,7 @@
 namespace glissade {
 
 /// The independent check's own construction of a thinned body, after the definition at ThinnableMesh. Shares nothing
-/// with it. Every triangle is compared with every other: slow and simple. The mesh itself where the body cannot be
+/// with it. Slow and simple. The mesh itself where the body cannot be
 /// thinned. Allowance: metres, > 0.
 TriangleMesh thinnedForJudging(const TriangleMesh& mesh, double allowance);
 

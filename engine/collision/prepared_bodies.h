@@ -28,8 +28,8 @@ struct PreparedObject {
 };
 
 /// Bodies of a product, for worlds of any choice of them: each is prepared once, when it is first needed, as an
-/// obstacle, and each mesh that it is taken to be; each mesh once as an object. A world then costs microseconds a body. Worlds keep what they need. May be
-/// asked by several threads at a time.
+/// obstacle, and each mesh that it is taken to be; each mesh once as an object. A world then costs microseconds a body.
+/// Worlds keep what they need. May be asked by several threads at a time.
 class PreparedBodies {
  public:
   explicit PreparedBodies(std::vector<RigidBody> bodies);

@@ -51,20 +51,21 @@ Json toJson(const StepProof& proof) {
 
 Json toJson(const StepAllowance& allowance) {
   Json json{{"body", allowance.body},
-          {"kind", kindName(allowance.kind)},
-          {"overlap_m", allowance.overlap},
-          {"allowance_m", allowance.allowance},
-          {"text", allowance.text}};
+            {"kind", kindName(allowance.kind)},
+            {"overlap_m", allowance.overlap},
+            {"allowance_m", allowance.allowance},
+            {"text", allowance.text}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
   return json;
 }
 
 Json toJson(const AssemblyStep& step) {
-  Json json{{"bodies", step.bodies()},       {"method", step.method},
-            {"wave", step.wave},             {"after", step.after},
-            {"certificate", toJson(step.proof)}, {"allowances", Json::array()},
-            {"path", Json::array()}};
+  Json json{
+      {"bodies", step.bodies()},           {"method", step.method},       {"wave", step.wave},    {"after", step.after},
+      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}, {"path", Json::array()}};
+  if (!step.falling.empty()) json["falling"] = step.falling;
+  if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   for (const PathPoint& point : step.path) {
     Json configuration = toJson(point.q);
@@ -78,8 +79,8 @@ Json toJson(const AssemblyStep& step) {
 class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed", "end", "certified",
-                  "bodies", "staying", "steps", "stuck", "refusals"});
+    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
+                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals"});
     if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
@@ -145,7 +146,7 @@ class PlanReader {
   }
 
   void readStep(const JsonCursor& at) {
-    at.allowOnly({"bodies", "method", "wave", "after", "certificate", "allowances", "path"});
+    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances", "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
@@ -156,7 +157,13 @@ class PlanReader {
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
     step.after = readPredecessors(at);
+    if (const auto fastener = at.find("fastener")) {
+      const auto kind = fastenerByName(fastener->text());
+      if (!kind) fastener->fail("is not screw, nut, washer, pin or none");
+      step.fastener = *kind;
+    }
     step.method = at.at("method").text();
+    if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
     step.proof = readProof(at.at("certificate"));
     const JsonCursor allowances = at.at("allowances");

@@ -44,6 +44,7 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   if (!scenario) return scenario.error();
   ProductFile loaded;
   loaded.product = bodiesOfScenario(*scenario);
+  loaded.demands = scenario->scenario.sequence;
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

@@ -13,7 +13,7 @@ namespace glissade {
 /// A product as it is loaded.
 struct ProductFile {
   AssembledProduct product;
-  double deviation = 0.0;  ///< metres that two surfaces may be off their triangles, together
+  double deviation = 0.0;   ///< metres that two surfaces may be off their triangles, together
   SequenceDemands demands;  ///< of a scenario
   Warnings warnings;
 };

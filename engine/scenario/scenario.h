@@ -14,6 +14,7 @@
 #include "engine/planning/problem.h"
 #include "engine/product/object_fits.h"
 #include "engine/scenario/kept_path.h"
+#include "engine/sequence/order_rules.h"
 
 namespace glissade {
 
@@ -99,6 +100,7 @@ struct Scenario {
   std::vector<MilestoneEdit> milestones;
   std::optional<StrategyRules> rules;  ///< of strategy "own"
   FitSettings fits;
+  SequenceDemands sequence;
   std::uint64_t seed = 1;
   KeptPaths paths;  ///< results that are kept, by name
 };

@@ -8,6 +8,7 @@
 #include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
+#include "engine/scenario/sequence_json.h"
 
 namespace glissade {
 namespace {
@@ -141,9 +142,10 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 }
 
 Scenario readScenario(const JsonCursor& root) {
-  root.allowOnly({"format",     "version", "name",       "description", "assets",  "bodies",     "object",
-                  "start",      "goal",    "workspace",  "way_points",  "planner", "parameters", "environment",
-                  "attributes", "places",  "milestones", "rules",       "fits",    "seed",       "paths"});
+  root.allowOnly({"format",     "version",     "name",       "description", "assets",     "bodies",
+                  "object",     "start",       "goal",       "workspace",   "way_points", "planner",
+                  "parameters", "environment", "attributes", "places",      "milestones", "rules",
+                  "fits",       "sequence",    "seed",       "paths"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -172,6 +174,7 @@ Scenario readScenario(const JsonCursor& root) {
   scenario.parameters = readParameters(root.find("parameters"));
   readSemantics(root, scenario);
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
+  if (const auto sequence = root.find("sequence")) scenario.sequence = readSequence(*sequence);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   if (const auto paths = root.find("paths")) scenario.paths = readKeptPaths(*paths);
   return scenario;

@@ -5,6 +5,7 @@
 #include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
+#include "engine/scenario/sequence_json.h"
 
 namespace glissade {
 namespace {
@@ -109,6 +110,7 @@ Json scenarioJson(const Scenario& scenario) {
   for (const auto& [id, value] : scenario.parameters) json["parameters"][std::string(specOf(id).key)] = value;
   addSemantics(scenario, json);
   addFits(scenario.fits, json);
+  addSequence(scenario.sequence, json);
   json["seed"] = scenario.seed;
   addKeptPaths(scenario.paths, json);
   return json;

@@ -6,6 +6,7 @@
 
 #include "engine/planning/path.h"
 #include "engine/product/fit_settings.h"
+#include "engine/sequence/fastener_kind.h"
 
 namespace glissade {
 
@@ -36,14 +37,18 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  std::string method;  ///< "straight", or "auto" and what found it: "auto: turning-rrt"
-  std::size_t wave = 0;         ///< steps of one wave were found together, from 1
+  std::string method;    ///< "straight", or "auto" and what found it: "auto: turning-rrt"
+  std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there
   std::vector<std::string> with{};        ///< ids of the other bodies of a group
   /// Steps that have to be carried out before, by number from 1, ascending: their bodies would be in the way, or the
   /// order is demanded. Any order that keeps this of all steps is proved as well.
   std::vector<std::size_t> after{};
+
+  FastenerKind fastener = FastenerKind::None;  ///< of a single body
+  /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
+  std::vector<std::string> falling{};
 
   /// Ids of all bodies that leave, the first one first.
   std::vector<std::string> bodies() const {

@@ -21,8 +21,8 @@ class BlockingGraph {
   std::vector<BodyGroup> groups(const std::vector<BodyGroup>& units, std::size_t most) const;
 
  private:
-  BodyGroup smallestWith(std::size_t unit, const std::vector<BodyGroup>& units,
-                         const std::vector<std::size_t>& unitOf, std::size_t most) const;
+  BodyGroup smallestWith(std::size_t unit, const std::vector<BodyGroup>& units, const std::vector<std::size_t>& unitOf,
+                         std::size_t most) const;
 
   std::vector<std::vector<std::size_t>> blockers_;  ///< of each body
   std::vector<bool> stays_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "engine/sequence/plan_steps.h"
 #include "engine/sequence/step_precedence.h"
 
 namespace glissade {
@@ -16,7 +17,9 @@ constexpr std::size_t kSearchedTogether = 4;
 constexpr std::size_t kFewBodies = 4;
 constexpr std::size_t kMostBodies = 32;
 /// Searches up to this effort come before groups.
-constexpr int kShortEffort = 2;
+constexpr int kShortEffort = 1;
+/// Of searches of groups.
+constexpr int kGroupEffort = 2;
 
 class GreedySearch {
  public:
@@ -31,7 +34,7 @@ class GreedySearch {
   }
 
   AssemblyPlan run() {
-    while (!stopped() && (wave(true) || (!stopped() && wave(false)))) {
+    while (!stopped() && wave()) {
     }
     finish();
     return std::move(plan_);
@@ -46,11 +49,7 @@ class GreedySearch {
   const std::string& idOf(std::size_t body) const { return question_.product.bodies[body].id; }
   bool stopped() const { return host_.stopToken().stopRequested(); }
 
-  std::vector<std::string> idsOf(const std::vector<std::size_t>& bodies) const {
-    std::vector<std::string> ids;
-    for (const std::size_t body : bodies) ids.push_back(idOf(body));
-    return ids;
-  }
+  std::vector<std::string> idsOf(const BodyGroup& bodies) const { return glissade::idsOf(bodies, question_.product); }
 
   std::vector<std::size_t> indicesOf(const std::vector<std::string>& ids) const {
     std::vector<std::size_t> bodies;
@@ -58,7 +57,7 @@ class GreedySearch {
     return bodies;
   }
 
-  BodyGroup groupOf(const std::string& body, const std::vector<std::string>& with) const {
+  BodyGroup refusedGroup(const std::string& body, const std::vector<std::string>& with) const {
     BodyGroup group = indicesOf(with);
     group.push_back(*question_.product.indexOf(body));
     std::sort(group.begin(), group.end());
@@ -67,15 +66,15 @@ class GreedySearch {
 
   void resume(const AssemblyPlan& earlier) {
     for (const AssemblyStep& step : earlier.steps) {
-      const BodyGroup group = groupOf(step.body, step.with);
+      const BodyGroup group = groupOf(step, question_.product);
       plan_.steps.push_back(step);
       present_ = without(present_, group);
       wave_ = step.wave;
       question_.trial.learn(group, step.path);
     }
     for (const RefusedRemoval& refused : earlier.refusals) {
-      refusals_[groupOf(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
-                                                                        refused.afterSteps};
+      refusals_[refusedGroup(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
+                                                                             refused.afterSteps};
     }
   }
 
@@ -92,16 +91,17 @@ class GreedySearch {
     return units;
   }
 
-  /// False where nothing is left to ask. `knowledge`: rules that nobody demands are kept, too.
-  bool wave(bool knowledge) {
+  /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
+  bool wave() {
+    if (askAll(openUnits(0, true), 0)) return true;
     const int efforts = question_.trial.efforts();
-    for (int effort = 0; effort < efforts; ++effort) {
-      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
-      if (askAll(openUnits(effort, knowledge), effort)) return true;
-      if (stopped()) return false;
+    for (int effort = 0; effort < efforts && !stopped(); ++effort) {
+      if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+      if (askAll(openUnits(effort, false), effort)) return true;
     }
-    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies, knowledge)) return true;
-    return searchedGroupsLeave(knowledge) || groupsLeave(kMostBodies, knowledge);
+    if (stopped()) return false;
+    if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
+    return searchedGroupsLeave() || groupsLeave(kMostBodies);
   }
 
   /// Some at a time; true as soon as something has left.
@@ -136,6 +136,7 @@ class GreedySearch {
     return open;
   }
 
+  /// `knowledge`: rules that nobody demands count, too.
   bool mayLeave(const BodyGroup& group, bool knowledge) const {
     const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
     return !stays && heldBy(group, knowledge).empty();
@@ -161,13 +162,13 @@ class GreedySearch {
                        [&](std::size_t other) { return !present_[other]; });
   }
 
-  bool groupsLeave(std::size_t most, bool knowledge) {
+  bool groupsLeave(std::size_t most) {
     const auto all = units();
     std::vector<BodyGroup> groups =
         question_.trial.groupsAlongLines({present_, question_.staying, all, most}, host_.team(), host_.stopToken());
-    groups.erase(std::remove_if(groups.begin(), groups.end(),
-                                [&](const BodyGroup& group) { return !mayLeave(group, knowledge); }),
-                 groups.end());
+    groups.erase(
+        std::remove_if(groups.begin(), groups.end(), [&](const BodyGroup& group) { return !mayLeave(group, false); }),
+        groups.end());
     // The smallest ones: what they free may leave alone.
     if (groups.empty() || stopped()) return false;
     const std::size_t size = groups.front().size();
@@ -177,7 +178,7 @@ class GreedySearch {
   }
 
   /// Each unit with one of those in its way, and the assemblies of the file.
-  bool searchedGroupsLeave(bool knowledge) {
+  bool searchedGroupsLeave() {
     if (question_.trial.efforts() <= 1) return false;
     std::set<BodyGroup> groups;
     for (const BodyGroup& unit : units()) {
@@ -189,9 +190,9 @@ class GreedySearch {
     }
     for (const BodyGroup& group : assembliesOfTheFile()) groups.insert(group);
     std::vector<BodyGroup> open;
-    const int effort = std::min(kShortEffort, question_.trial.efforts() - 1);
+    const int effort = std::min(kGroupEffort, question_.trial.efforts() - 1);
     for (const BodyGroup& group : groups) {
-      if (mayLeave(group, knowledge) && isOpen(group, effort)) open.push_back(group);
+      if (mayLeave(group, false) && isOpen(group, effort)) open.push_back(group);
     }
     return askAll(std::move(open), effort);
   }
@@ -231,7 +232,8 @@ class GreedySearch {
     return groups;
   }
 
-  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is missing could have left as well.
+  /// True where something has left. The groups have no body in common. After a stop all answers are dropped: what is
+  /// missing could have left as well.
   bool ask(const std::vector<BodyGroup>& groups, int effort) {
     if (groups.empty()) return false;
     host_.asking(groups.size(), effort);
@@ -256,6 +258,11 @@ class GreedySearch {
     return !leaving.empty();
   }
 
+  /// Bodies that fall where the group leaves now.
+  BodyGroup fallingWithout(const BodyGroup& group) const {
+    return question_.standing == nullptr ? BodyGroup() : question_.standing->newlyFalling(present_, group);
+  }
+
   void leave(std::vector<std::pair<BodyGroup, const Removed*>>& leaving) {
     if (leaving.empty()) return;
     ++wave_;
@@ -263,29 +270,28 @@ class GreedySearch {
       return boxVolume(question_.product, a.first) < boxVolume(question_.product, b.first);
     });
     const std::size_t before = plan_.steps.size();
-    for (const auto& [group, removed] : leaving) {
-      present_ = without(present_, group);
-      plan_.steps.push_back(stepOf(group, *removed, before));
-      question_.trial.learn(group, removed->path.points);
+    const std::pair<BodyGroup, const Removed*>* least = nullptr;  // of those after which bodies fall
+    BodyGroup leastFalling;
+    for (const auto& each : leaving) {
+      BodyGroup falling = fallingWithout(each.first);
+      if (falling.empty()) {
+        carryOut(each.first, *each.second, before, {});
+      } else if (least == nullptr || falling.size() < leastFalling.size()) {
+        least = &each;
+        leastFalling = std::move(falling);
+      }
     }
+    // The others are asked again when something else has left: they may do without then.
+    if (plan_.steps.size() == before) carryOut(least->first, *least->second, before, leastFalling);
     host_.stepFound(plan_);
   }
 
-  AssemblyStep stepOf(const BodyGroup& group, const Removed& removed, std::size_t afterSteps) const {
-    const MotionCertificate& certificate = removed.path.certificate;
-    AssemblyStep step{idOf(group.front()), removed.path.points, removed.method, wave_, {}, {}};
-    step.with = idsOf({group.begin() + 1, group.end()});
-    step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
-    if (certificate.nearest.body >= 0) step.proof.nearest = idOf(static_cast<std::size_t>(certificate.nearest.body));
-    for (const BodyFit& each : removed.fits) {
-      const RigidBody& body = question_.product.bodies[each.body];
-      const RigidBody& other = question_.product.bodies[each.fit.obstacle];
-      step.allowances.push_back({other.id, each.fit.kind, each.fit.overlap, each.fit.allowance,
-                                 each.yields ? inWords(each.fit, other.name, body.name)
-                                             : inWords(each.fit, body.name, other.name),
-                                 each.body == group.front() ? std::string() : body.id, each.yields});
-    }
-    return step;
+  void carryOut(const BodyGroup& group, const Removed& removed, std::size_t before, const BodyGroup& falling) {
+    present_ = without(present_, group);
+    plan_.steps.push_back(makeStep(group, removed, question_, before));
+    plan_.steps.back().wave = wave_;
+    plan_.steps.back().falling = idsOf(falling);
+    question_.trial.learn(group, removed.path.points);
   }
 
   void finish() {

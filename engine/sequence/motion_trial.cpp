@@ -59,6 +59,18 @@ std::vector<std::size_t> MotionTrial::inTheWay(const BodyGroup& group, const std
   return blocking;
 }
 
+std::optional<Removed> MotionTrial::certified(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                              const std::string& method, const BodySet& present,
+                                              const StopToken& stop) {
+  const MotionWorld motion = worlds_.world(group, present);
+  Removed removed{{path, certifyPath(*motion.world->makeQuery(), path, worlds_.parameters(group), stop)},
+                  method,
+                  fits_.fitsOf(group, present)};
+  if (removed.path.certificate.status != CertificateStatus::Certified) return std::nullopt;
+  nameByProduct(removed.path.certificate, motion.bodies);
+  return removed;
+}
+
 void MotionTrial::learn(const BodyGroup& group, const std::vector<PathPoint>& path) { straight_.learn(group, path); }
 
 }  // namespace glissade

@@ -22,6 +22,8 @@ class MotionTrial final : public RemovalTrial {
                                           const StopToken& stop) override;
   std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
                                     const std::vector<std::size_t>& left, const StopToken& stop) override;
+  std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                   const std::string& method, const BodySet& present, const StopToken& stop) override;
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override;
 
  private:

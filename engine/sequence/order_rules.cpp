@@ -34,7 +34,8 @@ bool isCircular(const OrderRules& rules, std::size_t bodies) {
     changed = false;
     for (auto at = open.begin(); at != open.end();) {
       const std::size_t first = at->first;
-      const bool free = std::none_of(open.begin(), open.end(), [&](const auto& other) { return other.second == first; });
+      const bool free =
+          std::none_of(open.begin(), open.end(), [&](const auto& other) { return other.second == first; });
       at = free ? open.erase(at) : std::next(at);
       changed = changed || free;
     }

@@ -9,10 +9,15 @@
 
 namespace glissade {
 
+/// Of steel, kg/m^3.
+inline constexpr double kUsualDensity = 7850.0;
+
 /// What a person demands of an assembly plan; bodies by id, or by the end of ids behind a "/".
 struct SequenceDemands {
   std::vector<std::vector<std::string>> together;           ///< these leave as one
   std::vector<std::pair<std::string, std::string>> before;  ///< the first leaves before the second
+  Vector3 gravity = -Vector3::UnitZ();                      ///< its direction, world frame; any length
+  std::vector<std::pair<std::string, double>> densities;    ///< kg/m^3; of others kUsualDensity
 
   bool operator==(const SequenceDemands&) const = default;
 };

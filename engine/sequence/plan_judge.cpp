@@ -33,13 +33,14 @@ class JudgedProduct {
   JudgedProduct(const AssembledProduct& product, const ProductFits& fits) : product_(product), fits_(fits) {}
 
   PairAllowance between(std::size_t body, std::size_t other) const {
+    PairAllowance pair;
     for (const Fit& fit : fits_.fitsOf(body)) {
-      if (fit.obstacle == other) return {fit.allowance, 0.0};
+      if (fit.obstacle == other) pair.moving = fit.allowance;
     }
     for (const Fit& fit : fits_.yieldingTo(body)) {
-      if (fit.obstacle == other) return {0.0, fit.allowance};
+      if (fit.obstacle == other) pair.other = fit.allowance;
     }
-    return {};
+    return pair;
   }
 
   /// For steps in which these bodies move.
@@ -107,18 +108,20 @@ class JudgedProduct {
 struct JudgedStep {
   const AssemblyStep* step;
   BodyGroup group;
-  BodySet there;    ///< in the order of the plan
+  BodySet there;       ///< in the order of the plan
   BodySet mayBeThere;  ///< in any order that keeps what has to be carried out before
 };
 
-/// Steps that are carried out before, in whatever order: those named, and what these are after.
+/// Steps that are carried out before, in whatever order: those named that are earlier, and what these are after.
 std::vector<BodySet> predecessorsOf(const AssemblyPlan& plan) {
   std::vector<BodySet> before;
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
     BodySet own(plan.steps.size(), false);
     for (const std::size_t number : plan.steps[step].after) {
+      if (number == 0 || number > step) continue;
       own[number - 1] = true;
-      for (std::size_t earlier = 0; earlier < number; ++earlier) own[earlier] = own[earlier] || before[number - 1][earlier];
+      for (std::size_t earlier = 0; earlier < number; ++earlier)
+        own[earlier] = own[earlier] || before[number - 1][earlier];
     }
     before.push_back(std::move(own));
   }
@@ -164,7 +167,8 @@ MotionCertificate judgeBody(std::size_t body, const JudgedStep& judged, const Ju
   const MeshPtr whole = inPathFrame(own.mesh);
   const std::vector<Pose> path = configurationsOf(points);
   const Box3 sweep = sweptBox(*whole, path);
-  const double near = std::max(kNearShare * radiusAboutOrigin(*own.mesh), 4.0 * parameters[ParameterId::RequiredClearance]);
+  const double near =
+      std::max(kNearShare * radiusAboutOrigin(*own.mesh), 4.0 * parameters[ParameterId::RequiredClearance]);
   std::map<double, MeshPtr> objects{{0.0, whole}};
   std::vector<IndependentCheck::Against> against;
   std::vector<std::size_t> others;
@@ -212,12 +216,10 @@ StepJudgement judge(const JudgedStep& judged, const JudgedProduct& product, std:
   for (const std::size_t body : judged.group) {
     const RigidBody& own = product.product().bodies[body];
     ParameterValues parameters(radiusAboutOrigin(*own.mesh));
-    static_cast<void>(
-        parameters.set(ParameterId::RequiredClearance, requiredOf(judged, product.product(), required)));
+    static_cast<void>(parameters.set(ParameterId::RequiredClearance, requiredOf(judged, product.product(), required)));
     const MotionCertificate certificate = judgeBody(body, judged, product, points, parameters, stop);
     const Pose end = points.back().q * inverse(points.front().q) * own.X_WB;
-    judgement.endsOutside =
-        judgement.endsOutside && (box.isEmpty() || !box.intersects(boundingBox(*own.mesh, end)));
+    judgement.endsOutside = judgement.endsOutside && (box.isEmpty() || !box.intersects(boundingBox(*own.mesh, end)));
     const bool certified = certificate.status == CertificateStatus::Certified;
     if (first || !certified || certificate.minClearance < judgement.certificate.minClearance) {
       judgement.certificate = certificate;

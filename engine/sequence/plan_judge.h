@@ -22,9 +22,9 @@ struct StepJudgement {
 
 /// Judges every step by IndependentCheck, each of its bodies along the common motion: against all bodies but those of
 /// steps that have to be carried out before, so that every order that keeps AssemblyStep::after is judged. Bodies are
-/// taken as thin as their fits allow. Steps are judged by all cores. Shares with planners the meshes and the definition of fits alone. `required`: clearance,
-/// metres; nothing: the usual one for the size of each body. Precondition: the plan is about this product.
-/// Errors: as of findObjectFits(); Interrupted.
+/// taken as thin as their fits allow. Steps are judged by all cores. Shares with planners the meshes and the definition
+/// of fits alone. `required`: clearance, metres; nothing: the usual one for the size of each body. Precondition: the
+/// plan is about this product. Errors: as of findObjectFits(); Interrupted.
 Result<std::vector<StepJudgement>> judgePlan(const AssemblyPlan& plan, const AssembledProduct& product,
                                              std::optional<double> required, const StopToken& stop = {});
 

@@ -67,6 +67,27 @@ class ThinnedMeshes {
   std::map<std::pair<MeshPtr, double>, MeshPtr> thinned_;
 };
 
+/// What both bodies of a clash have to be taken thinner by, so that they are free where they are assembled; nothing
+/// where that is more than they have place for. The clash says what it would take of the body alone.
+std::optional<double> sharedAllowance(const AssembledProduct& product, std::size_t body, const Fit& clash) {
+  const RigidBody& own = product.bodies[body];
+  RigidBody other = product.bodies[clash.obstacle];
+  const auto thinnableOwn = ThinnableMesh::of(*own.mesh);
+  const auto thinnableOther = ThinnableMesh::of(*other.mesh);
+  if (!thinnableOwn || !thinnableOther) return std::nullopt;
+  const double gap = assembledGap(radiusAboutOrigin(*own.mesh));
+  for (const double share : {0.3, 0.4, 0.5, 0.75, 1.0}) {
+    const double allowance = share * clash.allowance;
+    auto thinOwn = thinnableOwn->thinned(allowance);
+    auto thinOther = thinnableOther->thinned(allowance);
+    if (!thinOwn || !thinOther) return std::nullopt;
+    other.mesh = std::make_shared<const TriangleMesh>(std::move(*thinOther));
+    const auto pair = CollisionWorld::build({other}, std::make_shared<const TriangleMesh>(std::move(*thinOwn)));
+    if (pair->makeQuery()->clearAbove(own.X_WB, 0.5 * gap)) return allowance;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
@@ -114,7 +135,8 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
     if (!ofBody) return ofBody.error();
     for (const Diagnostic& warning : ofBody->warnings) found.warnings_.push_back(warning);
   }
-  found.exchangeClashes(product, fits);
+  found.contacts_ = contacts.contacts;
+  found.resolveClashes(product, fits, team);
   ThinnedMeshes meshes;
   for (Moving& moving : found.moving_) {
     for (const Fit& fit : moving.allowed) moving.thinned.push_back(meshes.thinned(moving.whole, fit.allowance));
@@ -126,25 +148,39 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
 }
 
 /// A nut's wall is too thin for what the bolt's shaft has place for. Which of the two is taken thinner makes no
-/// difference to the gap between them.
-void ProductFits::exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits) {
+/// difference to the gap between them. Where neither has place for all of it, both are taken thinner.
+void ProductFits::resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits,
+                                 ThreadTeam& team) {
+  std::vector<std::pair<std::size_t, Fit>> open;
   for (std::size_t body = 0; body < moving_.size(); ++body) {
     for (const Fit& clash : fits[body]->clashes) {
-      const auto& others = moving_[clash.obstacle].allowed;
+      const auto& others = fits[clash.obstacle]->allowed;
       const auto back =
           std::find_if(others.begin(), others.end(), [&](const Fit& fit) { return fit.obstacle == body; });
-      if (back == others.end()) continue;
-      Fit yielding = *back;
-      yielding.obstacle = clash.obstacle;
-      yielding.role = clash.role;
-      moving_[body].yielding.push_back(yielding);
-      const std::string pair =
-          "'" + product.bodies[body].name + "' and '" + product.bodies[clash.obstacle].name + "'";
-      warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(),
-                                     [&](const Diagnostic& warning) { return warning.location == pair; }),
-                      warnings_.end());
+      if (back != others.end()) {
+        Fit yielding = clash;
+        yielding.allowance = back->allowance;
+        yieldTo(body, yielding, product);
+      } else if (clash.kind != ContactKind::Clash) {
+        open.emplace_back(body, clash);
+      }
     }
   }
+  std::vector<std::optional<double>> shared(open.size());
+  team.run(open.size(), [&](std::size_t i) { shared[i] = sharedAllowance(product, open[i].first, open[i].second); });
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!shared[i]) continue;
+    auto& [body, fit] = open[i];
+    fit.allowance = *shared[i];
+    moving_[body].allowed.push_back(fit);
+    yieldTo(body, fit, product);
+  }
+}
+
+void ProductFits::yieldTo(std::size_t body, Fit fit, const AssembledProduct& product) {
+  moving_[body].yielding.push_back(fit);
+  const std::string pair = "'" + product.bodies[body].name + "' and '" + product.bodies[fit.obstacle].name + "'";
+  std::erase_if(warnings_, [&](const Diagnostic& warning) { return warning.location == pair; });
 }
 
 std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {

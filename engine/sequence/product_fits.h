@@ -13,7 +13,8 @@ struct BodyFit {
   bool yields = false;  ///< the obstacle is taken thinner, not the body
 };
 
-/// What each body of a product and each other one are taken to be when the one moves past the other. Immutable, shared by threads.
+/// What each body of a product and each other one are taken to be when the one moves past the other. Immutable, shared
+/// by threads.
 class ProductFits {
  public:
   /// Compares each pair of bodies once. Errors: as of findObjectFits(); Interrupted.
@@ -25,13 +26,16 @@ class ProductFits {
   std::vector<BodyFit> fitsOf(const BodyGroup& group, const BodySet& present) const;
   /// The body thinned as its fit with the other one allows; the body itself where there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
-  /// Fits of the body where the other one is taken thinner instead, because the body has no place for the allowance;
-  /// `obstacle` is the other one, the role is the body's.
+  /// Fits of the body where the other one is taken thinner: instead of the body, because that has no place for the
+  /// allowance, or as the body, because neither has place for all of it. `obstacle` is the other one, the role is the
+  /// body's.
   const std::vector<Fit>& yieldingTo(std::size_t body) const { return moving_[body].yielding; }
   /// What the other one is taken to be when the body moves past it: itself, or thinner.
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
   const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
+  /// All contacts of the product; none where fits are off.
+  const std::vector<Contact>& contacts() const { return contacts_; }
   /// Clashes that nobody accepted, each once, and bodies that cannot be thinned.
   const Warnings& warnings() const { return warnings_; }
 
@@ -45,9 +49,11 @@ class ProductFits {
     MeshPtr whole;
   };
 
-  void exchangeClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits);
+  void resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits, ThreadTeam& team);
+  void yieldTo(std::size_t body, Fit fit, const AssembledProduct& product);
 
   std::vector<Moving> moving_;  ///< of each body
+  std::vector<Contact> contacts_;
   Warnings warnings_;
 };
 

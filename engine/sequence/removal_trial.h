@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,6 +56,10 @@ class RemovalTrial {
   /// several threads at a time.
   virtual std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
                                             const std::vector<std::size_t>& left, const StopToken& stop) = 0;
+  /// The motion certified while those of `present` are there; nothing where it is not. May be called as tryRemoval().
+  virtual std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
+                                           const std::string& method, const BodySet& present,
+                                           const StopToken& stop) = 0;
   /// A group has left so. Not while others ask.
   virtual void learn(const BodyGroup& group, const std::vector<PathPoint>& path) = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/sequence/best_first_strategy.h"
 #include "engine/sequence/greedy_strategy.h"
 
 namespace glissade {
@@ -17,6 +18,10 @@ SequenceStrategyRegistry makeSequenceStrategyRegistry() {
                 "Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its "
                 "way has left.",
                 [] { return std::make_unique<GreedyStrategy>(); }});
+  registry.add({"best-first", "Best first",
+                "The motions of the greedy strategy in the order that costs least: length, changes of direction and of "
+                "tools, bodies that would fall.",
+                [] { return std::make_unique<BestFirstStrategy>(); }});
   return registry;
 }
 

@@ -10,6 +10,7 @@
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
+#include "engine/sequence/standing.h"
 
 namespace glissade {
 
@@ -21,6 +22,8 @@ struct SequenceQuestion {
   RemovalTrial& trial;
   const AssemblyPlan* resumed = nullptr;  ///< a plan of the same product, seed and strategy that had not ended; or null
   OrderRules rules{};
+  std::vector<FastenerKind> fasteners{};  ///< of each body; empty: not known
+  Standing* standing = nullptr;           ///< null: not asked
 };
 
 /// What a strategy tells while it works, and asks. Called on the strategy's thread.
@@ -62,7 +65,7 @@ class SequenceStrategyRegistry {
   std::vector<SequenceStrategyEntry> entries_;
 };
 
-/// greedy.
+/// greedy, best-first.
 SequenceStrategyRegistry makeSequenceStrategyRegistry();
 
 }  // namespace glissade

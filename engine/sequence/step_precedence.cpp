@@ -1,8 +1,9 @@
 #include "engine/sequence/step_precedence.h"
 
-#include <algorithm>
 #include <numeric>
 #include <set>
+
+#include "engine/sequence/plan_steps.h"
 
 namespace glissade {
 
@@ -10,9 +11,7 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
   std::vector<BodyGroup> groups;
   std::vector<std::size_t> stepOf(question.product.bodies.size(), 0);
   for (std::size_t step = 0; step < plan.steps.size(); ++step) {
-    BodyGroup group;
-    for (const std::string& id : plan.steps[step].bodies()) group.push_back(*question.product.indexOf(id));
-    std::sort(group.begin(), group.end());
+    BodyGroup group = groupOf(plan.steps[step], question.product);
     for (const std::size_t body : group) stepOf[body] = step + 1;
     groups.push_back(std::move(group));
   }

@@ -65,8 +65,7 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   return Refused{{blocking.begin(), blocking.end()}, false};
 }
 
-std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, ThreadTeam& team,
-                                               const StopToken& stop) {
+std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, ThreadTeam& team, const StopToken& stop) {
   BodyGroup leaving;
   for (const std::size_t body : bodiesIn(question.present)) {
     if (!question.staying[body]) leaving.push_back(body);
@@ -204,8 +203,10 @@ bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line
     const RigidBody& own = product_.bodies[body];
     Pose end = own.X_WB;
     end.position += line.way;
-    const MotionCheck check = worlds_.pair(body, other)->makeQuery()->checkMotion(
-        own.X_WB, end, worlds_.object({body}).required, SeekViolation::Any, stop);
+    const MotionCheck check =
+        worlds_.pair(body, other)
+            ->makeQuery()
+            ->checkMotion(own.X_WB, end, worlds_.object({body}).required, SeekViolation::Any, stop);
     blocks = check.status != CertificateStatus::Certified;
   }
   if (!stop.stopRequested()) known = blocks;

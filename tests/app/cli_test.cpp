@@ -561,7 +561,7 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   EXPECT_EQ(report["stuck"][0]["part"], "block");
   EXPECT_EQ(report["stuck"][0]["blocked_by"], Json({"plate"}));
   EXPECT_GT(report["wall_s"], 0.0);
-  EXPECT_NE(found.err.find("step 6 of 7"), std::string::npos) << found.err;
+  EXPECT_NE(found.err.find("step 6, 6 of 7 parts"), std::string::npos) << found.err;
 
   const Json check = Json::parse(run("check " + product + " " + plan + " --accept-clashes 3mm --json").out);
   EXPECT_EQ(check["valid"], true) << check;
@@ -577,6 +577,57 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   EXPECT_EQ(Json::parse(read(cut))["end"], "time_limit");
   ASSERT_EQ(run(command + " --resume " + cut + " --out " + again).exitCode, 1);
   EXPECT_EQ(read(again), read(plan)) << "what is resumed becomes the same plan";
+}
+
+TEST_F(Cli, InterlockedSamplesLeaveByATurnOrAsAGroupOrAreRefused) {
+  const std::string folderOfSamples = glissade::test::sourceDirectory() + "/samples/interlocked/";
+  const std::string plan = (folder / "plan.json").string();
+  struct Row {
+    std::string name;
+    int exitCode;
+    std::vector<std::vector<std::string>> steps;
+  };
+  for (const Row& row : std::initializer_list<Row>{
+           {"turn", 0, {{"turn-key"}}}, {"group", 0, {{"group-slot", "group-tongue"}}}, {"two-hands", 1, {}}}) {
+    const std::string file = folderOfSamples + row.name + ".json";
+    const Finished found = run("sequence " + file + " --json --out " + plan);
+    EXPECT_EQ(found.exitCode, row.exitCode) << row.name << found.err;
+    const Json report = Json::parse(found.out);
+    ASSERT_EQ(report["steps"].size(), row.steps.size()) << row.name;
+    for (std::size_t i = 0; i < row.steps.size(); ++i) EXPECT_EQ(report["steps"][i]["bodies"], Json(row.steps[i]));
+    EXPECT_EQ(run("check " + file + " " + plan).exitCode, 0) << row.name;
+    if (row.name == "turn") {
+      EXPECT_NE(report["steps"][0]["method"], "straight");
+    }
+    if (row.name != "two-hands") continue;
+    ASSERT_EQ(report["stuck"].size(), 2U);
+    EXPECT_NE(report["stuck"][0]["reason"].get<std::string>().find("hold each other"), std::string::npos);
+  }
+}
+
+TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string plan = (folder / "plan.json").string();
+  const std::string command = "sequence " + product + " --json --out " + plan;
+  const Json demanded = Json::parse(run(command + " --before rod,screw --before screw,dowel").out);
+  std::vector<std::string> order;
+  for (const Json& step : demanded["steps"]) order.push_back(step["bodies"][0]);
+  const auto place = [&](const std::string& id) { return std::find(order.begin(), order.end(), id) - order.begin(); };
+  EXPECT_LT(place("rod"), place("screw"));
+  EXPECT_LT(place("screw"), place("dowel"));
+  EXPECT_LT(place("nut"), place("bolt")) << "nuts before bolts";
+  EXPECT_EQ(demanded["steps"][static_cast<std::size_t>(place("nut"))]["fastener"], "nut");
+  const Json together = Json::parse(run(command + " --together screw,dowel").out);
+  bool asOne = false;
+  for (const Json& step : together["steps"]) asOne = asOne || step["bodies"].size() == 2;
+  EXPECT_TRUE(asOne);
+  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 6);
+  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(run(command + " --before rod").exitCode, 2);
+  EXPECT_EQ(run(command + " --before rod,lid").exitCode, 2);
+  EXPECT_EQ(run(command + " --before rod,screw --before screw,rod").exitCode, 2);
+  EXPECT_EQ(run(command + " --gravity 0 0 0").exitCode, 2);
 }
 
 TEST_F(Cli, WrongUseOfASequenceIsNamed) {

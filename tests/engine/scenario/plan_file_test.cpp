@@ -23,7 +23,11 @@ TEST(PlanFile, ReadsWhatItWrites) {
   ASSERT_TRUE(plan.ok()) << toString(plan.error());
   EXPECT_EQ(planJson(*plan, "product.step"), document());
   EXPECT_EQ(plan->steps[0].path[1].q, test::somePlan().steps[0].path[1].q);
-  EXPECT_EQ(plan->parts(), 3U);
+  EXPECT_EQ(plan->parts(), 5U);
+  EXPECT_EQ(plan->removed(), 3U);
+  EXPECT_EQ(plan->steps[1].bodies(), (std::vector<std::string>{"wheel", "bearing"}));
+  EXPECT_EQ(plan->steps[0].fastener, FastenerKind::Nut);
+  EXPECT_TRUE(plan->steps[1].allowances[0].yields);
 }
 
 TEST(PlanFile, RefusesAChangedOne) {
@@ -51,8 +55,13 @@ TEST(PlanFile, ErrorsNameThePlace) {
            {R"([{"op": "add", "path": "/bodies/1", "value": "plate"}])", "/bodies/1"},
            {R"([{"op": "replace", "path": "/staying/0", "value": "base"}])", "/staying/0"},
            {R"([{"op": "replace", "path": "/steps/0/bodies/0", "value": "plate"}])", "/steps/0/bodies/0"},
-           {R"([{"op": "add", "path": "/steps/0/bodies/1", "value": "rod"}])", "/steps/0/bodies"},
+           {R"([{"op": "add", "path": "/steps/0/bodies/1", "value": "nut"}])", "/steps/0/bodies/1"},
+           {R"([{"op": "replace", "path": "/steps/0/bodies", "value": []}])", "/steps/0/bodies"},
            {R"([{"op": "copy", "path": "/steps/1", "from": "/steps/0"}])", "/steps/1/bodies/0"},
+           {R"([{"op": "replace", "path": "/steps/1/after/0", "value": 2}])", "/steps/1/after/0"},
+           {R"([{"op": "replace", "path": "/steps/1/after/0", "value": 0}])", "/steps/1/after/0"},
+           {R"([{"op": "replace", "path": "/steps/0/fastener", "value": "rivet"}])", "/steps/0/fastener"},
+           {R"([{"op": "replace", "path": "/steps/1/falling/0", "value": "nobody"}])", "/steps/1/falling/0"},
            {R"([{"op": "replace", "path": "/steps/0/certificate/status", "value": "undecided"}])",
             "/steps/0/certificate/status"},
            {R"([{"op": "replace", "path": "/steps/0/certificate/after_steps", "value": 1}])",
@@ -75,8 +84,16 @@ TEST(PlanFile, ErrorsNameThePlace) {
   }
 }
 
+TEST(PlanFile, AStepThatDoesNotSayIsAfterAllEarlierOnes) {
+  Json plan = document();
+  plan["steps"][1].erase("after");
+  const auto read = parsePlan(plan.dump(), "plan.json");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->steps[1].after, std::vector<std::size_t>{1});
+}
+
 TEST(PlanFile, IsAboutOneProduct) {
-  EXPECT_TRUE(checkSameBodies(test::somePlan(), {"plate", "nut", "bolt", "rod"}, "plan.json").ok());
+  EXPECT_TRUE(checkSameBodies(test::somePlan(), {"plate", "nut", "bolt", "rod", "wheel", "bearing"}, "plan.json").ok());
   const auto other = checkSameBodies(test::somePlan(), {"plate", "bolt", "rod"}, "plan.json");
   ASSERT_FALSE(other.ok());
   EXPECT_NE(other.error().reason.find("'nut'"), std::string::npos);

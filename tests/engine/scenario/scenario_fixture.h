@@ -100,6 +100,10 @@ inline Scenario fullScenario() {
                                  {{"place.cluttered", true, "rrt"}, {"1", false, "linear"}},
                                  true,
                                  true};
+  scenario.sequence.together = {{"wall", "part"}, {"a", "b", "c"}};
+  scenario.sequence.before = {{"wall", "object"}};
+  scenario.sequence.gravity = {1.0 / 3.0, 0.0, -1.0};
+  scenario.sequence.densities = {{"wall", 2700.0}};
   scenario.fits = {
       true, 0.0015, {{"object", "wall", ContactKind::Thread, 1.0 / 3e4, true}, {"product/pin", "wall", {}, {}, false}}};
   scenario.seed = 9223372036854775807U;

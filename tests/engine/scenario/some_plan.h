@@ -20,8 +20,19 @@ inline AssemblyPlan somePlan() {
       {0, 1e-6, 2e-6, 3e-6, "bolt"},
       {{"bolt", ContactKind::Thread, 4e-4, 4.1e-4, "nut taken 0.41 mm thinner on the thread of bolt (thread)"}}};
   plan.steps.push_back(nut);
+  plan.bodies.insert(plan.bodies.end(), {"wheel", "bearing"});
+  AssemblyStep group{"wheel", {{Pose::identity(), Author::Computer}, {away, Author::Computer}}, "straight", 2, {}, {}};
+  group.proof.required = 1e-6;
+  group.with = {"bearing"};
+  group.after = {1};
+  group.allowances = {{"plate", ContactKind::Press, 0.0, 1e-5, "plate taken thinner", "bearing", true}};
+  group.falling = {"rod"};
+  plan.steps.push_back(group);
+  plan.steps.front().fastener = FastenerKind::Nut;
+  plan.deflection = 5e-5;
   plan.refusals = {{"bolt", 0, 0, {"nut", "plate"}}, {"bolt", 1, 1, {"plate"}}, {"rod", 0, 1, {}}};
-  plan.stuck = {{"bolt", {"plate"}}, {"rod", {}}};
+  plan.refusals.push_back({"bolt", 2, 1, {"plate"}, {"rod"}});
+  plan.stuck = {{"bolt", {"plate"}, "no motion was found"}, {"rod", {}}};
   plan.end = PlanEnd::Stuck;
   return plan;
 }

@@ -23,8 +23,10 @@ class RuledTrial final : public RemovalTrial {
   explicit RuledTrial(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
   int efforts() const override { return 3; }
-  RemovalAnswer tryRemoval(std::size_t body, const BodySet& present, int effort, const StopToken&) override {
+  RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken&) override {
     const std::lock_guard lock(mutex_);
+    if (group.size() > 1) return Refused{bodiesIn(without(present, group)), false};
+    const std::size_t body = group.front();
     std::vector<std::size_t> blocking;
     for (const std::size_t other : rules_[body].blockedBy) {
       if (present[other]) blocking.push_back(other);
@@ -39,7 +41,20 @@ class RuledTrial final : public RemovalTrial {
     Path path{{{Pose::identity(), Author::Computer}, {Pose::translation({1.0, 0.0, 0.0}), Author::Computer}}, {}};
     return Removed{path, "ruled", {}};
   }
-  void learn(std::size_t body, const std::vector<PathPoint>&) override { learned.push_back(body); }
+  std::vector<BodyGroup> groupsAlongLines(const GroupQuestion&, ThreadTeam&, const StopToken&) override { return {}; }
+  std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>&,
+                                    const std::vector<std::size_t>& left, const StopToken&) override {
+    std::vector<std::size_t> blocking;
+    for (const std::size_t other : left) {
+      if (rules_[group.front()].blockedBy.count(other) != 0) blocking.push_back(other);
+    }
+    return blocking;
+  }
+  std::optional<Removed> certified(const BodyGroup&, const std::vector<PathPoint>& path, const std::string& method,
+                                   const BodySet&, const StopToken&) override {
+    return Removed{{path, {}}, method, {}};
+  }
+  void learn(const BodyGroup& group, const std::vector<PathPoint>&) override { learned.push_back(group.front()); }
 
   std::vector<std::size_t> learned;
 
@@ -138,6 +153,48 @@ TEST(GreedyStrategy, GoesOnFromAnyWaveToTheSamePlan) {
       EXPECT_EQ(rest.learned.size(), plan.steps.size());
     }
   }
+}
+
+TEST(GreedyStrategy, NamesTheStepsThatHaveToBeCarriedOutBefore) {
+  RandomStream random(5, "precedence");
+  for (int round = 0; round < 30; ++round) {
+    const AssembledProduct product = boxes(12);
+    const auto rules = randomRules(random, 12);
+    RuledTrial trial(rules);
+    const AssemblyPlan plan = planned(product, trial);
+    for (std::size_t step = 0; step < plan.steps.size(); ++step) {
+      const auto& blockedBy = rules[*product.indexOf(plan.steps[step].body)].blockedBy;
+      for (std::size_t other = 0; other < step; ++other) {
+        const bool needed = blockedBy.count(*product.indexOf(plan.steps[other].body)) != 0;
+        const auto& after = plan.steps[step].after;
+        EXPECT_EQ(std::count(after.begin(), after.end(), other + 1), needed ? 1 : 0);
+      }
+    }
+  }
+}
+
+TEST(GreedyStrategy, KeepsTheOrderThatAPersonDemandsAndSaysSoWhereItIsInTheWay) {
+  const AssembledProduct product = boxes(4);
+  std::vector<RuledTrial::Rule> rules(4);
+  RuledTrial free(rules);
+  test::QuietHost host;
+  const BodySet staying{true, false, false, false};
+  const AssemblyPlan kept =
+      GreedyStrategy().plan({product, staying, 1, free, nullptr, {{}, {{3, 1, true}, {1, 2, true}}}}, host);
+  EXPECT_EQ(test::orderOf(kept), (std::vector<std::string>{"3", "1", "2"}));
+  EXPECT_EQ(kept.steps[1].after, std::vector<std::size_t>{1});
+  rules[3].blockedBy = {0};
+  RuledTrial blocked(rules);
+  const AssemblyPlan stuck = GreedyStrategy().plan({product, staying, 1, blocked, nullptr, {{}, {{3, 1, true}}}}, host);
+  EXPECT_EQ(test::orderOf(stuck), std::vector<std::string>{"2"});
+  ASSERT_EQ(stuck.stuck.size(), 2U);
+  EXPECT_EQ(stuck.stuck[0].body, "1");
+  EXPECT_EQ(stuck.stuck[0].blockedBy, std::vector<std::string>{"3"});
+  EXPECT_NE(stuck.stuck[0].reason.find("demanded"), std::string::npos);
+  // What is known, and not demanded, is given up where nothing else can leave.
+  RuledTrial known(rules);
+  const AssemblyPlan given = GreedyStrategy().plan({product, staying, 1, known, nullptr, {{}, {{3, 1, false}}}}, host);
+  EXPECT_EQ(test::orderOf(given), (std::vector<std::string>{"2", "1"}));
 }
 
 TEST(GreedyStrategy, StopsWithThePlanSoFar) {

@@ -5,6 +5,7 @@
 #include "engine/base/random_stream.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/sequence/motion_world.h"
+#include "engine/sequence/plan_judge.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -20,13 +21,13 @@ TEST(MotionTrial, ADrawerLeavesWhenItsPinHas) {
   const auto drawer = bodyNamed(product, "drawer");
   const auto pin = bodyNamed(product, "pin");
   const auto cap = bodyNamed(product, "cap");
-  const RemovalAnswer locked = trial.tryRemoval(drawer, present, 0, {});
+  const RemovalAnswer locked = trial.tryRemoval({drawer}, present, 0, {});
   ASSERT_TRUE(std::holds_alternative<Refused>(locked));
   const auto& blocking = std::get<Refused>(locked).blockedBy;
   EXPECT_NE(std::find(blocking.begin(), blocking.end(), pin), blocking.end());
-  EXPECT_TRUE(std::holds_alternative<Refused>(trial.tryRemoval(pin, present, 0, {})));
+  EXPECT_TRUE(std::holds_alternative<Refused>(trial.tryRemoval({pin}, present, 0, {})));
   present[cap] = present[pin] = false;
-  const RemovalAnswer open = trial.tryRemoval(drawer, present, 0, {});
+  const RemovalAnswer open = trial.tryRemoval({drawer}, present, 0, {});
   ASSERT_TRUE(std::holds_alternative<Removed>(open));
   const auto& path = std::get<Removed>(open).path;
   EXPECT_EQ(path.certificate.status, CertificateStatus::Certified);
@@ -43,8 +44,8 @@ TEST(MotionTrial, AnAnswerDoesNotDependOnWhatWasAskedBefore) {
     BodySet present(4);
     for (std::size_t other = 0; other < 4; ++other) present[other] = other == body || random.uniform() < 0.6;
     MotionTrial fresh(product, fits, 1);
-    const RemovalAnswer one = asked.tryRemoval(body, present, 0, {});
-    const RemovalAnswer other = fresh.tryRemoval(body, present, 0, {});
+    const RemovalAnswer one = asked.tryRemoval({body}, present, 0, {});
+    const RemovalAnswer other = fresh.tryRemoval({body}, present, 0, {});
     ASSERT_EQ(one.index(), other.index());
     if (const auto* removed = std::get_if<Removed>(&one)) {
       EXPECT_EQ(removed->path.points.back().q, std::get<Removed>(other).path.points.back().q);
@@ -56,7 +57,7 @@ TEST(MotionTrial, AnAnswerDoesNotDependOnWhatWasAskedBefore) {
 TEST(MotionTrial, MotionsHoldForEverySubset) {
   const AssembledProduct product = test::lockedDrawer();
   const ProductFits fits = test::fitsOf(product);
-  PreparedBodies prepared(product.bodies);
+  MotionWorlds worlds(product, fits);
   const AssemblyPlan plan = test::planOf(product, "cabinet");
   BodySet present(4, true);
   for (const AssemblyStep& step : plan.steps) {
@@ -65,9 +66,8 @@ TEST(MotionTrial, MotionsHoldForEverySubset) {
     for (unsigned mask = 0; mask < 16; ++mask) {
       BodySet subset = present;
       for (std::size_t other = 0; other < 4; ++other) subset[other] = subset[other] && (mask >> other & 1U) != 0;
-      const auto motion = motionWorld(product, fits, prepared, body, subset);
-      const auto certificate =
-          certifyPath(*motion.world->makeQuery(), step.path, motionParameters(product.bodies[body]));
+      const auto motion = worlds.world({body}, subset);
+      const auto certificate = certifyPath(*motion.world->makeQuery(), step.path, worlds.parameters({body}));
       EXPECT_EQ(certificate.status, CertificateStatus::Certified) << step.body << ", bodies " << mask;
     }
   }
@@ -76,11 +76,11 @@ TEST(MotionTrial, MotionsHoldForEverySubset) {
 TEST(MotionTrial, ComposedWorldsAnswerAsThoseBuiltAtOnce) {
   const AssembledProduct product = test::lockedDrawer();
   const ProductFits fits = test::fitsOf(product);
-  PreparedBodies prepared(product.bodies);
+  MotionWorlds worlds(product, fits);
   RandomStream random(4, "poses");
   for (std::size_t body = 0; body < 4; ++body) {
     BodySet others(4, true);
-    const auto motion = motionWorld(product, fits, prepared, body, others);
+    const auto motion = worlds.world({body}, others);
     std::vector<RigidBody> obstacles = product.bodies;
     obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(body));
     const auto built = CollisionWorld::build(obstacles, product.bodies[body].mesh);
@@ -95,6 +95,59 @@ TEST(MotionTrial, ComposedWorldsAnswerAsThoseBuiltAtOnce) {
       EXPECT_EQ(one->clearAbove(q, 0.1), other->clearAbove(q, 0.1));
     }
   }
+}
+
+/// A tongue in a slot, both in a tray that is open at the top.
+AssembledProduct tongueInTray() {
+  return test::productOf({test::bodyOf("tray", {{{1.6, 1.6, 0.1}, {0.0, 0.0, -0.45}},
+                                                {{0.1, 1.6, 0.8}, {-0.75, 0.0, -0.1}},
+                                                {{0.1, 1.6, 0.8}, {0.75, 0.0, -0.1}},
+                                                {{1.6, 0.1, 0.8}, {0.0, -0.75, -0.1}},
+                                                {{1.6, 0.1, 0.8}, {0.0, 0.75, -0.1}}}),
+                          test::bodyOf("slot", {{{0.1, 1.36, 0.6}, {-0.6, 0.0, -0.05}},
+                                                {{0.6, 1.36, 0.1}, {-0.35, 0.0, 0.2}},
+                                                {{0.6, 1.36, 0.1}, {-0.35, 0.0, -0.3}},
+                                                {{0.1, 1.36, 0.15}, {-0.1, 0.0, 0.1}},
+                                                {{0.1, 1.36, 0.15}, {-0.1, 0.0, -0.2}}}),
+                          test::bodyOf("tongue", {{{0.1, 1.36, 0.36}, {-0.25, 0.0, -0.05}},
+                                                  {{0.6, 1.36, 0.08}, {0.0, 0.0, -0.05}},
+                                                  {{0.4, 1.36, 0.6}, {0.3, 0.0, -0.05}}}),
+                          boxBody("lamp", Vector3::Constant(0.2), Pose::translation({3.0, 0.0, 0.0}))});
+}
+
+TEST(MotionTrial, AGroupLeavesWhereNoneOfItsBodiesDoes) {
+  const AssembledProduct product = tongueInTray();
+  const AssemblyPlan plan = test::planOf(product, "tray");
+  EXPECT_EQ(plan.end, PlanEnd::Complete);
+  ASSERT_EQ(plan.steps.size(), 2U);
+  EXPECT_EQ(plan.steps[0].bodies(), std::vector<std::string>{"lamp"});
+  EXPECT_EQ(plan.steps[1].bodies(), (std::vector<std::string>{"slot", "tongue"}));
+  EXPECT_EQ(plan.removed(), 3U);
+  EXPECT_GT(plan.steps[1].path.back().q.position.z(), plan.steps[1].path.front().q.position.z() + 0.5);
+  const auto judgements = judgePlan(plan, product, std::nullopt);
+  ASSERT_TRUE(judgements.ok());
+  for (const StepJudgement& judgement : *judgements) EXPECT_TRUE(judgement.valid()) << judgement.body;
+  AssemblyPlan alone = plan;
+  alone.steps[1].with.clear();
+  const auto refused = judgePlan(alone, product, std::nullopt);
+  ASSERT_TRUE(refused.ok());
+  EXPECT_FALSE((*refused)[1].valid()) << "the slot does not leave without the tongue";
+}
+
+TEST(MotionTrial, WhatAPersonWantsTogetherLeavesAsOne) {
+  const AssembledProduct product = test::lockedDrawer();
+  const ProductFits fits = test::fitsOf(product);
+  MotionTrial trial(product, fits, 1, 0);
+  test::QuietHost host;
+  BodySet staying(4, false);
+  staying[bodyNamed(product, "cabinet")] = true;
+  const BodyGroup both{bodyNamed(product, "pin"), bodyNamed(product, "cap")};
+  const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(
+      {product, staying, 1, trial, nullptr, {{both}, {}}}, host);
+  ASSERT_EQ(plan.steps.size(), 2U);
+  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"pin", "cap"}));
+  EXPECT_EQ(plan.steps[1].body, "drawer");
+  EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
 }
 
 }  // namespace

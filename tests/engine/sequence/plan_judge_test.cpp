@@ -33,6 +33,19 @@ TEST(PlanJudge, RefusesAnOrderThatIsNotFree) {
   EXPECT_EQ((*judgements)[1].certificate.nearest.body, static_cast<int>(*product.indexOf("pin")));
 }
 
+/// What a step is said not to be after may be there.
+TEST(PlanJudge, RefusesAPrecedenceThatLeavesSomethingOut) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
+  plan.steps[1].after.clear();
+  const auto judgements = judgePlan(plan, product, std::nullopt);
+  ASSERT_TRUE(judgements.ok());
+  EXPECT_TRUE((*judgements)[0].valid());
+  EXPECT_FALSE((*judgements)[1].valid()) << "the pin under its cap";
+}
+
 TEST(PlanJudge, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");

@@ -66,5 +66,32 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   EXPECT_FALSE((*whole)[0].valid()) << "the whole nut does not leave";
 }
 
+/// A nut whose wall is thin against the overlap of its thread, or which the bolt is, or both are.
+TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
+  struct Row {
+    double bolt;      // inner radius
+    double nut;       // outer radius
+    bool nutIsThin;   // the bolt yields
+    bool boltIsThin;  // the nut yields
+  };
+  for (const Row& row : {Row{0.0, 0.00415, true, false}, Row{0.0035, 0.008, false, true}}) {
+    const AssembledProduct product =
+        test::productOf({ring("bolt", row.bolt, 0.004, 0.04, 0.0), ring("nut", 0.0039, row.nut, 0.006, 0.0)}, true);
+    const ProductFits fits = test::fitsOf(product);
+    EXPECT_EQ(fits.fitsOf(1).empty(), row.nutIsThin);
+    EXPECT_EQ(fits.yieldingTo(1).size(), row.nutIsThin ? 1U : 0U);
+    EXPECT_EQ(fits.yieldingTo(0).size(), row.boltIsThin ? 1U : 0U);
+    EXPECT_EQ(fits.obstacleFor(1, 0) == product.bodies[0].mesh, !row.nutIsThin);
+    EXPECT_TRUE(fits.warnings().empty());
+    const AssemblyPlan plan = test::planOf(product, "bolt");
+    ASSERT_EQ(test::orderOf(plan), std::vector<std::string>{"nut"});
+    ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+    EXPECT_EQ(plan.steps[0].allowances[0].yields, row.nutIsThin);
+    const auto judgements = judgePlan(plan, product, std::nullopt);
+    ASSERT_TRUE(judgements.ok());
+    EXPECT_TRUE((*judgements)[0].valid());
+  }
+}
+
 }  // namespace
 }  // namespace glissade

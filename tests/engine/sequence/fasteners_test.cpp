@@ -1,0 +1,125 @@
+#include "engine/sequence/fasteners.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/random_stream.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kSegments = 24;
+
+/// A ring whose outside is a prism of so many sides, with the corners at this radius.
+TriangleMesh prismRing(double inner, double corner, double length, int sides) {
+  TriangleMesh mesh = test::makeRing(inner, corner, length, kSegments);
+  const double side = 2.0 * 3.14159265358979323846 / sides;
+  for (std::size_t i = 0; i < 2 * kSegments; ++i) {
+    Vector3& vertex = mesh.vertices[i];
+    const double angle = std::atan2(vertex.y(), vertex.x());
+    const double within = angle - side * std::floor(angle / side + 1e-9) - 0.5 * side;
+    vertex.head<2>() *= std::cos(0.5 * side) / std::cos(within);
+  }
+  return mesh;
+}
+
+RigidBody placed(const std::string& name, TriangleMesh mesh, const Pose& X_WB) {
+  RigidBody body = boxBody(name, {1.0, 1.0, 1.0}, X_WB);
+  body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  return body;
+}
+
+TriangleMesh boltMesh(double radius, double head) {
+  TriangleMesh mesh = test::makeRing(0.0, radius, 0.04, kSegments);
+  append(mesh, transformed(test::makeRing(0.0, head, 0.006, kSegments), Pose::translation({0.0, 0.0, -0.022})));
+  return mesh;
+}
+
+/// All on one axis, which may point anywhere; names say nothing.
+AssembledProduct fastened(const Pose& X_WF, double shaft = 0.004) {
+  const auto at = [&](double z) { return X_WF * Pose::translation({0.0, 0.0, z}); };
+  return test::productOf(
+      {placed("1", boltMesh(shaft, 0.007), at(0.0)), placed("2", prismRing(0.004, 0.007, 0.006, 6), at(0.006)),
+       placed("3", test::makeRing(0.004, 0.009, 0.0015, kSegments), at(0.00225)),
+       placed("4", prismRing(0.004, 0.03, 0.0205, 4), at(-0.00875)),
+       placed("5", test::makeRing(0.0, 0.002, 0.02, kSegments), at(0.0) * Pose::translation({0.015, 0.0, -0.00875})),
+       placed("6", test::makeRing(0.002, 0.0035, 0.002, kSegments), at(0.0) * Pose::translation({0.015, 0.0, 0.0025}))},
+      true);
+}
+
+TEST(Fasteners, AreRecognisedByShapeAndContactsInEveryDirection) {
+  RandomStream random(1, "directions");
+  for (int round = 0; round < 5; ++round) {
+    Pose X_WF;
+    X_WF.orientation =
+        fromRollPitchYaw(random.uniform(-3.0, 3.0), random.uniform(-1.5, 1.5), random.uniform(-3.0, 3.0));
+    const AssembledProduct product = fastened(X_WF);
+    const ProductFits fits = test::fitsOf(product);
+    const auto kinds = fastenersOf(product, fits.contacts());
+    EXPECT_EQ(kinds[0], FastenerKind::Screw);
+    EXPECT_EQ(kinds[1], FastenerKind::Nut);
+    EXPECT_EQ(kinds[2], FastenerKind::Washer);
+    EXPECT_EQ(kinds[3], FastenerKind::None) << "a plate with a hole";
+  }
+}
+
+TEST(Fasteners, NutsLeaveBeforeTheirBolts) {
+  const AssembledProduct product = fastened(Pose::identity());
+  const ProductFits fits = test::fitsOf(product);
+  const auto kinds = fastenersOf(product, fits.contacts());
+  const auto rules = fastenerRules(kinds, fits.contacts());
+  ASSERT_EQ(rules.size(), 1U);
+  EXPECT_EQ(rules[0].first, 1U);
+  EXPECT_EQ(rules[0].then, 0U);
+  EXPECT_FALSE(rules[0].demanded);
+  MotionTrial trial(product, fits, 1, 0);
+  test::QuietHost host;
+  BodySet staying(product.bodies.size(), false);
+  staying[3] = true;
+  const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(
+      {product, staying, 1, trial, nullptr, {{}, rules}, kinds}, host);
+  const auto order = test::orderOf(plan);
+  const auto nut = std::find(order.begin(), order.end(), "2");
+  const auto bolt = std::find(order.begin(), order.end(), "1");
+  ASSERT_NE(nut, order.end());
+  ASSERT_NE(bolt, order.end());
+  EXPECT_LT(nut, bolt);
+  const auto& step = plan.steps[static_cast<std::size_t>(bolt - order.begin())];
+  EXPECT_EQ(step.fastener, FastenerKind::Screw);
+  const auto number = static_cast<std::size_t>(nut - order.begin()) + 1;
+  EXPECT_NE(std::find(step.after.begin(), step.after.end(), number), step.after.end());
+}
+
+/// As those of as1: a box with a hole.
+TEST(Fasteners, ANutMayBeARectangle) {
+  for (const double width : {0.016, 0.02, 0.05}) {
+    TriangleMesh nut = prismRing(0.004, 0.02, 0.006, 4);
+    for (std::size_t i = 0; i < 2 * kSegments; ++i) {
+      const Vector3 corner = fromRollPitchYaw(0.0, 0.0, 0.25 * 3.14159265358979323846) * nut.vertices[i];
+      nut.vertices[i] = {corner.x() * width / 0.0283, corner.y() * 0.012 / 0.0283, corner.z()};
+    }
+    const AssembledProduct product =
+        test::productOf({placed("1", boltMesh(0.004, 0.007), Pose::identity()),
+                         placed("2", std::move(nut), Pose::translation({0.0, 0.0, 0.006}))},
+                        true);
+    const auto kinds = fastenersOf(product, test::fitsOf(product).contacts());
+    EXPECT_EQ(kinds[1], width < 0.03 ? FastenerKind::Nut : FastenerKind::None) << width;
+  }
+}
+
+TEST(Fasteners, ShapeAloneIsNotEnough) {
+  const auto kinds = fastenersOf(fastened(Pose::identity()), {});
+  EXPECT_EQ(std::count(kinds.begin(), kinds.end(), FastenerKind::None), static_cast<std::ptrdiff_t>(kinds.size()));
+}
+
+TEST(Fasteners, HaveNames) {
+  for (const FastenerKind kind :
+       {FastenerKind::None, FastenerKind::Screw, FastenerKind::Nut, FastenerKind::Washer, FastenerKind::Pin}) {
+    EXPECT_EQ(fastenerByName(fastenerName(kind)), kind);
+  }
+  EXPECT_FALSE(fastenerByName("rivet").has_value());
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,82 @@
+#include "engine/sequence/order_search.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "engine/base/random_stream.h"
+
+namespace glissade {
+namespace {
+
+/// Random precedence without circles, and costs of a step behind another one.
+OrderQuestion randomQuestion(RandomStream& random, std::size_t steps) {
+  OrderQuestion question;
+  std::vector<std::vector<double>> costs(steps + 1, std::vector<double>(steps));
+  for (auto& row : costs) {
+    for (double& cost : row) cost = std::floor(random.uniform(0.0, 4.0));
+  }
+  for (std::size_t step = 0; step < steps; ++step) {
+    question.after.emplace_back();
+    for (std::size_t earlier = 0; earlier < step; ++earlier) {
+      if (random.uniform() < 0.15) question.after.back().push_back(earlier);
+    }
+  }
+  question.cost = [costs, steps](std::size_t step, const std::size_t* last, const std::vector<bool>&) {
+    return costs[last == nullptr ? steps : *last][step];
+  };
+  return question;
+}
+
+bool keeps(const std::vector<std::size_t>& order, const OrderQuestion& question) {
+  std::vector<bool> done(order.size(), false);
+  for (const std::size_t step : order) {
+    for (const std::size_t earlier : question.after[step]) {
+      if (!done[earlier]) return false;
+    }
+    done[step] = true;
+  }
+  return true;
+}
+
+double least(const OrderQuestion& question) {
+  std::vector<std::size_t> order(question.after.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  double cost = std::numeric_limits<double>::infinity();
+  do {
+    if (keeps(order, question)) cost = std::min(cost, costOf(order, question));
+  } while (std::next_permutation(order.begin(), order.end()));
+  return cost;
+}
+
+/// All states can be expanded, so the order is the best of all.
+TEST(OrderSearch, FindsTheCheapestOrderThatKeepsWhatComesBefore) {
+  RandomStream random(1, "orders");
+  for (int round = 0; round < 40; ++round) {
+    OrderQuestion question = randomQuestion(random, 7);
+    question.mostExpansions = 100'000;
+    const auto order = cheapestOrder(question, {});
+    ASSERT_EQ(order.size(), 7U);
+    EXPECT_TRUE(keeps(order, question));
+    EXPECT_DOUBLE_EQ(costOf(order, question), least(question));
+  }
+}
+
+TEST(OrderSearch, HasAnOrderHoweverFewStatesItExpands) {
+  RandomStream random(2, "orders");
+  for (std::size_t expansions : {0U, 1U, 50U, 2000U}) {
+    OrderQuestion question = randomQuestion(random, 40);
+    question.mostExpansions = expansions;
+    const auto order = cheapestOrder(question, {});
+    ASSERT_EQ(order.size(), 40U);
+    EXPECT_TRUE(keeps(order, question));
+    question.mostExpansions = 0;
+    EXPECT_LE(costOf(order, question), costOf(cheapestOrder(question, {}), question));
+  }
+  EXPECT_TRUE(cheapestOrder({}, {}).empty());
+}
+
+}  // namespace
+}  // namespace glissade

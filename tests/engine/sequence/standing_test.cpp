@@ -1,0 +1,99 @@
+#include "engine/sequence/standing.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/sequence/contact_points.h"
+#include "engine/sequence/solid_mass.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+/// A table, two posts on it, a beam on both, and a weight on one end of the beam. They touch exactly.
+AssembledProduct beamOnPosts() {
+  return test::productOf({boxBody("table", {4.0, 4.0, 0.5}, Pose::translation({0.0, 0.0, -0.25})),
+                          boxBody("left", {0.25, 0.25, 1.0}, Pose::translation({-1.0, 0.0, 0.5})),
+                          boxBody("right", {0.25, 0.25, 1.0}, Pose::translation({1.0, 0.0, 0.5})),
+                          boxBody("beam", {2.5, 0.25, 0.25}, Pose::translation({0.0, 0.0, 1.125})),
+                          boxBody("weight", {0.25, 0.25, 0.25}, Pose::translation({-1.0, 0.0, 1.375}))},
+                         true);
+}
+
+struct BeamFixture {
+  explicit BeamFixture(const Vector3& gravity = -Vector3::UnitZ())
+      : product(beamOnPosts()),
+        fits(test::fitsOf(product)),
+        standing(product,
+                 {fits.contacts(),
+                  std::vector<FastenerKind>(5, FastenerKind::None),
+                  {true, false, false, false, false},
+                  densitiesOf({}, product),
+                  gravity},
+                 alone) {}
+  ThreadTeam alone{0};
+  AssembledProduct product;
+  ProductFits fits;
+  Standing standing;
+};
+
+TEST(Standing, APostMayNotLeaveBeforeTheBeam) {
+  BeamFixture beam;
+  const BodySet all(5, true);
+  EXPECT_EQ(beam.standing.newlyFalling(all, {2}), BodyGroup{3}) << "the weight still lies on the beam";
+  EXPECT_TRUE(beam.standing.newlyFalling(all, {4}).empty());
+  EXPECT_TRUE(beam.standing.newlyFalling({true, true, true, true, false}, {3}).empty());
+  EXPECT_TRUE(beam.standing.newlyFalling({true, true, true, false, false}, {2}).empty());
+}
+
+TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
+  BeamFixture beam;
+  MotionTrial trial(beam.product, beam.fits, 1, 0);
+  test::QuietHost host;
+  SequenceQuestion question{beam.product, {true, false, false, false, false}, 1, trial, nullptr};
+  const auto greedy = makeSequenceStrategyRegistry().find("greedy")->make();
+  question.standing = &beam.standing;
+  const AssemblyPlan plan = greedy->plan(question, host);
+  ASSERT_EQ(plan.steps.size(), 4U);
+  EXPECT_EQ(plan.steps[0].body, "weight");
+  EXPECT_EQ(plan.steps[1].body, "beam");
+  for (const AssemblyStep& step : plan.steps) EXPECT_TRUE(step.falling.empty()) << step.body;
+  // A demand that a post leaves first: the beam has to be held.
+  question.rules.before = {{2, 3, true}, {2, 4, true}, {2, 1, true}};
+  const AssemblyPlan forced = greedy->plan(question, host);
+  ASSERT_EQ(forced.steps.size(), 4U);
+  EXPECT_EQ(forced.steps[0].body, "right");
+  EXPECT_EQ(forced.steps[0].falling, std::vector<std::string>{"beam"});
+}
+
+TEST(SolidMass, IsThatOfBoxesAndOfBodiesOfSeveral) {
+  const TriangleMesh box = transformed(makeBox({1.0, 2.0, 3.0}), Pose::translation({5.0, -1.0, 2.0}));
+  EXPECT_NEAR(solidMass(box).volume, 6.0, 1e-12);
+  EXPECT_LT((solidMass(box).centre - Vector3(5.0, -1.0, 2.0)).norm(), 1e-12);
+  TriangleMesh two = makeBox({1.0, 1.0, 1.0});
+  append(two, transformed(makeBox({1.0, 1.0, 1.0}), Pose::translation({4.0, 0.0, 0.0})));
+  EXPECT_NEAR(solidMass(two).volume, 2.0, 1e-12);
+  EXPECT_LT((solidMass(two).centre - Vector3(2.0, 0.0, 0.0)).norm(), 1e-12);
+  TriangleMesh flat{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_EQ(solidMass(flat).volume, 0.0);
+}
+
+TEST(ContactPoints, AreTheCornersOfTheCommonFace) {
+  const TriangleTree below(makeBox({4.0, 4.0, 1.0}));
+  const TriangleTree above(transformed(makeBox({1.0, 2.0, 1.0}), Pose::translation({0.5, 0.0, 1.0})));
+  const auto points = contactPoints(below, above, 1e-4);
+  ASSERT_GE(points.size(), 4U);
+  Box3 box;
+  for (const ContactPoint& point : points) {
+    EXPECT_NEAR(point.point.z(), 0.5, 1e-12);
+    EXPECT_GT(point.normal.z(), 0.99);
+    box.extend(point.point);
+  }
+  EXPECT_NEAR(box.min().x(), 0.0, 0.2);
+  EXPECT_NEAR(box.max().x(), 1.0, 0.2);
+  EXPECT_NEAR(box.sizes().y(), 2.0, 0.4);
+  EXPECT_TRUE(contactPoints(below, TriangleTree(transformed(makeBox({1, 1, 1}), Pose::translation({0, 0, 1.1}))), 1e-4)
+                  .empty());
+}
+
+}  // namespace
+}  // namespace glissade
