@@ -11,8 +11,7 @@
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
-#include "engine/sequence/motion_trial.h"
-#include "engine/sequence/sequence_strategy.h"
+#include "engine/sequence/sequence_run.h"
 
 namespace glissade::cli {
 namespace {
@@ -205,8 +204,6 @@ int runSequence(const SequenceOptions& options) {
   if (!staying) return reportError(staying.error(), options.format);
   const auto demands = demandsOf(options, loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
-  auto rules = resolved(*demands, product);
-  if (!rules) return reportError(rules.error(), options.format);
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
   if (!fits) return reportError(fits.error(), options.format);
@@ -214,16 +211,12 @@ int runSequence(const SequenceOptions& options) {
   reportWarnings(fits->warnings());
 
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
-  MotionTrial trial(product, *fits, seed);
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
-  const auto strategy = makeSequenceStrategyRegistry().find(options.strategy)->make();
-  const std::vector<FastenerKind> fasteners = fastenersOf(product, fits->contacts());
-  for (const OrderRule& rule : fastenerRules(fasteners, fits->contacts())) rules->before.push_back(rule);
-  Standing standing(product, {fits->contacts(), fasteners, *staying, densitiesOf(*demands, product), demands->gravity},
-                    team);
-  AssemblyPlan plan = strategy->plan(
-      {product, *staying, seed, trial, earlier ? &*earlier : nullptr, *rules, fasteners, &standing}, host);
+  auto planned =
+      planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
+  if (!planned) return reportError(planned.error(), options.format);
+  AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
   const double seconds = secondsSince(begin);

@@ -122,6 +122,7 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   bench_.actions["panel.sequence"]->trigger();
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
+  job.demands = scenario->scenario.sequence;
   job.product = goesOn ? shown().product : std::make_shared<const AssembledProduct>(productOf(*scenario));
   job.staying = stayingBodies(*job.product);
   job.seed = bench_.document.settings().seed;

@@ -4,9 +4,8 @@
 #include <chrono>
 #include <thread>
 
-#include "engine/sequence/motion_trial.h"
 #include "engine/sequence/plan_judge.h"
-#include "engine/sequence/sequence_strategy.h"
+#include "engine/sequence/sequence_run.h"
 
 namespace glissade {
 namespace {
@@ -83,10 +82,10 @@ Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const S
   const auto fits = ProductFits::find(product, team, stop.token());
   if (!fits) return fits.error();
   watch.report(kFitsShare);
-  MotionTrial trial(product, *fits, job.seed);
   AnnouncingHost host(job, watch, stop, team, announce);
-  const auto strategy = makeSequenceStrategyRegistry().find(job.strategy)->make();
-  return host.ended(strategy->plan({product, job.staying, job.seed, trial, job.resumed.get()}, host));
+  auto plan = planSequence(product, *fits, {job.staying, job.strategy, job.seed, job.demands, job.resumed.get()}, host);
+  if (!plan) return plan.error();
+  return host.ended(std::move(*plan));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "engine/sequence/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/order_rules.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {
@@ -19,6 +20,7 @@ using PlanPtr = std::shared_ptr<const AssemblyPlan>;
 struct SequenceJob {
   ProductPtr product;
   BodySet staying;
+  SequenceDemands demands;
   std::string strategy = "greedy";
   std::uint64_t seed = 1;
   PlanPtr resumed;                       ///< goes on from this plan; null: begins anew

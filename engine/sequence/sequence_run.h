@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/base/result.h"
+#include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/order_rules.h"
+#include "engine/sequence/product_fits.h"
+#include "engine/sequence/sequence_strategy.h"
+
+namespace glissade {
+
+/// What is asked for when the sequence of a product is planned.
+struct SequenceRequest {
+  BodySet staying;                  ///< bodies that are not to leave
+  std::string strategy = "greedy";  ///< id of the registry
+  std::uint64_t seed = 1;
+  SequenceDemands demands{};
+  const AssemblyPlan* resumed = nullptr;  ///< as in SequenceQuestion
+};
+
+/// Plans with all that is known of the product: its fits, its fasteners, what stands, and the demands. Errors: an
+/// unknown strategy, demands that name no body or contradict each other.
+Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
+                                  const SequenceRequest& request, SequenceHost& host);
+
+}  // namespace glissade
