@@ -14,6 +14,7 @@
 
 #include "engine/collision/fcl_scale.h"
 #include "engine/collision/judged_thinning.h"
+#include "engine/collision/judged_threads.h"
 #include "engine/collision/ray_containment.h"
 
 namespace glissade {
@@ -291,8 +292,8 @@ struct IndependentCheck::Geometry {
   }
 };
 
-IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
-                                   const std::vector<double>& allowances) {
+std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(
+    const std::vector<RigidBody>& obstacles, const TriangleMesh& object, const std::vector<double>& allowances) {
   std::map<double, TriangleMesh> objects{{0.0, object}};
   for (const double allowance : allowances) {
     if (objects.count(allowance) == 0) objects.emplace(allowance, thinnedForJudging(object, allowance));
@@ -309,20 +310,43 @@ IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, cons
     group->finish();
     geometry->groups.push_back(std::move(group));
   }
-  geometry_ = std::move(geometry);
+  return geometry;
+}
+
+IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
+                                   const std::vector<double>& allowances, const std::vector<ThreadRule>& threads)
+    : geometry_(geometryOf(obstacles, object, allowances)) {
+  if (threads.empty()) return;
+  std::vector<double> without = allowances;
+  for (const ThreadRule& rule : threads) {
+    if (!without.empty()) without[static_cast<std::size_t>(rule.obstacle)] = 0.0;
+  }
+  whole_ = geometryOf(obstacles, object, without);
+  threads_ = std::make_unique<const JudgedThreads>(threads, object, obstacles);
 }
 
 IndependentCheck::~IndependentCheck() = default;
 
 MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                                           const StopToken& stop) const {
-  const double scale = geometry_->scale;
   MotionCertificate result;
+  const auto turned = threads_ ? threads_->judge(path) : std::vector<JudgedThreads::Edge>();
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = path[std::min(i + 1, path.size() - 1)];
-    const MotionCertificate edge =
-        checkEdge(scaledPose(path[i], scale), scaledPose(to, scale), scale * demands[i].clearance, stop);
-    addEdge(result, inMetres(edge, scale), demands[i]);
+    const bool free = i < turned.size() && !turned[i].engaged;
+    const Geometry& geometry = free ? *whole_ : *geometry_;
+    const double scale = geometry.scale;
+    MotionCertificate edge;
+    if (i < turned.size() && turned[i].forbiddenBy >= 0) {
+      edge.status = CertificateStatus::Violated;
+      edge.againstThread = true;
+      edge.nearest.body = turned[i].forbiddenBy;
+    } else {
+      edge = inMetres(checkEdge(geometry, scaledPose(path[i], scale), scaledPose(to, scale),
+                                scale * demands[i].clearance, stop),
+                      scale);
+    }
+    addEdge(result, edge, demands[i]);
     if (result.status != CertificateStatus::Certified) break;
   }
   return result;
@@ -346,24 +370,24 @@ std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, dou
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
 /// there a straight way is proved by what the object sweeps, too.
-MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, double required,
-                                              const StopToken& stop) const {
+MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to,
+                                              double required, const StopToken& stop) {
   const Course course(from, to);
-  const double speed = course.speed(geometry_->object);
+  const double speed = course.speed(geometry.object);
   MotionCertificate result;
   result.tolerance = required;
   result.minClearance = result.provedClearance = std::numeric_limits<double>::infinity();
-  if (const int body = geometry_->container(course.at(0.0)); body >= 0) {
+  if (const int body = geometry.container(course.at(0.0)); body >= 0) {
     result.status = CertificateStatus::Violated;
     result.minClearance = result.provedClearance = 0.0;
     result.nearest.body = body;
     return result;
   }
-  const double turn = course.turn(geometry_->object);
-  const bool sweeps = geometry_->groups.size() > 1 && turn <= kErrorShare * required;
-  if (course.isHalfACircle() || !geometry_->resolves(from, to, required)) return result;
+  const double turn = course.turn(geometry.object);
+  const bool sweeps = geometry.groups.size() > 1 && turn <= kErrorShare * required;
+  if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
   const auto meet = [&](double t) {
-    const NearestObstacle nearest = geometry_->nearest(course.at(t));
+    const NearestObstacle nearest = geometry.nearest(course.at(t));
     if (nearest.distance < result.minClearance) {
       result.minClearance = nearest.distance;
       result.at = t;
@@ -389,7 +413,7 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     double proved = distance - 0.5 * speed * length;
     bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
     if (!closely && sweeps) {
-      proved = geometry_->sweptDistance(course.at(span.begin), length * course.way()) - turn;
+      proved = geometry.sweptDistance(course.at(span.begin), length * course.way()) - turn;
       closely = proved >= required;
     }
     if (closely) {

@@ -50,11 +50,15 @@ Json toJson(const StepProof& proof) {
 }
 
 Json toJson(const StepAllowance& allowance) {
-  return {{"body", allowance.body},
-          {"kind", kindName(allowance.kind)},
-          {"overlap_m", allowance.overlap},
-          {"allowance_m", allowance.allowance},
-          {"text", allowance.text}};
+  Json json{{"body", allowance.body},
+            {"kind", kindName(allowance.kind)},
+            {"overlap_m", allowance.overlap},
+            {"allowance_m", allowance.allowance},
+            {"text", allowance.text}};
+  if (allowance.pitch == 0.0) return json;
+  json["pitch_m"] = allowance.pitch;
+  json["turns"] = allowance.turns;
+  return json;
 }
 
 Json toJson(const AssemblyStep& step) {
@@ -170,11 +174,14 @@ class PlanReader {
   }
 
   StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text"});
+    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is no kind of fit");
-    return {readId(at.at("body")), *kind, readLength(at.at("overlap_m")), readLength(at.at("allowance_m")),
-            at.at("text").text()};
+    StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
+                            readLength(at.at("allowance_m")), at.at("text").text()};
+    if (const auto pitch = at.find("pitch_m")) allowance.pitch = pitch->coordinate();
+    if (const auto turns = at.find("turns")) allowance.turns = turns->coordinate();
+    return allowance;
   }
 
   static std::vector<PathPoint> readPath(const JsonCursor& at) {

@@ -16,6 +16,8 @@ struct StepAllowance {
   double overlap = 0.0;    ///< as measured, metres
   double allowance = 0.0;  ///< metres
   std::string text;        ///< for people, with names
+  double pitch = 0.0;      ///< of a thread that comes apart by turning only, metres a turn; 0: none
+  double turns = 0.0;      ///< of the body in it, by the right hand about the direction in which it leaves
 };
 
 /// What was proved of a step's motion: it keeps the required clearance from every body that was there.
@@ -31,7 +33,7 @@ struct StepProof {
 struct AssemblyStep {
   std::string body;             ///< id
   std::vector<PathPoint> path;  ///< of the body's frame, which stands at the first configuration; see AssembledProduct
-  std::string method;           ///< "straight", or "auto" and what found it: "auto: turning-rrt"
+  std::string method;           ///< "straight", "turned", or "auto" and what found it: "auto: turning-rrt"
   std::size_t wave = 0;         ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there

@@ -1,6 +1,7 @@
 #include "engine/sequence/greedy_strategy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -143,8 +144,15 @@ class GreedySearch {
     if (certificate.nearest.body >= 0) step.proof.nearest = idOf(static_cast<std::size_t>(certificate.nearest.body));
     for (const Fit& fit : removed.fits) {
       const RigidBody& other = question_.product.bodies[fit.obstacle];
-      step.allowances.push_back({other.id, fit.kind, fit.overlap, fit.allowance,
-                                 inWords(fit, question_.product.bodies[body].name, other.name)});
+      const RigidBody& own = question_.product.bodies[body];
+      StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, own.name, other.name)};
+      if (fit.thread) {
+        allowance.pitch = fit.thread->rule.pitch;
+        allowance.turns = std::abs(
+            turnsWhileEngaged(ThreadPair(fit.thread->rule, *own.mesh, other), configurationsOf(removed.path.points)));
+        allowance.text += turnsInWords(allowance.turns);
+      }
+      step.allowances.push_back(std::move(allowance));
     }
     return step;
   }

@@ -2,10 +2,11 @@
 
 #include "engine/sequence/searched_removal.h"
 #include "engine/sequence/straight_removal.h"
+#include "engine/sequence/turned_removal.h"
 
 namespace glissade {
 
-/// Asks the collision kernel and the planners: effort 0 is straight lines, the others are searches, each with four
+/// Asks the collision kernel and the planners: effort 0 is straight lines and turns out of threads, the others are searches, each with four
 /// times the budget of the one before.
 class MotionTrial final : public RemovalTrial {
  public:
@@ -21,10 +22,13 @@ class MotionTrial final : public RemovalTrial {
   void learn(std::size_t body, const std::vector<PathPoint>& path) override;
 
  private:
+  RemovalAnswer tryDirectly(std::size_t body, const BodySet& present, const StopToken& stop);
+
   const ProductFits& fits_;
   int searches_;
   PreparedBodies prepared_;
   StraightRemoval straight_;
+  TurnedRemoval turned_;
   SearchedRemoval searched_;
 };
 

@@ -13,9 +13,13 @@ struct MotionWorld {
   std::vector<std::size_t> bodies;  ///< index in the product of each obstacle of the world
 };
 
-/// Composed of bodies that are prepared; the moving body is thinned as its fits allow.
+/// Composed of bodies that are prepared; the moving body is thinned as its fits allow, and
+/// leaves threads by turning only.
 MotionWorld motionWorld(const AssembledProduct& product, const ProductFits& fits, PreparedBodies& prepared,
                         std::size_t body, const BodySet& present);
+
+/// The obstacle that is this body of the product: the inverse of MotionWorld::bodies, which has it.
+std::size_t obstacleOf(std::size_t body, const std::vector<std::size_t>& bodies);
 
 /// The parameters of motions of a body: the defaults for its size, one lane.
 ParameterValues motionParameters(const RigidBody& body);

@@ -24,6 +24,20 @@ bool allowsNoMore(const AssemblyStep& step, const std::vector<Fit>& fits, const 
   });
 }
 
+/// Of a path that begins where the body is assembled, with those that are there.
+std::vector<ThreadRule> threadsOf(const std::vector<Fit>& fits, const std::vector<std::size_t>& others,
+                                  const Pose& assembled) {
+  std::vector<Fit> there;
+  for (const Fit& fit : fits) {
+    if (std::find(others.begin(), others.end(), fit.obstacle) == others.end()) continue;
+    there.push_back(fit);
+    there.back().obstacle = obstacleOf(fit.obstacle, others);
+  }
+  std::vector<ThreadRule> rules = threadRulesOf(there);
+  for (ThreadRule& rule : rules) rule.assembled = {assembled};
+  return rules;
+}
+
 StepJudgement judge(const AssemblyStep& step, std::size_t body, const AssembledProduct& product, const BodySet& present,
                     const std::vector<Fit>& fits, std::optional<double> required, const StopToken& stop) {
   std::vector<std::size_t> others;
@@ -43,7 +57,7 @@ StepJudgement judge(const AssemblyStep& step, std::size_t body, const AssembledP
   ParameterValues parameters(radiusAboutOrigin(object));
   if (required) static_cast<void>(parameters.set(ParameterId::RequiredClearance, *required));
   StepJudgement judgement{step.body, {}, false, allowsNoMore(step, fits, product)};
-  const IndependentCheck check(obstacles, object, allowances);
+  const IndependentCheck check(obstacles, object, allowances, threadsOf(fits, others, points.front().q));
   judgement.certificate = check.check(configurationsOf(points), demandsOf(points, parameters), stop);
   nameByProduct(judgement.certificate, others);
   judgement.endsOutside = box.isEmpty() || !box.intersects(boundingBox(object, points.back().q));

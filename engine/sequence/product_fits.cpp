@@ -137,4 +137,10 @@ const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) con
   return moving.whole;
 }
 
+bool ProductFits::isThread(std::size_t body, std::size_t other) const {
+  const auto& allowed = moving_[body].allowed;
+  return std::any_of(allowed.begin(), allowed.end(),
+                     [&](const Fit& fit) { return fit.obstacle == other && fit.thread; });
+}
+
 }  // namespace glissade

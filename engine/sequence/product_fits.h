@@ -18,6 +18,8 @@ class ProductFits {
   std::vector<Fit> fitsOf(std::size_t body, const BodySet& present) const;
   /// The body thinned as its fit with the other one allows; the body itself where there is none.
   const MeshPtr& meshAgainst(std::size_t body, std::size_t other) const;
+  /// The two are screwed together: the body leaves the other one by turning only.
+  bool isThread(std::size_t body, std::size_t other) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
   const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
   /// Clashes that nobody accepted, each once, and bodies that cannot be thinned.

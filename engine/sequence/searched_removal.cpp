@@ -1,7 +1,9 @@
 #include "engine/sequence/searched_removal.h"
 
 #include "engine/base/random_stream.h"
+#include "engine/collision/thread_rule.h"
 #include "engine/planning/automatic/automatic_planner.h"
+#include "engine/planning/threaded_planner.h"
 #include "engine/sequence/motion_world.h"
 
 namespace glissade {
@@ -31,6 +33,14 @@ Box3 roomAbout(Box3 box, const RigidBody& body) {
   return {box.min() - margin, box.max() + margin};
 }
 
+std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
+  const auto make = [seed](const Problem& rest) -> std::unique_ptr<Planner> {
+    return std::make_unique<AutomaticPlanner>(rest, seed, 1);
+  };
+  if (problem.world->threads().empty()) return make(problem);
+  return std::make_unique<ThreadedPlanner>(problem, make);
+}
+
 }  // namespace
 
 RemovalAnswer SearchedRemoval::tryRemoval(std::size_t body, const BodySet& present, std::uint64_t steps,
@@ -40,12 +50,12 @@ RemovalAnswer SearchedRemoval::tryRemoval(std::size_t body, const BodySet& prese
   const MotionWorld motion = motionWorld(product_, fits_, prepared_, body, present);
   Problem problem{motion.world, own.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), own), nullptr, {}};
   if (!motion.world->makeQuery()->clearAbove(own.X_WB, parameters[ParameterId::RequiredClearance])) return Refused{};
-  AutomaticPlanner planner(problem, seedOf(body, present, steps), 1);
+  const auto planner = plannerOf(problem, seedOf(body, present, steps));
   BudgetHost host(parameters, steps, stop);
-  if (planner.solve(host)) {
-    Path path = *planner.path();
+  if (planner->solve(host)) {
+    Path path = *planner->path();
     nameByProduct(path.certificate, motion.bodies);
-    return Removed{std::move(path), "auto: " + planner.member(), fits_.fitsOf(body, present)};
+    return Removed{std::move(path), "auto: " + memberOf(*planner), fits_.fitsOf(body, present)};
   }
   return Refused{{}, stop.stopRequested()};
 }

@@ -1,8 +1,6 @@
 #include "engine/sequence/straight_removal.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "engine/planning/path_certificate.h"
@@ -12,23 +10,7 @@
 namespace glissade {
 namespace {
 
-/// A body ends so far beyond the product's box, as a share of its radius.
-constexpr double kMargin = 0.05;
 constexpr double kSameLine = 1.0 - 1e-9;
-
-/// The shortest way along the direction after which the inner box is beyond the outer one, by the margin.
-double wayOut(const Box3& inner, const Box3& outer, const Vector3& direction, double margin) {
-  if (outer.isEmpty()) return margin;
-  double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double speed = std::abs(direction[axis]);
-    if (speed < 1e-3) continue;
-    const double gap =
-        direction[axis] > 0.0 ? outer.max()[axis] - inner.min()[axis] : inner.max()[axis] - outer.min()[axis];
-    least = std::min(least, std::max(0.0, gap + margin) / speed);
-  }
-  return least;
-}
 
 }  // namespace
 
@@ -85,9 +67,9 @@ StraightRemoval::Line StraightRemoval::lineAlong(std::size_t body, const Vector3
   BodySet others(product_.bodies.size(), true);
   others[body] = false;
   const Box3& box = prepared_.boxOf(body);
-  const double margin = kMargin * radiusAboutOrigin(*own.mesh);
+  const double margin = leavingMargin(own);
   Line line{direction, own.X_WB, box, std::vector<std::optional<bool>>(product_.bodies.size())};
-  line.end.position += wayOut(box, boxOf(product_, others), direction, margin) * direction;
+  line.end.position += wayOutOf(box, boxOf(product_, others), direction, margin) * direction;
   const Vector3 way = line.end.position - own.X_WB.position;
   line.swept.extend(Box3(box.min() + way, box.max() + way));
   line.swept.min() -= Vector3::Constant(margin);
@@ -126,6 +108,7 @@ std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& li
 }
 
 bool StraightRemoval::blocks(std::size_t other, std::size_t body, const Line& line, const StopToken& stop) {
+  if (fits_.isThread(body, other)) return true;
   if (!line.swept.intersects(prepared_.boxOf(other))) return false;
   const RigidBody& own = product_.bodies[body];
   const CollisionWorldPtr pair = prepared_.world(own.mesh, {{other, fits_.meshAgainst(body, other)}});
