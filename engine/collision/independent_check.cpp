@@ -15,6 +15,7 @@
 #include "engine/collision/fcl_scale.h"
 #include "engine/collision/judged_thinning.h"
 #include "engine/collision/judged_threads.h"
+#include "engine/collision/judged_turn.h"
 #include "engine/collision/ray_containment.h"
 
 namespace glissade {
@@ -96,6 +97,18 @@ class Course {
     return angle_ * arm;
   }
   const Vector3& way() const { return way_; }
+  /// No vertex is farther from where an exact turn about the axis, and translation along it, has it. Between its ends a
+  /// line is off a helix by an eighth of its radius times the square of its angle.
+  double offTurn(const Vector3& point, const Vector3& axis, const Pose& to, const TriangleMesh& object) const {
+    const Vector3 rotation = from_.orientation.toRotationMatrix() * (angle_ * axis_);
+    const double turn = rotation.dot(axis);
+    const Vector3 arm = from_.position - point;
+    const Vector3 end = point + Eigen::AngleAxisd(turn, axis) * arm + way_.dot(axis) * axis;
+    const double chord = arm.cross(axis).norm() * turn * turn / 8.0;
+    double reach = 0.0;
+    for (const Vector3& vertex : object.vertices) reach = std::max(reach, vertex.norm());
+    return (chord + (to.position - end).norm() + (rotation - turn * axis).norm() * reach) * (1.0 + kRelativeError);
+  }
   bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
 
  private:
@@ -234,6 +247,25 @@ struct IndependentCheck::Group {
     return std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
   }
 
+  /// Lower bound on the distance while the object turns about the axis from there by any angle, advances along it and
+  /// is off that by so much.
+  double turnedDistance(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, double advance,
+                        double off) const {
+    std::vector<TurnedTriangle> moving;
+    for (const auto& [a, b, c] : object.triangles) {
+      moving.push_back(
+          turned(X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c], point, axis));
+    }
+    std::vector<TurnedTriangle> fixed;
+    for (int i = 0; i < (bodyOf.empty() ? 0 : obstacleSurface.num_tris); ++i) {
+      const fcl::Triangle& triangle = obstacleSurface.tri_indices[i];
+      const auto corner = [&](int k) { return obstacleSurface.vertices[triangle[k]]; };
+      fixed.push_back(turned(corner(0), corner(1), corner(2), point, axis));
+    }
+    const double error = errorAt(X_WB.translation()) + errorAt(X_WB.translation() + advance * axis);
+    return std::max(0.0, glissade::turnedDistance(moving, fixed, advance, off) * (1.0 - kRelativeError) - error);
+  }
+
   /// The body that the object is inside of, or around; -1 where there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
@@ -268,19 +300,39 @@ struct IndependentCheck::Geometry {
     return std::max(errorAt(from.position), errorAt(to.position)) <= kErrorShare * clearance;
   }
 
-  NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
+  /// Of those of the groups that are asked.
+  NearestObstacle nearest(const fcl::Transform3d& X_WB, const std::vector<bool>& asked) const {
     NearestObstacle nearest;
     nearest.distance = std::numeric_limits<double>::infinity();
-    for (const auto& group : groups) {
-      const NearestObstacle found = group->nearest(X_WB);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!asked[i]) continue;
+      const NearestObstacle found = groups[i]->nearest(X_WB);
       if (found.distance < nearest.distance) nearest = found;
     }
     return nearest;
   }
 
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way) const {
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, const std::vector<bool>& asked) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& group : groups) least = std::min(least, group->sweptDistance(X_WB, way));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (asked[i]) least = std::min(least, groups[i]->sweptDistance(X_WB, way));
+    }
+    return least;
+  }
+
+  /// Proves what it can of a turn in a thread, whatever its angle is: those of the groups are no longer asked that keep
+  /// the clearance. Returns the least that was proved.
+  double proveTurn(const ThreadRule& thread, const Course& course, const Pose& from, const Pose& to, double required,
+                   std::vector<bool>& asked) const {
+    const Vector3 point = scale * thread.point_W;
+    const double advance = (to.position - from.position).dot(thread.axis_W);
+    const double off = course.offTurn(point, thread.axis_W, to, object);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const double proved = groups[i]->turnedDistance(course.at(0.0), point, thread.axis_W, advance, off);
+      asked[i] = proved < required;
+      if (!asked[i]) least = std::min(least, proved);
+    }
     return least;
   }
 
@@ -342,8 +394,9 @@ MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const s
       edge.againstThread = true;
       edge.nearest.body = turned[i].forbiddenBy;
     } else {
+      const ThreadRule* thread = i < turned.size() ? turned[i].thread : nullptr;
       edge = inMetres(checkEdge(geometry, scaledPose(path[i], scale), scaledPose(to, scale),
-                                scale * demands[i].clearance, stop),
+                                scale * demands[i].clearance, thread, stop),
                       scale);
     }
     addEdge(result, edge, demands[i]);
@@ -371,7 +424,7 @@ std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, dou
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
 /// there a straight way is proved by what the object sweeps, too.
 MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to,
-                                              double required, const StopToken& stop) {
+                                              double required, const ThreadRule* thread, const StopToken& stop) {
   const Course course(from, to);
   const double speed = course.speed(geometry.object);
   MotionCertificate result;
@@ -386,8 +439,9 @@ MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Po
   const double turn = course.turn(geometry.object);
   const bool sweeps = geometry.groups.size() > 1 && turn <= kErrorShare * required;
   if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
+  std::vector<bool> asked(geometry.groups.size(), true);
   const auto meet = [&](double t) {
-    const NearestObstacle nearest = geometry.nearest(course.at(t));
+    const NearestObstacle nearest = geometry.nearest(course.at(t), asked);
     if (nearest.distance < result.minClearance) {
       result.minClearance = nearest.distance;
       result.at = t;
@@ -396,10 +450,18 @@ MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Po
     if (nearest.distance < required) result.status = CertificateStatus::Violated;
     return nearest.distance;
   };
-  if (sweeps) {
+  if (sweeps || thread != nullptr) {
     meet(0.0);
     meet(1.0);
     if (result.status == CertificateStatus::Violated) return result;
+  }
+  if (thread != nullptr) {
+    result.provedClearance = geometry.proveTurn(*thread, course, from, to, required, asked);
+    if (std::none_of(asked.begin(), asked.end(), [](bool open) { return open; })) {
+      result.certified = 1.0;
+      result.status = CertificateStatus::Certified;
+      return result;
+    }
   }
   std::vector<Span> open{{0.0, 1.0, 0}};
   while (!open.empty()) {
@@ -413,7 +475,7 @@ MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Po
     double proved = distance - 0.5 * speed * length;
     bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
     if (!closely && sweeps) {
-      proved = geometry.sweptDistance(course.at(span.begin), length * course.way()) - turn;
+      proved = geometry.sweptDistance(course.at(span.begin), length * course.way(), asked) - turn;
       closely = proved >= required;
     }
     if (closely) {

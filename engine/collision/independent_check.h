@@ -40,7 +40,7 @@ class IndependentCheck {
   static std::unique_ptr<const Geometry> geometryOf(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
                                                     const std::vector<double>& allowances);
   static MotionCertificate checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
-                                     const StopToken& stop);
+                                     const ThreadRule* thread, const StopToken& stop);
 
   std::unique_ptr<const Geometry> geometry_;
   std::unique_ptr<const Geometry> whole_;  ///< against the obstacles of threads; null where there are none

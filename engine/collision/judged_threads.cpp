@@ -142,6 +142,7 @@ std::vector<JudgedThreads::Edge> JudgedThreads::judge(const std::vector<Pose>& p
         continue;
       }
       edge.engaged = true;
+      edge.thread = &threads_[k].rule;
       if (!isTurn(threads_[k], path[i], to, followed[k])) edge.forbiddenBy = threads_[k].rule.obstacle;
     }
     edges.push_back(edge);

@@ -16,7 +16,8 @@ class JudgedThreads {
 
   struct Edge {
     bool engaged = false;  ///< or not shown to be disengaged on all of it
-    int forbiddenBy = -1;  ///< obstacle of an engaged thread in which the edge is no screw motion
+    const ThreadRule* thread = nullptr;  ///< one of those that it turns in; null: none
+    int forbiddenBy = -1;                ///< obstacle of an engaged thread in which the edge is no screw motion
   };
   /// Of each edge of the path, up to the first that is forbidden; a path of one configuration is an edge.
   std::vector<Edge> judge(const std::vector<Pose>& path) const;
