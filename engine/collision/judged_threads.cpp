@@ -97,7 +97,8 @@ bool JudgedThreads::staysApart(const Thread& thread, const Pose& from, const Pos
     const auto [begin, end] = open.back();
     open.pop_back();
     const double middle = 0.5 * (begin + end);
-    const double apart = separation(thread, interpolate(from, to, middle));
+    const double play = kThreadPlay * std::abs(thread.rule.pitch);
+    const double apart = separation(thread, interpolate(from, to, middle)) - play;
     if (apart > 0.5 * (end - begin) * way * (1.0 + 1e-9)) continue;
     if (apart <= 0.0 || parts > kMostHalvedParts) return false;
     open.emplace_back(begin, middle);

@@ -90,9 +90,10 @@ bool ThreadPair::engagedWithin(const Pose& X_WB, double distance) const {
   };
   Vector3 from = inBore(shaft.low);
   Vector3 to = inBore(shaft.high);
-  if (!clipped(from, to, bore.low - distance, bore.high + distance)) return false;
+  const double margin = distance + kThreadPlay * std::abs(rule_.pitch);
+  if (!clipped(from, to, bore.low - margin, bore.high + margin)) return false;
   const double radius = objectIsBore ? rule_.radiusOfObject : rule_.radiusOfObstacle;
-  return distanceFromZ(from, to) <= radius + distance;
+  return distanceFromZ(from, to) <= radius + margin;
 }
 
 double ThreadPair::play() const { return rule_.mayTurn ? kThreadPlay * std::abs(rule_.pitch) : kHeldRounding; }

@@ -20,7 +20,7 @@ struct ThreadRule {
   std::vector<Pose> assembled;         ///< configurations in which the object's thread is on the axis; at least one
 };
 
-/// Share of the pitch by which a point of the thread may be off the exact screw motion.
+/// The play, as a share of the pitch: by which a point of the thread may be off the exact screw motion.
 inline constexpr double kThreadPlay = 0.02;
 
 /// Where a screw motion has the object after it has advanced along the axis from there, metres.
@@ -29,7 +29,7 @@ Pose screwed(const ThreadRule& rule, const Pose& from, double advance);
 /// A threaded pair for planners: which configurations and motions the rule allows. Immutable, shared by threads.
 ///
 /// The thread of a body is the part of its mesh with vertices at the thread's radius about the axis. Two threads are
-/// engaged while the axis of the shaft's thread runs through the bore of the other.
+/// engaged while the axis of the shaft's thread runs through the bore of the other, or is nearer to it than the play.
 class ThreadPair {
  public:
   /// The meshes are the true ones. `rule.obstacle` is the obstacle's index.
@@ -38,7 +38,7 @@ class ThreadPair {
   const ThreadRule& rule() const { return rule_; }
 
   bool engaged(const Pose& X_WB) const { return engagedWithin(X_WB, 0.0); }
-  /// False: no motion that moves points of the object by less than the distance (metres) engages the threads.
+  /// Nearer than the play, or than the distance more. False: no motion that moves points of the object by less than the distance (metres) engages the threads.
   bool engagedWithin(const Pose& X_WB, double distance) const;
   /// A screw motion leads there from one of the assembled configurations.
   bool isOnScrew(const Pose& X_WB) const;
