@@ -18,6 +18,7 @@ Json toJson(const StepJudgement& judgement, const AssembledProduct& product) {
   return {{"body", judgement.body},
           {"valid", judgement.valid()},
           {"certified", judgement.certificate.status == CertificateStatus::Certified},
+          {"against_thread", judgement.certificate.againstThread},
           {"ends_outside", judgement.endsOutside},
           {"allowances_as_fits", judgement.allowancesAsFits},
           {"min_clearance_m", number(judgement.certificate.minClearance)},
@@ -32,7 +33,9 @@ void print(const StepJudgement& judgement, std::size_t number, const AssembledPr
     std::cout << " its motion is "
               << (judgement.certificate.status == CertificateStatus::Violated ? "violated" : "undecided") << " on edge "
               << judgement.certificate.edge;
-    if (body >= 0) std::cout << " by '" << product.bodies[static_cast<std::size_t>(body)].name << "'";
+    const bool thread = judgement.certificate.againstThread;
+    if (thread) std::cout << ", because it is no turn in the thread it has with '";
+    if (body >= 0) std::cout << (thread ? "" : " by '") << product.bodies[static_cast<std::size_t>(body)].name << "'";
     std::cout << ";";
   }
   if (!judgement.endsOutside) std::cout << " it does not end outside of the others' bounding box;";

@@ -62,6 +62,11 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
       text << ")";
       break;
     case CertificateStatus::Violated:
+      if (certificate.againstThread) {
+        text << "violated: on edge " << certificate.edge << " the object is in the thread of '" << body
+             << "', and the edge is no turn about their axis by the pitch";
+        break;
+      }
       text << "violated: " << certificate.minClearance * 1e3 << " mm to '" << body << "' on edge " << certificate.edge
            << " at " << certificate.at << " (required " << certificate.tolerance * 1e3 << " mm)";
       break;
@@ -70,15 +75,15 @@ std::string inWords(const MotionCertificate& certificate, const CollisionWorld& 
   return text.str();
 }
 
-void addUncertainties(const LoadedScenario& scenario, Json& certificate) {
+void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path, Json& certificate) {
   certificate["surface_deviation_m"] = surfaceDeviation(scenario);
   certificate["coordinate_spacing_m"] = coordinateSpacing(scenario);
-  if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario);
+  if (!scenario.fits.allowed.empty()) certificate["allowances"] = allowancesJson(scenario, path);
 }
 
-std::string deviationInWords(const LoadedScenario& scenario) {
+std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::ostringstream text;
-  for (const std::string& allowance : allowancesInWords(scenario)) text << "allowance: " << allowance << "\n";
+  for (const std::string& allowance : allowancesInWords(scenario, path)) text << "allowance: " << allowance << "\n";
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text << "the certificate is about triangles: surfaces of the STEP files may be " << deviation * 1e3
          << " mm nearer than they are\n";

@@ -30,9 +30,11 @@ std::string bodyName(const CollisionWorld& world, int body);
 nlohmann::ordered_json toJson(const Diagnostic& error);
 
 /// How much nearer than certified bodies may be, because of tessellation and of the files' numbers. For JSON, and as
-/// lines of text; none where triangles are exactly what there is.
-void addUncertainties(const LoadedScenario& scenario, nlohmann::ordered_json& certificate);
-std::string deviationInWords(const LoadedScenario& scenario);
+/// lines of text; none where triangles are exactly what there is. With what fits allow, and the turns of the path in
+/// threads.
+void addUncertainties(const LoadedScenario& scenario, const std::vector<PathPoint>& path,
+                      nlohmann::ordered_json& certificate);
+std::string deviationInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path);
 
 /// "certified, 1.5 mm to wall_L1" and the like.
 std::string inWords(const MotionCertificate& certificate, const CollisionWorld& world);

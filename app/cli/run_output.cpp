@@ -9,6 +9,8 @@
 
 #include "app/cli/difficulty_report.h"
 #include "engine/base/file.h"
+#include "engine/collision/thread_rule.h"
+#include "engine/planning/screw_motion.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/run_record.h"
@@ -174,6 +176,18 @@ bool foundNone(const SessionSnapshot& end) {
   return end.problem && (end.problem->kind == ErrorKind::NoPath || end.problem->kind == ErrorKind::LimitReached);
 }
 
+/// What keeps the object in its threads, by id: the bodies that have to leave first.
+void addBlocking(const LoadedScenario& scenario, const SessionSnapshot& end, const StopToken& stop, Json& report) {
+  const Problem& problem = scenario.problem;
+  if (!foundNone(end) || problem.world->threads().empty()) return;
+  const double required = scenario.parameters[ParameterId::RequiredClearance];
+  const auto query = problem.world->makeQuery();
+  report["blocked_by"] = Json::array();
+  for (const int body : findScrewWays(*problem.world, *query, problem.start, required, stop).blockedBy) {
+    report["blocked_by"].push_back(scenario.obstacles[static_cast<std::size_t>(body)].id);
+  }
+}
+
 SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
   const auto record = makeRunRecord(scenario, joined(end.log));
   if (!record) return notSaved(record.error());
@@ -207,12 +221,13 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
   if (options.difficulty && foundNone(end)) difficulty = difficultyOf(scenario, end, stop);
   if (options.format == Format::Json) {
     Json report = toJson(end, world, options.edges);
-    if (end.path) addUncertainties(scenario, report["certificate"]);
+    if (end.path) addUncertainties(scenario, end.path->points, report["certificate"]);
+    addBlocking(scenario, end, stop, report);
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     printJson(report);
   } else {
     printText(end, world);
-    if (end.path) std::cout << deviationInWords(scenario);
+    if (end.path) std::cout << deviationInWords(scenario, end.path->points);
     if (end.path && options.edges) printEdges(end.path->certificate, world);
     if (difficulty) printDifficulty(*difficulty, world);
   }

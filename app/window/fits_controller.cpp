@@ -20,7 +20,9 @@ FitEdit& editOfPair(FitSettings& settings, const PairFit& fit) {
   return settings.pairs.back();
 }
 
-bool saysNothing(const FitEdit& edit) { return !edit.kind && !edit.allowance && !edit.accepted; }
+bool saysNothing(const FitEdit& edit) {
+  return !edit.kind && !edit.allowance && !edit.accepted && !edit.pitch && edit.turned.empty();
+}
 
 }  // namespace
 

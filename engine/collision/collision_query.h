@@ -90,6 +90,8 @@ struct ObjectVariant {
 
 struct PreparedObstacle;
 struct PreparedObject;
+struct ThreadedWorld;
+class ThreadPair;
 
 /// The geometry that a planner plans in: obstacles in place and the object's mesh. Immutable, shared
 /// by all threads.
@@ -129,6 +131,14 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   std::shared_ptr<const CollisionWorld> withVariants(std::vector<ObjectVariant> variants) const;
   const std::vector<ObjectVariant>& variants() const;
 
+  /// The same world with threads between the object and obstacles, each of which comes apart by turning only. `whole`:
+  /// the same world, where these pairs are taken whole, as they are once a thread is disengaged.
+  /// All other worlds that are made of this one have no threads, but withObjects() and withBackend().
+  std::shared_ptr<const CollisionWorld> withThreads(std::vector<ThreadPair> pairs,
+                                                    std::shared_ptr<const CollisionWorld> whole) const;
+  /// Those that the object's thread is in.
+  const std::vector<ThreadPair>& threads() const;
+
   /// Other obstacles, or another object. Bodies with the same mesh (by pointer) at the same pose are not prepared
   /// again, where that leaves every answer as build() would give it.
   std::shared_ptr<const CollisionWorld> updated(std::vector<RigidBody> obstacles, MeshPtr object) const;
@@ -142,6 +152,8 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
  private:
   explicit CollisionWorld(std::unique_ptr<const Impl> impl);
   static std::shared_ptr<const CollisionWorld> finished(std::unique_ptr<Impl> impl, MeshPtr object);
+  std::shared_ptr<const CollisionWorld> withThreaded(std::shared_ptr<const ThreadedWorld> threads) const;
+  std::shared_ptr<const CollisionWorld> withoutThreads() const;
 
   std::unique_ptr<const Impl> impl_;
 };

@@ -9,6 +9,7 @@
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/collision/solids.h"
+#include "engine/collision/threaded_query.h"
 
 namespace glissade {
 
@@ -23,7 +24,8 @@ struct CollisionWorld::Impl {
   std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
   std::shared_ptr<const FclGeometry> fcl;        ///< of the backend
   std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;  ///< where there are variants: these answer, and not the three above
+  std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the three above
+  std::shared_ptr<const ThreadedWorld> threads;  ///< null: there are none
 };
 
 namespace {
@@ -165,6 +167,7 @@ CollisionWorldPtr CollisionWorld::compose(
 
 CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
   auto impl = std::make_unique<Impl>(*impl_);
+  impl->threads.reset();
   impl->solids = std::make_shared<const Solids>(*impl_->solids, *object);
   if (impl_->kernel) {
     impl->kernel = std::make_shared<const KernelGeometry>(*impl_->kernel, *object);
@@ -175,6 +178,11 @@ CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
 }
 
 CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const {
+  if (impl_->threads) {
+    auto threads = std::make_shared<ThreadedWorld>(*impl_->threads);
+    threads->whole = threads->whole->withObjects(change);
+    return withoutThreads()->withObjects(change)->withThreaded(std::move(threads));
+  }
   if (impl_->groups.empty()) return withObject(change(*impl_->object));
   auto impl = std::make_unique<Impl>(*impl_);
   for (ObjectVariant& variant : impl->variants) variant.object = change(*variant.object);
@@ -184,8 +192,10 @@ CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const 
 
 /// The obstacles that no variant is for keep the whole object.
 CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> variants) const {
-  if (variants.empty())
-    return impl_->groups.empty() ? shared_from_this() : build(obstacles(), impl_->object, backend());
+  if (variants.empty()) {
+    if (!impl_->groups.empty()) return build(obstacles(), impl_->object, backend());
+    return impl_->threads ? withoutThreads() : shared_from_this();
+  }
   auto impl = std::make_unique<Impl>();
   impl->backend = impl_->backend;
   impl->obstacles = impl_->obstacles;
@@ -209,6 +219,21 @@ CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> varian
   return finished(std::move(impl), impl_->object);
 }
 
+CollisionWorldPtr CollisionWorld::withThreads(std::vector<ThreadPair> pairs, CollisionWorldPtr whole) const {
+  auto threads = std::make_shared<ThreadedWorld>();
+  threads->pairs = std::move(pairs);
+  threads->whole = std::move(whole);
+  return withThreaded(std::move(threads));
+}
+
+CollisionWorldPtr CollisionWorld::withThreaded(std::shared_ptr<const ThreadedWorld> threads) const {
+  auto impl = std::make_unique<Impl>(*impl_);
+  impl->threads = std::move(threads);
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
+}
+
+CollisionWorldPtr CollisionWorld::withoutThreads() const { return withThreaded(nullptr); }
+
 CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, MeshPtr object) const {
   if (!impl_->solids) return build(std::move(obstacles), std::move(object), impl_->backend);
   const auto isSame = [](const RigidBody& a, const RigidBody& b) { return a.mesh == b.mesh && a.X_WB == b.X_WB; };
@@ -222,13 +247,18 @@ CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, Mesh
   }
   // Names, colours and mobility may have changed.
   auto impl = std::make_unique<Impl>(sameObject ? *impl_ : *withObject(object)->impl_);
+  impl->threads.reset();
   impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
   const CollisionWorldPtr whole = build(*impl_->obstacles, impl_->object, backend);
-  return impl_->variants.empty() ? whole : whole->withVariants(impl_->variants);
+  const CollisionWorldPtr other = impl_->variants.empty() ? whole : whole->withVariants(impl_->variants);
+  if (!impl_->threads) return other;
+  auto threads = std::make_shared<ThreadedWorld>(*impl_->threads);
+  threads->whole = threads->whole->withBackend(backend);
+  return other->withThreaded(std::move(threads));
 }
 
 /// With what depends on the object alone.
@@ -246,7 +276,13 @@ const Box3& CollisionWorld::obstaclesBox() const { return impl_->obstaclesBox; }
 CollisionBackend CollisionWorld::backend() const { return impl_->backend; }
 const std::vector<ObjectVariant>& CollisionWorld::variants() const { return impl_->variants; }
 
+const std::vector<ThreadPair>& CollisionWorld::threads() const {
+  static const std::vector<ThreadPair> none;
+  return impl_->threads ? impl_->threads->pairs : none;
+}
+
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
+  if (impl_->threads) return std::make_unique<ThreadedQuery>(withoutThreads()->makeQuery(), impl_->threads);
   if (!impl_->groups.empty()) return std::make_unique<GroupedQuery>(impl_->groups, impl_->motionBound);
   std::unique_ptr<SurfaceQuery> surfaces;
   if (impl_->kernel) {

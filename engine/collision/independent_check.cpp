@@ -14,6 +14,8 @@
 
 #include "engine/collision/fcl_scale.h"
 #include "engine/collision/judged_thinning.h"
+#include "engine/collision/judged_threads.h"
+#include "engine/collision/judged_turn.h"
 #include "engine/collision/ray_containment.h"
 
 namespace glissade {
@@ -95,6 +97,18 @@ class Course {
     return angle_ * arm;
   }
   const Vector3& way() const { return way_; }
+  /// No vertex is farther from where an exact turn about the axis, and translation along it, has it. Between its ends a
+  /// line is off a helix by an eighth of its radius times the square of its angle.
+  double offTurn(const Vector3& point, const Vector3& axis, const Pose& to, const TriangleMesh& object) const {
+    const Vector3 rotation = from_.orientation.toRotationMatrix() * (angle_ * axis_);
+    const double turn = rotation.dot(axis);
+    const Vector3 arm = from_.position - point;
+    const Vector3 end = point + Eigen::AngleAxisd(turn, axis) * arm + way_.dot(axis) * axis;
+    const double chord = arm.cross(axis).norm() * turn * turn / 8.0;
+    double reach = 0.0;
+    for (const Vector3& vertex : object.vertices) reach = std::max(reach, vertex.norm());
+    return (chord + (to.position - end).norm() + (rotation - turn * axis).norm() * reach) * (1.0 + kRelativeError);
+  }
   bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
 
  private:
@@ -268,6 +282,28 @@ struct IndependentCheck::Group {
     return std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
   }
 
+  /// Lower bound on the distance while the object turns about the axis from there by any angle, advances along it and
+  /// is off that by so much.
+  double turnedDistance(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, double advance,
+                        double off) const {
+    std::vector<TurnedTriangle> moving;
+    for (const auto& [a, b, c] : object.triangles) {
+      moving.push_back(
+          turned(X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c], point, axis));
+    }
+    std::vector<TurnedTriangle> fixed;
+    for (const ObstaclePtr& obstacle : obstacles) {
+      const Model& surface = obstacle->surface;
+      for (int i = 0; i < surface.num_tris; ++i) {
+        const fcl::Triangle& triangle = surface.tri_indices[i];
+        const auto corner = [&](int k) { return surface.vertices[triangle[k]]; };
+        fixed.push_back(turned(corner(0), corner(1), corner(2), point, axis));
+      }
+    }
+    const double error = errorAt(X_WB.translation()) + errorAt(X_WB.translation() + advance * axis);
+    return std::max(0.0, glissade::turnedDistance(moving, fixed, advance, off) * (1.0 - kRelativeError) - error);
+  }
+
   /// The body that the object is inside of, or around; -1 where there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
@@ -304,19 +340,40 @@ struct IndependentCheck::Geometry {
     return std::max(errorAt(from.position), errorAt(to.position)) <= kErrorShare * clearance;
   }
 
-  NearestObstacle nearest(const fcl::Transform3d& X_WB) const {
+  /// Of those of the groups that are asked.
+  NearestObstacle nearest(const fcl::Transform3d& X_WB, const std::vector<bool>& asked) const {
     NearestObstacle nearest;
     nearest.distance = std::numeric_limits<double>::infinity();
-    for (const auto& group : groups) {
-      const NearestObstacle found = group->nearest(X_WB, nearest.distance);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!asked[i]) continue;
+      const NearestObstacle found = groups[i]->nearest(X_WB, nearest.distance);
       if (found.distance < nearest.distance) nearest = found;
     }
     return nearest;
   }
 
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough,
+                       const std::vector<bool>& asked) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& group : groups) least = std::min(least, group->sweptDistance(X_WB, way, enough));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (asked[i]) least = std::min(least, groups[i]->sweptDistance(X_WB, way, enough));
+    }
+    return least;
+  }
+
+  /// Proves what it can of a turn in a thread, whatever its angle is: those of the groups are no longer asked that keep
+  /// the clearance. Returns the least that was proved.
+  double proveTurn(const ThreadRule& thread, const Course& course, const Pose& from, const Pose& to, double required,
+                   std::vector<bool>& asked) const {
+    const Vector3 point = scale * thread.point_W;
+    const double advance = (to.position - from.position).dot(thread.axis_W);
+    const double off = course.offTurn(point, thread.axis_W, to, object);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const double proved = groups[i]->turnedDistance(course.at(0.0), point, thread.axis_W, advance, off);
+      asked[i] = proved < required;
+      if (!asked[i]) least = std::min(least, proved);
+    }
     return least;
   }
 
@@ -337,7 +394,7 @@ double IndependentCheck::scaleFor(const std::vector<RigidBody>& bodies) {
 }
 
 IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
-                                   const std::vector<double>& allowances) {
+                                   const std::vector<double>& allowances, const std::vector<ThreadRule>& threads) {
   std::map<double, MeshPtr> objects{{0.0, std::make_shared<const TriangleMesh>(object)}};
   double scale = fclScale(obstacles, object);
   for (const double allowance : allowances) {
@@ -352,14 +409,40 @@ IndependentCheck::IndependentCheck(const std::vector<RigidBody>& obstacles, cons
     const double allowance = body < allowances.size() ? allowances[body] : 0.0;
     against.push_back({prepare(obstacles[body], scale), objects[allowance], allowance > 0.0});
   }
-  build(against, object, scale);
+  std::vector<Thread> threaded;
+  for (const ThreadRule& rule : threads) {
+    const RigidBody& body = obstacles[static_cast<std::size_t>(rule.obstacle)];
+    threaded.push_back({rule, body, against[static_cast<std::size_t>(rule.obstacle)].obstacle});
+  }
+  build(against, object, scale, threaded);
 }
 
-IndependentCheck::IndependentCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale) {
-  build(obstacles, object, scale);
+IndependentCheck::IndependentCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
+                                   const std::vector<Thread>& threads) {
+  build(obstacles, object, scale, threads);
 }
 
-void IndependentCheck::build(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale) {
+void IndependentCheck::build(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
+                             const std::vector<Thread>& threads) {
+  geometry_ = geometryOf(obstacles, object, scale);
+  if (threads.empty()) return;
+  const auto wholeObject = std::make_shared<const TriangleMesh>(object);
+  std::vector<Against> whole = obstacles;
+  std::vector<RigidBody> bodies(obstacles.size());
+  std::vector<ThreadRule> rules;
+  for (const Thread& thread : threads) {
+    const auto number = static_cast<std::size_t>(thread.rule.obstacle);
+    whole[number] = {thread.whole, wholeObject, false};
+    bodies[number] = thread.body;
+    rules.push_back(thread.rule);
+  }
+  whole_ = geometryOf(whole, object, scale);
+  threads_ = std::make_unique<const JudgedThreads>(rules, object, bodies);
+}
+
+std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(const std::vector<Against>& obstacles,
+                                                                               const TriangleMesh& object,
+                                                                               double scale) {
   auto geometry = std::make_unique<Geometry>();
   geometry->scale = scale;
   geometry->object = scaled(object, Vector3::Constant(scale));
@@ -375,20 +458,32 @@ void IndependentCheck::build(const std::vector<Against>& obstacles, const Triang
     geometry->groups[group]->add(obstacles[i].obstacle, static_cast<int>(i));
   }
   for (const auto& group : geometry->groups) group->finish();
-  geometry_ = std::move(geometry);
+  return geometry;
 }
 
 IndependentCheck::~IndependentCheck() = default;
 
 MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                                           const StopToken& stop) const {
-  const double scale = geometry_->scale;
   MotionCertificate result;
+  const auto turned = threads_ ? threads_->judge(path) : std::vector<JudgedThreads::Edge>();
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = path[std::min(i + 1, path.size() - 1)];
-    const MotionCertificate edge =
-        checkEdge(scaledPose(path[i], scale), scaledPose(to, scale), scale * demands[i].clearance, stop);
-    addEdge(result, inMetres(edge, scale), demands[i]);
+    const bool free = i < turned.size() && !turned[i].engaged;
+    const Geometry& geometry = free ? *whole_ : *geometry_;
+    const double scale = geometry.scale;
+    MotionCertificate edge;
+    if (i < turned.size() && turned[i].forbiddenBy >= 0) {
+      edge.status = CertificateStatus::Violated;
+      edge.againstThread = true;
+      edge.nearest.body = turned[i].forbiddenBy;
+    } else {
+      const ThreadRule* thread = i < turned.size() ? turned[i].thread : nullptr;
+      edge = inMetres(checkEdge(geometry, scaledPose(path[i], scale), scaledPose(to, scale),
+                                scale * demands[i].clearance, thread, stop),
+                      scale);
+    }
+    addEdge(result, edge, demands[i]);
     if (result.status != CertificateStatus::Certified) break;
   }
   return result;
@@ -412,24 +507,25 @@ std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, dou
 /// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
 /// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
 /// there a straight way is proved by what the object sweeps, too.
-MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, double required,
-                                              const StopToken& stop) const {
+MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to,
+                                              double required, const ThreadRule* thread, const StopToken& stop) {
   const Course course(from, to);
-  const double speed = course.speed(geometry_->object);
+  const double speed = course.speed(geometry.object);
   MotionCertificate result;
   result.tolerance = required;
   result.minClearance = result.provedClearance = std::numeric_limits<double>::infinity();
-  if (const int body = geometry_->container(course.at(0.0)); body >= 0) {
+  if (const int body = geometry.container(course.at(0.0)); body >= 0) {
     result.status = CertificateStatus::Violated;
     result.minClearance = result.provedClearance = 0.0;
     result.nearest.body = body;
     return result;
   }
-  const double turn = course.turn(geometry_->object);
-  const bool sweeps = geometry_->hasFits && turn <= kErrorShare * required;
-  if (course.isHalfACircle() || !geometry_->resolves(from, to, required)) return result;
+  const double turn = course.turn(geometry.object);
+  const bool sweeps = geometry.hasFits && turn <= kErrorShare * required;
+  if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
+  std::vector<bool> asked(geometry.groups.size(), true);
   const auto meet = [&](double t) {
-    const NearestObstacle nearest = geometry_->nearest(course.at(t));
+    const NearestObstacle nearest = geometry.nearest(course.at(t), asked);
     if (nearest.distance < result.minClearance) {
       result.minClearance = nearest.distance;
       result.at = t;
@@ -438,10 +534,18 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     if (nearest.distance < required) result.status = CertificateStatus::Violated;
     return nearest.distance;
   };
-  if (sweeps) {
+  if (sweeps || thread != nullptr) {
     meet(0.0);
     meet(1.0);
     if (result.status == CertificateStatus::Violated) return result;
+  }
+  if (thread != nullptr) {
+    result.provedClearance = geometry.proveTurn(*thread, course, from, to, required, asked);
+    if (std::none_of(asked.begin(), asked.end(), [](bool open) { return open; })) {
+      result.certified = 1.0;
+      result.status = CertificateStatus::Certified;
+      return result;
+    }
   }
   std::vector<Span> open{{0.0, 1.0, 0}};
   while (!open.empty()) {
@@ -455,7 +559,7 @@ MotionCertificate IndependentCheck::checkEdge(const Pose& from, const Pose& to, 
     double proved = distance - 0.5 * speed * length;
     bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
     if (!closely && sweeps) {
-      proved = geometry_->sweptDistance(course.at(span.begin), length * course.way(), 2.0 * required) - turn;
+      proved = geometry.sweptDistance(course.at(span.begin), length * course.way(), 2.0 * required, asked) - turn;
       closely = proved >= required;
     }
     if (closely) {

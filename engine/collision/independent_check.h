@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "engine/collision/motion_certificate.h"
+#include "engine/collision/thread_rule.h"
 #include "engine/environment/rigid_body.h"
 
 namespace glissade {
+
+class JudgedThreads;
 
 /// The judge of paths: certifies a path with nothing of what planners use but the meshes. It has a
 /// course of its own (rotation vectors), its own speed bound (every vertex), its own argument (halving
@@ -28,13 +31,23 @@ class IndependentCheck {
     MeshPtr object;
     bool fits;  ///< one of the two is thinned for the other one: they may be micrometres apart
   };
-  /// `object`: whole, holds all that it is taken to be. Obstacles are numbered as they are listed.
-  IndependentCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale);
+  /// A thread that the object has in common with an obstacle.
+  struct Thread {
+    ThreadRule rule;    ///< its obstacle is the number of the obstacle
+    RigidBody body;     ///< the obstacle as it is
+    ObstaclePtr whole;  ///< the same, prepared
+  };
+  /// `object`: whole, holds all that it is taken to be. Obstacles are numbered as they are listed. `threads`: an edge
+  /// on which one is engaged has to be a screw motion about its axis by its pitch; on the others the object and the
+  /// obstacles of threads are whole to each other.
+  IndependentCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
+                   const std::vector<Thread>& threads = {});
 
   /// The object's frame is that of the path's configurations. `allowances`: by how much thinner the object is taken
   /// against each obstacle, metres, 0 for as it is; empty: against none. The check thins the object by itself.
+  /// `threads`: as above.
   IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
-                   const std::vector<double>& allowances = {});
+                   const std::vector<double>& allowances = {}, const std::vector<ThreadRule>& threads = {});
   ~IndependentCheck();
 
   /// Every edge against its demand, up to the first that does not keep it. Clearances are bounded
@@ -48,11 +61,17 @@ class IndependentCheck {
  private:
   struct Group;
   struct Geometry;
-  MotionCertificate checkEdge(const Pose& from, const Pose& to, double required, const StopToken& stop) const;
+  static std::unique_ptr<const Geometry> geometryOf(const std::vector<Against>& obstacles, const TriangleMesh& object,
+                                                    double scale);
+  static MotionCertificate checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
+                                     const ThreadRule* thread, const StopToken& stop);
 
-  void build(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale);
+  void build(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
+             const std::vector<Thread>& threads);
 
   std::unique_ptr<const Geometry> geometry_;
+  std::unique_ptr<const Geometry> whole_;  ///< against the obstacles of threads; null where there are none
+  std::unique_ptr<const JudgedThreads> threads_;
 };
 
 }  // namespace glissade

@@ -270,6 +270,7 @@ void addEdge(MotionCertificate& path, const MotionCertificate& edge, const EdgeD
   path.tolerance = std::max(path.tolerance, demand.clearance);
   path.distanceQueries += edge.distanceQueries;
   path.certified = edge.certified;
+  path.againstThread = edge.againstThread;
   path.status = edge.status;
   path.edges.push_back({edge.status, demand, edge.provedClearance, edge.minClearance, edge.at, edge.nearest});
 }

@@ -35,6 +35,7 @@ struct MotionCertificate {
   std::size_t edge = 0;          ///< edge of the path on which the smallest distance was met (0 for one motion)
   double at = 0.0;               ///< where on that edge, in [0, 1]; where the violation is if Violated
   NearestObstacle nearest;       ///< the pair at that configuration
+  bool againstThread = false;    ///< violated: the pair is a thread, and the motion is no turn in it
   std::uint64_t distanceQueries = 0;
   std::vector<EdgeCertificate> edges;  ///< of a path, up to the first that is not certified; empty for one motion
 

@@ -73,12 +73,15 @@ class Planner {
   virtual void completeRoadmap() {}
   /// Why going on is pointless; nothing while it is not. No path can come after it.
   virtual std::optional<Diagnostic> failure() const { return std::nullopt; }
+  /// The planner that does a part of this one's work, and reports in its place; null: there is none.
+  virtual const Planner* inner() const { return nullptr; }
 };
 
-/// The planner as another interface that it may implement; null where it does not.
+/// The planner, or the one inside it, as another interface that it may implement; null where it does not.
 template <class Report>
 const Report* reportOf(const Planner& planner) {
-  return dynamic_cast<const Report*>(&planner);
+  const auto* report = dynamic_cast<const Report*>(&planner);
+  return report == nullptr && planner.inner() != nullptr ? reportOf<Report>(*planner.inner()) : report;
 }
 
 /// How a planner is known and made. Registered by explicit calls (no static initialisers).

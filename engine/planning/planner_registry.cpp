@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/collision/thread_rule.h"
 #include "engine/planning/automatic/automatic_planner.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/direct_planner.h"
@@ -7,6 +8,7 @@
 #include "engine/planning/ompl/ompl_planner.h"
 #include "engine/planning/planner.h"
 #include "engine/planning/rrt.h"
+#include "engine/planning/threaded_planner.h"
 
 namespace glissade {
 namespace {
@@ -92,7 +94,18 @@ std::vector<std::string> idsOf(const PlannerRegistry& registry) {
   return ids;
 }
 
-PlannerRegistry makePlannerRegistry() {
+namespace {
+
+/// The planner where there are no threads; else it plans what is left after the screw motions.
+PlannerEntry turningThreads(PlannerEntry entry) {
+  entry.make = [make = std::move(entry.make)](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
+    if (problem.world->threads().empty()) return make(problem, seed);
+    return std::make_unique<ThreadedPlanner>(problem, [make, seed](const Problem& rest) { return make(rest, seed); });
+  };
+  return entry;
+}
+
+PlannerRegistry allWholePlanners() {
   PlannerRegistry registry;
   registry.add({"auto", "Automatic",
                 "Several planners work side by side; those that make progress get more time. No settings are needed.",
@@ -126,6 +139,15 @@ PlannerRegistry makePlannerRegistry() {
   registry.add(multiLayer("own", "Own rules", "The rules of the scenario."));
   addOmplPlanners(registry);
   addPeers(registry);
+  return registry;
+}
+
+}  // namespace
+
+PlannerRegistry makePlannerRegistry() {
+  PlannerRegistry registry;
+  const PlannerRegistry plain = allWholePlanners();
+  for (const PlannerEntry& entry : plain.entries()) registry.add(turningThreads(entry));
   return registry;
 }
 

@@ -25,6 +25,8 @@ struct FitEdit {
   std::optional<ContactKind> kind;
   std::optional<double> allowance;  ///< metres, >= 0; 0: clearance is required
   bool accepted = false;            ///< a clash that does not stop the work
+  std::optional<double> pitch{};    ///< of a thread, metres, not 0; below 0: left-handed
+  std::string turned{};  ///< of a thread: id of the body that is turned while the other one is held; empty: not said
 };
 
 /// How a scenario treats bodies that touch or overlap in its assembled configuration.

@@ -9,7 +9,10 @@
 
 #include "engine/base/tolerances.h"
 #include "engine/geometry/thinned_mesh.h"
+#include "engine/product/common_axis.h"
 #include "engine/product/fit_rules.h"
+#include "engine/product/loose_nut.h"
+#include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
@@ -33,7 +36,23 @@ std::string millimetres(double metres) {
 struct FoundContact {
   Contact contact;
   std::vector<Pose> at;
+  Pose measuredAt{};  ///< the end that the contact was measured at
 };
+
+/// Those of the ends in which the object's axis is the same line as in the first one. Its thread may be in another
+/// hole of the obstacle in the others.
+std::vector<Pose> onAxis(const ContactAxis& axis, const Pose& first, const std::vector<Pose>& ends) {
+  constexpr double kSame = 1e-5;
+  const Vector3 point_B = inverse(first) * axis.point;
+  std::vector<Pose> same{first};
+  for (const Pose& end : ends) {
+    const Vector3 p = end * point_B - axis.point;
+    const Vector3 direction = end.orientation * (first.orientation.conjugate() * axis.direction);
+    const bool isSame = p.cross(axis.direction).norm() < kSame && direction.cross(axis.direction).norm() < kSame;
+    if (isSame && end != first) same.push_back(end);
+  }
+  return same;
+}
 
 double measured(const Contact& contact) { return contact.overlap + contact.deviation; }
 
@@ -51,6 +70,7 @@ class FitFinder {
   Result<ObjectFits> find() {
     if (const Outcome known = checkBodies(); !known) return known.error();
     findContactsAtEnds();
+    if (const Outcome marked = addMarkedThreads(); !marked) return marked.error();
     if (const Outcome sound = checkAllowances(); !sound) return sound.error();
     for (const auto& [obstacle, found] : contacts_) {
       if (stop_.stopRequested()) break;
@@ -84,7 +104,7 @@ class FitFinder {
   void findContactsAtEnds() {
     if (question_.contacts != nullptr) {
       for (const Contact& contact : *question_.contacts) {
-        contacts_.emplace(contact.a, FoundContact{contact, {question_.ends.front()}});
+        contacts_.emplace(contact.a, FoundContact{contact, {question_.ends.front()}, question_.ends.front()});
       }
       return;
     }
@@ -99,8 +119,8 @@ class FitFinder {
     for (const Pose& end : question_.ends) {
       bodies.back().X_WB = end;
       for (const Contact& contact : findContacts(bodies, limits, stop_).contacts) {
-        FoundContact& found = contacts_.try_emplace(contact.a, FoundContact{contact, {}}).first->second;
-        if (measured(contact) > measured(found.contact)) found.contact = contact;
+        FoundContact& found = contacts_.try_emplace(contact.a, FoundContact{contact, {}, end}).first->second;
+        if (measured(contact) > measured(found.contact)) found = {contact, std::move(found.at), end};
         found.at.push_back(end);
       }
     }
@@ -130,6 +150,37 @@ class FitFinder {
     return Done{};
   }
 
+  ContactBody contactBody(const RigidBody& body, const Pose& X_WB) const { return {body.id, body.mesh, X_WB, 0.0}; }
+
+  /// Pairs that a person calls a thread need not touch.
+  Outcome addMarkedThreads() {
+    for (std::size_t obstacle = 0; obstacle < question_.obstacles.size(); ++obstacle) {
+      const RigidBody& other = question_.obstacles[obstacle];
+      const FitEdit* edit = editOf(question_.settings, question_.object.id, other.id);
+      if (edit == nullptr || edit->kind != ContactKind::Thread) continue;
+      const auto known = contacts_.find(obstacle);
+      if (known != contacts_.end() && known->second.contact.axis) continue;
+      FoundContact found{
+          Contact{obstacle, question_.obstacles.size(), ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
+      if (known != contacts_.end()) found = known->second;
+      for (const Pose& end : question_.ends) {
+        const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(question_.object, end));
+        if (!axis) continue;
+        if (!found.contact.axis) found.measuredAt = end;
+        if (!found.contact.axis) found.contact.axis = axis;
+        if (known == contacts_.end()) found.at.push_back(end);
+      }
+      if (!found.contact.axis) {
+        return refused(static_cast<std::size_t>(edit - edits().data()),
+                       "calls '" + edit->a + "' and '" + edit->b +
+                           "' a thread, but no shaft of the one is on the axis of a hole of the other",
+                       "Give another kind.");
+      }
+      contacts_[obstacle] = std::move(found);
+    }
+    return Done{};
+  }
+
   const ThinnableMesh* thinnable() {
     if (!measuredObject_) {
       measuredObject_ = true;
@@ -141,15 +192,51 @@ class FitFinder {
   void decide(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editOf(question_.settings, question_.object.id, question_.obstacles[obstacle].id);
     const FitDecision decision = decideFit(found.contact, edit, question_.settings, gap_);
-    const Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
+    Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
+    if (decision.kind == ContactKind::Thread && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
       refuse(fit, "overlap by " + millimetres(fit.overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(fit.overlap) + "), or mend the parts.");
+    } else if (found.contact.kind == ContactKind::Clearance) {
+      fit.allowance = 0.0;
+      fits_.allowed.push_back(fit);
     } else if (!decision.given) {
       raiseUntilFree(fit, found.at);
     } else if (fit.allowance > 0.0) {
       fits_.allowed.push_back(fit);
     }
+  }
+
+  FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
+    const ContactAxis& axis = *found.contact.axis;
+    FitThread thread;
+    ThreadRule& rule = thread.rule;
+    rule.obstacle = static_cast<int>(found.contact.a);
+    rule.point_W = axis.point;
+    rule.axis_W = axis.direction.normalized();
+    rule.radiusOfObstacle = axis.radiusA;
+    rule.radiusOfObject = axis.radiusB;
+    rule.objectIsShaft = !axis.shaftIsA;
+    rule.assembled = onAxis(axis, found.measuredAt, found.at);
+    rule.mayTurn = mayTurn(rule, axis, edit);
+    if (edit != nullptr && edit->pitch) {
+      rule.pitch = *edit->pitch;
+      return thread;
+    }
+    const ThreadPitch coarse = isoCoarsePitch(rule.objectIsShaft ? axis.radiusB : axis.radiusA);
+    rule.pitch = coarse.pitch;
+    thread.size = coarse.size;
+    return thread;
+  }
+
+  bool mayTurn(const ThreadRule& rule, const ContactAxis& axis, const FitEdit* edit) const {
+    if (edit != nullptr && !edit->turned.empty()) return edit->turned == question_.object.id;
+    if (!rule.objectIsShaft) return true;
+    std::vector<const RigidBody*> others;
+    for (std::size_t i = 0; i < question_.obstacles.size(); ++i) {
+      if (static_cast<int>(i) != rule.obstacle) others.push_back(&question_.obstacles[i]);
+    }
+    return !isLooseNut(question_.obstacles[static_cast<std::size_t>(rule.obstacle)], axis, others, stop_);
   }
 
   /// An option's value that is not below it.
@@ -215,17 +302,46 @@ Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& 
   return FitFinder(question, stop).find();
 }
 
-CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits) {
+namespace {
+
+/// The fits as variants of the object. `screwed`: those of threads, too.
+std::vector<ObjectVariant> variantsOf(const std::vector<Fit>& fits, const TriangleMesh& mesh, bool screwed) {
   std::map<double, std::vector<int>> obstacles;
-  for (const Fit& fit : fits) obstacles[fit.allowance].push_back(static_cast<int>(fit.obstacle));
-  if (obstacles.empty()) return world->withVariants({});
-  const auto object = ThinnableMesh::of(world->object());
+  for (const Fit& fit : fits) {
+    if (fit.allowance <= 0.0 || (fit.thread && !screwed)) continue;
+    obstacles[fit.allowance].push_back(static_cast<int>(fit.obstacle));
+  }
   std::vector<ObjectVariant> variants;
+  if (obstacles.empty()) return variants;
+  const auto object = ThinnableMesh::of(mesh);
   for (const auto& [allowance, own] : obstacles) {
     auto thinned = object ? object->thinned(allowance) : std::nullopt;
     if (thinned) variants.push_back({std::make_shared<const TriangleMesh>(std::move(*thinned)), own});
   }
-  return world->withVariants(std::move(variants));
+  return variants;
+}
+
+}  // namespace
+
+CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits) {
+  CollisionWorldPtr screwed = world->withVariants(variantsOf(fits, world->object(), true));
+  const std::vector<ThreadRule> rules = threadRulesOf(fits);
+  if (rules.empty()) return screwed;
+  std::vector<ThreadPair> pairs;
+  for (const ThreadRule& rule : rules) {
+    pairs.emplace_back(rule, world->object(), world->obstacles()[static_cast<std::size_t>(rule.obstacle)]);
+  }
+  return screwed->withThreads(std::move(pairs), world->withVariants(variantsOf(fits, world->object(), false)));
+}
+
+std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits) {
+  std::vector<ThreadRule> rules;
+  for (const Fit& fit : fits) {
+    if (!fit.thread) continue;
+    rules.push_back(fit.thread->rule);
+    rules.back().obstacle = static_cast<int>(fit.obstacle);
+  }
+  return rules;
 }
 
 std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count) {
@@ -247,7 +363,19 @@ std::string inWords(const Fit& fit, const std::string& object, const std::string
   } else if (fit.role == Fit::Role::Hole) {
     where = (fit.kind == ContactKind::Thread ? " on the thread of " : " on the shaft of ") + obstacle;
   }
-  return object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
+  std::string words =
+      object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
+  if (!fit.thread) return words;
+  words += ", pitch " + millimetres(fit.thread->rule.pitch);
+  return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";
+}
+
+std::string turnsInWords(double turns) {
+  if (turns <= 0.0) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << ", " << turns << " turns";
+  return text.str();
 }
 
 }  // namespace glissade

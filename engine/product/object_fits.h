@@ -6,9 +6,16 @@
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/collision/collision_query.h"
+#include "engine/collision/thread_rule.h"
 #include "engine/product/contact_report.h"
 
 namespace glissade {
+
+/// A thread that comes apart by turning only.
+struct FitThread {
+  ThreadRule rule;   ///< its obstacle is that of the fit
+  std::string size;  ///< that the pitch was taken for, as "M10"; empty where a person gave it
+};
 
 /// How the object is taken against one obstacle that it fits.
 struct Fit {
@@ -19,6 +26,7 @@ struct Fit {
   Role role = Role::Other;
   double overlap = 0.0;    ///< as measured, metres
   double allowance = 0.0;  ///< metres by which the object is taken thinner; of a refused clash, what it would take
+  std::optional<FitThread> thread{};  ///< of kind thread
 };
 
 struct ObjectFits {
@@ -42,23 +50,32 @@ struct FitQuestion {
 /// touches is allowed the deviation of both surfaces and assembledGap(); what overlaps as designed, the overlap and
 /// the same; where that leaves no gap (rounding of the file, tessellation), up to twice as much. A clash is allowed
 /// where it is accepted. Where the thinned object would need more than kMostThinning of its local thickness from
-/// either side, the pair is a clash.
+/// either side, the pair is a clash. A pair that is marked as a thread is one although it does not touch.
 ///
 /// Errors: MalformedInput with "/fits/pairs/<index>" as place: a body that is not there, an allowance above what the
-/// object's thickness can give, an allowance for a pair that does not touch. After a stop the fits are incomplete.
+/// object's thickness can give, an allowance for a pair that does not touch, a thread without a common axis. After a
+/// stop the fits are incomplete.
 Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop = {});
 
-/// The world where the object is thinned by each allowance against its own obstacle.
+/// The world where the object is thinned by each allowance against its own obstacle, and where threads come apart by
+/// turning only.
 CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits);
 
 /// Allowance against each obstacle of `count`, 0 where there is none: as IndependentCheck takes it.
 std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count);
 
+/// The rules of the fits that are threads, as IndependentCheck takes them.
+std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits);
+
 /// What an allowance leaves between two bodies that touch, metres: a micrometre, or four of the clearances that a path
 /// has to keep for an object of this radius, if that is more.
 double assembledGap(double objectRadius);
 
-/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)".
+/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)"; with the pitch, where the thread is known:
+/// "..., pitch 1.5 mm (ISO coarse, M10)".
 std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
+
+/// ", 9.3 turns", to be added to the words; nothing where there are none.
+std::string turnsInWords(double turns);
 
 }  // namespace glissade

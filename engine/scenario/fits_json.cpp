@@ -1,5 +1,7 @@
 #include "engine/scenario/fits_json.h"
 
+#include <cmath>
+
 #include "engine/base/limits.h"
 #include "engine/product/contact_report.h"
 
@@ -22,8 +24,23 @@ ContactKind readKind(const JsonCursor& at) {
   return *kind;
 }
 
+double readPitch(const JsonCursor& at) {
+  const double value = at.coordinate();
+  constexpr double kLeastPitch = 1e-5;
+  if (std::abs(value) < kLeastPitch) {
+    at.fail("is no pitch", "Give metres a turn, 0.00001 or more; below zero for a left-handed thread.");
+  }
+  return value;
+}
+
+std::string readTurned(const JsonCursor& at, const FitEdit& pair) {
+  std::string id = at.text();
+  if (id != pair.a && id != pair.b) at.fail("is neither of the two bodies", "Name the body that is turned.");
+  return id;
+}
+
 FitEdit readPair(const JsonCursor& at) {
-  at.allowOnly({"a", "b", "kind", "allowance", "accepted"});
+  at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
   FitEdit edit;
   edit.a = at.at("a").nonEmptyText();
   edit.b = at.at("b").nonEmptyText();
@@ -31,6 +48,8 @@ FitEdit readPair(const JsonCursor& at) {
   if (const auto kind = at.find("kind")) edit.kind = readKind(*kind);
   if (const auto allowance = at.find("allowance")) edit.allowance = readAllowance(*allowance);
   if (const auto accepted = at.find("accepted")) edit.accepted = accepted->boolean();
+  if (const auto pitch = at.find("pitch_m")) edit.pitch = readPitch(*pitch);
+  if (const auto turned = at.find("turned")) edit.turned = readTurned(*turned, edit);
   return edit;
 }
 
@@ -43,6 +62,8 @@ Json toJson(const FitEdit& edit) {
   if (edit.kind) json["kind"] = kindName(*edit.kind);
   if (edit.allowance) json["allowance"] = *edit.allowance;
   if (edit.accepted) json["accepted"] = true;
+  if (edit.pitch) json["pitch_m"] = *edit.pitch;
+  if (!edit.turned.empty()) json["turned"] = edit.turned;
   return json;
 }
 

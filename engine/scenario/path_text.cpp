@@ -72,7 +72,7 @@ Json provenanceJson(const Path& path, const LoadedScenario& scenario, const Path
             {"seed", provenance.seed},
             {"program", std::string("Glissade ") + kVersion},
             {"certificate", certificateJson(path.certificate, idsOf(scenario))}};
-  if (!scenario.fits.allowed.empty()) json["certificate"]["allowances"] = allowancesJson(scenario);
+  if (!scenario.fits.allowed.empty()) json["certificate"]["allowances"] = allowancesJson(scenario, path.points);
   return json;
 }
 

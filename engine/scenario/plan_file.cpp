@@ -57,6 +57,9 @@ Json toJson(const StepAllowance& allowance) {
             {"text", allowance.text}};
   if (!allowance.moving.empty()) json["moving"] = allowance.moving;
   if (allowance.yields) json["yields"] = true;
+  if (allowance.pitch == 0.0) return json;
+  json["pitch_m"] = allowance.pitch;
+  json["turns"] = allowance.turns;
   return json;
 }
 
@@ -200,13 +203,15 @@ class PlanReader {
   }
 
   StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields"});
+    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
     if (!kind) at.at("kind").fail("is no kind of fit");
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+    if (const auto pitch = at.find("pitch_m")) allowance.pitch = pitch->coordinate();
+    if (const auto turns = at.find("turns")) allowance.turns = turns->coordinate();
     return allowance;
   }
 

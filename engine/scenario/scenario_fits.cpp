@@ -1,5 +1,6 @@
 #include "engine/scenario/scenario_fits.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace glissade {
@@ -41,25 +42,39 @@ std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario) {
   return bodies;
 }
 
-std::vector<std::string> allowancesInWords(const LoadedScenario& scenario) {
+double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenario, const Fit& fit) {
+  const std::vector<Pose> configurations = configurationsOf(path);
+  for (const ThreadPair& pair : scenario.problem.world->threads()) {
+    if (pair.rule().obstacle != static_cast<int>(fit.obstacle)) continue;
+    return std::abs(turnsWhileEngaged(pair, configurations));
+  }
+  return 0.0;
+}
+
+std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::vector<std::string> words;
   for (const Fit& fit : scenario.fits.allowed) {
-    words.push_back(inWords(fit, scenario.object.name, scenario.obstacles[fit.obstacle].name));
+    words.push_back(inWords(fit, scenario.object.name, scenario.obstacles[fit.obstacle].name) +
+                    turnsInWords(turnsOn(path, scenario, fit)));
   }
   return words;
 }
 
-nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario) {
+nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   auto list = nlohmann::ordered_json::array();
-  for (const Fit& fit : scenario.fits.allowed) {
-    const RigidBody& obstacle = scenario.obstacles[fit.obstacle];
+  const std::vector<std::string> words = allowancesInWords(scenario, path);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const Fit& fit = scenario.fits.allowed[i];
     list.push_back({{"object", scenario.object.id},
-                    {"body", obstacle.id},
+                    {"body", scenario.obstacles[fit.obstacle].id},
                     {"kind", kindName(fit.kind)},
                     {"overlap_m", fit.overlap},
                     {"allowance_m", fit.allowance},
                     {"faces", "all"},
-                    {"text", inWords(fit, scenario.object.name, obstacle.name)}});
+                    {"text", words[i]}});
+    if (!fit.thread) continue;
+    list.back()["pitch_m"] = fit.thread->rule.pitch;
+    if (!path.empty()) list.back()["turns"] = turnsOn(path, scenario, fit);
   }
   return list;
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/planning/path.h"
 #include "engine/product/contact_report.h"
 #include "engine/scenario/scenario.h"
 
@@ -19,10 +20,14 @@ Outcome applyFits(LoadedScenario& scenario, const StopToken& stop = {});
 std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario);
 
 /// What a certificate of this scenario's object is about, for each fit in words: "nut taken 0.021 mm thinner on the
-/// shaft of bolt (cylindrical)". Empty where the whole object is meant.
-std::vector<std::string> allowancesInWords(const LoadedScenario& scenario);
+/// shaft of bolt (cylindrical)". Empty where the whole object is meant. Of threads with the turns of the path in them,
+/// where there is one.
+std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
 
 /// The same for files and reports: an array with an object a fit, lengths in metres.
-nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario);
+nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std::vector<PathPoint>& path = {});
+
+/// Full turns of the object on the path while it is in the thread of this fit, either way; 0 for other fits.
+double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenario, const Fit& fit);
 
 }  // namespace glissade

@@ -19,6 +19,8 @@ struct StepAllowance {
   std::string text;        ///< for people, with names
   std::string moving{};    ///< id of the body of the step; empty: its first one
   bool yields = false;     ///< the other one is taken thinner, not the moving one
+  double pitch = 0.0;      ///< of a thread that comes apart by turning only, metres a turn; 0: none
+  double turns = 0.0;      ///< of the body in it, by the right hand about the direction in which it leaves
 };
 
 /// What was proved of a step's motion: it keeps the required clearance from every body that was there.
@@ -37,7 +39,7 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  std::string method;    ///< "straight", or "auto" and what found it: "auto: turning-rrt"
+  std::string method;    ///< "straight", "turned", or "auto" and what found it: "auto: turning-rrt"
   std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there

@@ -20,23 +20,37 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       searches_(searches),
       worlds_(product, fits),
       straight_(product, fits, worlds_),
+      turned_(fits, worlds_),
       searched_(product, fits, worlds_, seed) {}
 
 /// A search is refused by those that block the straight lines and those that the group fits.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
-  if (effort == 0) return straight_.tryRemoval(group, present, stop);
+  if (effort == 0) return tryDirectly(group, present, stop);
   RemovalAnswer answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
   auto* refused = std::get_if<Refused>(&answer);
   if (refused == nullptr || refused->stopped) return answer;
-  const RemovalAnswer straight = straight_.tryRemoval(group, present, stop);
-  const auto* lines = std::get_if<Refused>(&straight);
-  if (lines == nullptr) return straight;
-  if (lines->stopped) return straight;
+  const RemovalAnswer direct = tryDirectly(group, present, stop);
+  const auto* lines = std::get_if<Refused>(&direct);
+  if (lines == nullptr || lines->stopped) return direct;
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
   for (const BodyFit& fit : fits_.fitsOf(group, present)) blocking.insert(fit.fit.obstacle);
   refused->blockedBy.assign(blocking.begin(), blocking.end());
   return answer;
+}
+
+/// Both are refused by those that block either.
+RemovalAnswer MotionTrial::tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop) {
+  RemovalAnswer straight = straight_.tryRemoval(group, present, stop);
+  auto* lines = std::get_if<Refused>(&straight);
+  if (lines == nullptr || lines->stopped) return straight;
+  RemovalAnswer turned = turned_.tryRemoval(group, present, stop);
+  const auto* turns = std::get_if<Refused>(&turned);
+  if (turns == nullptr || turns->stopped) return turned;
+  std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
+  blocking.insert(turns->blockedBy.begin(), turns->blockedBy.end());
+  lines->blockedBy.assign(blocking.begin(), blocking.end());
+  return straight;
 }
 
 std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,

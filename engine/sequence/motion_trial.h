@@ -2,11 +2,12 @@
 
 #include "engine/sequence/searched_removal.h"
 #include "engine/sequence/straight_removal.h"
+#include "engine/sequence/turned_removal.h"
 
 namespace glissade {
 
-/// Asks the collision kernel and the planners: effort 0 is straight lines, the others are searches, each with four
-/// times the budget of the one before.
+/// Asks the collision kernel and the planners: effort 0 is straight lines and turns out of threads, the others are
+/// searches, each with four times the budget of the one before.
 class MotionTrial final : public RemovalTrial {
  public:
   /// Levels of search, at most.
@@ -27,11 +28,14 @@ class MotionTrial final : public RemovalTrial {
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override;
 
  private:
+  RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
+
   const ProductFits& fits_;
   std::size_t bodies_;
   int searches_;
   MotionWorlds worlds_;
   StraightRemoval straight_;
+  TurnedRemoval turned_;
   SearchedRemoval searched_;
 };
 

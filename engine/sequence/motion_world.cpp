@@ -47,15 +47,11 @@ MeshPtr MotionWorlds::joined(const BodyGroup& bodies, const std::vector<MeshPtr>
   return std::make_shared<const TriangleMesh>(std::move(mesh));
 }
 
-/// What these bodies of the group are taken to be against the other one, in the group's frame.
-MeshPtr MotionWorlds::meshAgainst(const BodyGroup& group, const BodyGroup& bodies, std::size_t other) {
-  if (group.size() == 1) return fits_.meshAgainst(group.front(), other);
-  std::vector<MeshPtr> meshes;
+/// These bodies of the group, taken to be these meshes, in the group's frame.
+MeshPtr MotionWorlds::meshOf(const BodyGroup& group, const BodyGroup& bodies, const std::vector<MeshPtr>& meshes) {
+  if (group.size() == 1) return meshes.front();
   bool thinner = bodies.size() < group.size();
-  for (const std::size_t body : bodies) {
-    meshes.push_back(fits_.meshAgainst(body, other));
-    thinner = thinner || meshes.back() != product_.bodies[body].mesh;
-  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) thinner = thinner || meshes[i] != product_.bodies[bodies[i]].mesh;
   const MovingObject& whole = object(group);
   if (!thinner) return whole.mesh;
   const std::pair key{bodies, meshes};
@@ -69,27 +65,69 @@ MeshPtr MotionWorlds::meshAgainst(const BodyGroup& group, const BodyGroup& bodie
   return joined_[whole.mesh].try_emplace(key, std::move(mesh)).first->second;
 }
 
-MotionWorld MotionWorlds::world(const BodyGroup& group, const BodySet& present) {
-  MotionWorld motion;
-  std::vector<PreparedBodies::Against> obstacles;
-  for (const std::size_t other : bodiesIn(without(present, group))) {
-    // Bodies of the group for which the other one is the same mesh move past it together.
-    std::vector<std::pair<MeshPtr, BodyGroup>> parts;
-    for (const std::size_t body : group) {
-      const MeshPtr& obstacle = fits_.obstacleFor(body, other);
-      const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& p) { return p.first == obstacle; });
-      if (same != parts.end()) {
-        same->second.push_back(body);
-      } else {
-        parts.push_back({obstacle, {body}});
-      }
-    }
-    for (const auto& [obstacle, bodies] : parts) {
-      motion.bodies.push_back(other);
-      obstacles.push_back({other, meshAgainst(group, bodies, other), obstacle});
+MeshPtr MotionWorlds::meshAgainst(const BodyGroup& group, const Part& part) {
+  std::vector<MeshPtr> meshes;
+  for (const std::size_t body : part.bodies) meshes.push_back(fits_.meshAgainst(body, part.other));
+  return meshOf(group, part.bodies, meshes);
+}
+
+MeshPtr MotionWorlds::wholeOf(const BodyGroup& group, const BodyGroup& bodies) {
+  std::vector<MeshPtr> meshes;
+  for (const std::size_t body : bodies) meshes.push_back(product_.bodies[body].mesh);
+  return meshOf(group, bodies, meshes);
+}
+
+std::vector<MotionWorlds::Part> MotionWorlds::partsAgainst(const BodyGroup& group, std::size_t other) const {
+  std::vector<Part> parts;
+  for (const std::size_t body : group) {
+    const MeshPtr& obstacle = fits_.obstacleFor(body, other);
+    const bool screwed = fits_.threadOf(body, other) != nullptr;
+    const auto same = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+      return part.obstacle == obstacle && part.screwed == screwed;
+    });
+    if (same != parts.end()) {
+      same->bodies.push_back(body);
+    } else {
+      parts.push_back({other, obstacle, screwed, {body}});
     }
   }
-  motion.world = prepared_.world(object(group).mesh, obstacles);
+  return parts;
+}
+
+/// `parts`: the obstacles of the group's world.
+std::vector<ThreadPair> MotionWorlds::threadsOf(const BodyGroup& group, const std::vector<Part>& parts) {
+  std::vector<ThreadPair> pairs;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!parts[i].screwed) continue;
+    for (const std::size_t body : parts[i].bodies) {
+      ThreadRule rule = fits_.threadOf(body, parts[i].other)->rule;
+      rule.obstacle = static_cast<int>(i);
+      rule.assembled = {object(group).X_WB};
+      pairs.emplace_back(rule, *wholeOf(group, {body}), product_.bodies[parts[i].other]);
+    }
+  }
+  return pairs;
+}
+
+MotionWorld MotionWorlds::world(const BodyGroup& group, const BodySet& present) {
+  std::vector<Part> parts;
+  for (const std::size_t other : bodiesIn(without(present, group))) {
+    for (Part& part : partsAgainst(group, other)) parts.push_back(std::move(part));
+  }
+  MotionWorld motion;
+  std::vector<PreparedBodies::Against> obstacles;
+  for (const Part& part : parts) {
+    motion.bodies.push_back(part.other);
+    obstacles.push_back({part.other, meshAgainst(group, part), part.obstacle});
+  }
+  const MeshPtr& mesh = object(group).mesh;
+  motion.world = prepared_.world(mesh, obstacles);
+  std::vector<ThreadPair> threads = threadsOf(group, parts);
+  if (threads.empty()) return motion;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].screwed) obstacles[i] = {parts[i].other, wholeOf(group, parts[i].bodies)};
+  }
+  motion.world = motion.world->withThreads(std::move(threads), prepared_.world(mesh, obstacles));
   return motion;
 }
 

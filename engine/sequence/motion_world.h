@@ -36,7 +36,8 @@ class MotionWorlds {
   MotionWorlds(const AssembledProduct& product, const ProductFits& fits);
 
   const MovingObject& object(const BodyGroup& group);
-  /// Each body of the group is thinned as its fits allow; bodies of the group are no obstacles.
+  /// Each body of the group is thinned as its fits allow, and leaves threads by turning only; bodies of the group are
+  /// no obstacles.
   MotionWorld world(const BodyGroup& group, const BodySet& present);
   /// Of one body beside one other.
   CollisionWorldPtr pair(std::size_t body, std::size_t other);
@@ -47,7 +48,18 @@ class MotionWorlds {
   Box3 sweptBy(const BodyGroup& group, const std::vector<PathPoint>& path);
 
  private:
-  MeshPtr meshAgainst(const BodyGroup& group, const BodyGroup& bodies, std::size_t other);
+  /// Bodies of a group that move past the other one together: for all it is the same mesh, and screwed to all or none.
+  struct Part {
+    std::size_t other;
+    MeshPtr obstacle;
+    bool screwed;
+    BodyGroup bodies;
+  };
+  std::vector<Part> partsAgainst(const BodyGroup& group, std::size_t other) const;
+  std::vector<ThreadPair> threadsOf(const BodyGroup& group, const std::vector<Part>& parts);
+  MeshPtr meshOf(const BodyGroup& group, const BodyGroup& bodies, const std::vector<MeshPtr>& meshes);
+  MeshPtr meshAgainst(const BodyGroup& group, const Part& part);
+  MeshPtr wholeOf(const BodyGroup& group, const BodyGroup& bodies);
   MeshPtr joined(const BodyGroup& bodies, const std::vector<MeshPtr>& meshes, const Pose& X_WG) const;
 
   const AssembledProduct& product_;

@@ -43,6 +43,8 @@ class JudgedProduct {
     return pair;
   }
 
+  const FitThread* threadOf(std::size_t body, std::size_t other) const { return fits_.threadOf(body, other); }
+
   /// For steps in which these bodies move.
   void prepare(const BodyGroup& moving, ThreadTeam& team) {
     std::map<MeshAllowance, MeshPtr> meshes;
@@ -171,6 +173,7 @@ MotionCertificate judgeBody(std::size_t body, const JudgedStep& judged, const Ju
       std::max(kNearShare * radiusAboutOrigin(*own.mesh), 4.0 * parameters[ParameterId::RequiredClearance]);
   std::map<double, MeshPtr> objects{{0.0, whole}};
   std::vector<IndependentCheck::Against> against;
+  std::vector<IndependentCheck::Thread> threads;
   std::vector<std::size_t> others;
   double leastOfFar = std::numeric_limits<double>::infinity();
   for (const std::size_t other : bodiesIn(without(judged.mayBeThere, judged.group))) {
@@ -184,9 +187,14 @@ MotionCertificate judgeBody(std::size_t body, const JudgedStep& judged, const Ju
     MeshPtr& object = objects[allowance.moving];
     if (!object) object = inPathFrame(product.thinned(body, allowance.moving));
     against.push_back({product.obstacle(other, allowance.other), object, allowance.moving + allowance.other > 0.0});
+    if (const FitThread* thread = product.threadOf(body, other)) {
+      threads.push_back({thread->rule, obstacle, product.obstacle(other, 0.0)});
+      threads.back().rule.obstacle = static_cast<int>(others.size());
+      threads.back().rule.assembled = {path.front()};
+    }
     others.push_back(other);
   }
-  const IndependentCheck check(against, *whole, product.scale());
+  const IndependentCheck check(against, *whole, product.scale(), threads);
   MotionCertificate certificate = check.check(path, demandsOf(points, parameters), stop);
   if (certificate.nearest.body >= 0) {
     certificate.nearest.body = static_cast<int>(others[static_cast<std::size_t>(certificate.nearest.body)]);

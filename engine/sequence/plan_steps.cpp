@@ -1,8 +1,22 @@
 #include "engine/sequence/plan_steps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace glissade {
+namespace {
+
+/// Of a body of the step that moves on this path.
+double turnsIn(const ThreadRule& rule, const RigidBody& body, const RigidBody& other,
+               const std::vector<PathPoint>& path) {
+  std::vector<Pose> configurations;
+  const Pose X_PB = inverse(path.front().q) * body.X_WB;
+  for (const PathPoint& point : path) configurations.push_back(point.q * X_PB);
+  return std::abs(turnsWhileEngaged(ThreadPair(rule, *body.mesh, other), configurations));
+}
+
+}  // namespace
 
 std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& product) {
   std::vector<std::string> ids;
@@ -35,8 +49,15 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
     const RigidBody& other = product.bodies[each.fit.obstacle];
     const std::string text =
         each.yields ? inWords(each.fit, other.name, body.name) : inWords(each.fit, body.name, other.name);
-    step.allowances.push_back({other.id, each.fit.kind, each.fit.overlap, each.fit.allowance, text,
-                               each.body == group.front() ? std::string() : body.id, each.yields});
+    StepAllowance allowance{other.id, each.fit.kind, each.fit.overlap, each.fit.allowance, text};
+    if (each.body != group.front()) allowance.moving = body.id;
+    allowance.yields = each.yields;
+    if (each.fit.thread) {
+      allowance.pitch = each.fit.thread->rule.pitch;
+      allowance.turns = turnsIn(each.fit.thread->rule, body, other, removed.path.points);
+      allowance.text += turnsInWords(allowance.turns);
+    }
+    step.allowances.push_back(std::move(allowance));
   }
   return step;
 }

@@ -213,4 +213,18 @@ const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) con
   return moving.whole;
 }
 
+const FitThread* ProductFits::threadOf(std::size_t body, std::size_t other) const {
+  for (const auto* fits : {&moving_[body].allowed, &moving_[body].yielding}) {
+    for (const Fit& fit : *fits) {
+      if (fit.obstacle == other && fit.thread) return &*fit.thread;
+    }
+  }
+  return nullptr;
+}
+
+bool ProductFits::isInThread(const BodyGroup& group, const BodySet& present) const {
+  const std::vector<BodyFit> fits = fitsOf(group, present);
+  return std::any_of(fits.begin(), fits.end(), [](const BodyFit& each) { return each.fit.thread.has_value(); });
+}
+
 }  // namespace glissade

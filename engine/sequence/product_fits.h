@@ -32,6 +32,11 @@ class ProductFits {
   const std::vector<Fit>& yieldingTo(std::size_t body) const { return moving_[body].yielding; }
   /// What the other one is taken to be when the body moves past it: itself, or thinner.
   const MeshPtr& obstacleFor(std::size_t body, std::size_t other) const;
+  /// By which the body leaves the other one by turning only, in whichever of the two the fit is allowed; null where
+  /// they are not screwed together. Its obstacle is the index in the product.
+  const FitThread* threadOf(std::size_t body, std::size_t other) const;
+  /// A body of the group is screwed together with one of the set that is not in the group.
+  bool isInThread(const BodyGroup& group, const BodySet& present) const;
   /// Axes of shafts and holes that the body has in common with others, unit, world frame, no two alike.
   const std::vector<Vector3>& axesOf(std::size_t body) const { return moving_[body].axes; }
   /// All contacts of the product; none where fits are off.

@@ -1,6 +1,8 @@
 #include "engine/sequence/removal_directions.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "engine/planning/automatic/contact_faces.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 constexpr std::size_t kFaces = 6;
 constexpr double kAlike = 1.0 - 1e-9;
+/// As a share of its radius.
+constexpr double kMargin = 0.05;
 
 }  // namespace
 
@@ -34,6 +38,21 @@ std::vector<Vector3> removalDirections(const AssembledProduct& product, const Pr
   const RigidBody& own = product.bodies[body];
   for (const Vector3& normal_B : largestFaceNormals(*own.mesh, kFaces)) addBoth(exact(own.X_WB.orientation * normal_B));
   return directions;
+}
+
+double leavingMargin(double radius) { return kMargin * radius; }
+
+double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, double margin) {
+  if (outer.isEmpty()) return margin;
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double speed = std::abs(direction[axis]);
+    if (speed < 1e-3) continue;
+    const double gap =
+        direction[axis] > 0.0 ? outer.max()[axis] - inner.min()[axis] : inner.max()[axis] - outer.min()[axis];
+    least = std::min(least, std::max(0.0, gap + margin) / speed);
+  }
+  return least;
 }
 
 }  // namespace glissade

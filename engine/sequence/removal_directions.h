@@ -12,4 +12,10 @@ namespace glissade {
 /// Latombe 1994).
 std::vector<Vector3> removalDirections(const AssembledProduct& product, const ProductFits& fits, std::size_t body);
 
+/// How far an object of this radius that leaves ends beyond the others' box, metres.
+double leavingMargin(double radius);
+
+/// The shortest way along the direction, metres, after which the inner box is beyond the outer one by the margin.
+double wayOutOf(const Box3& inner, const Box3& outer, const Vector3& direction, double margin);
+
 }  // namespace glissade

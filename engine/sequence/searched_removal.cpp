@@ -2,6 +2,7 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/planning/automatic/automatic_planner.h"
+#include "engine/planning/threaded_planner.h"
 
 namespace glissade {
 namespace {
@@ -30,6 +31,14 @@ Box3 roomAbout(Box3 box, const MovingObject& object) {
   return {box.min() - margin, box.max() + margin};
 }
 
+std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
+  const auto make = [seed](const Problem& rest) -> std::unique_ptr<Planner> {
+    return std::make_unique<AutomaticPlanner>(rest, seed, 1);
+  };
+  if (problem.world->threads().empty()) return make(problem);
+  return std::make_unique<ThreadedPlanner>(problem, make);
+}
+
 }  // namespace
 
 RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, std::uint64_t steps,
@@ -38,12 +47,12 @@ RemovalAnswer SearchedRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   const MotionWorld motion = worlds_.world(group, present);
   Problem problem{motion.world, object.X_WB, GoalOut{}, roomAbout(motion.world->obstaclesBox(), object), nullptr, {}};
   if (!motion.world->makeQuery()->clearAbove(object.X_WB, object.required)) return Refused{};
-  AutomaticPlanner planner(problem, seedOf(group, present, steps), 1);
+  const auto planner = plannerOf(problem, seedOf(group, present, steps));
   BudgetHost host(worlds_.parameters(group), steps, stop);
-  if (planner.solve(host)) {
-    Path path = *planner.path();
+  if (planner->solve(host)) {
+    Path path = *planner->path();
     nameByProduct(path.certificate, motion.bodies);
-    return Removed{std::move(path), "auto: " + planner.member(), fits_.fitsOf(group, present)};
+    return Removed{std::move(path), "auto: " + memberOf(*planner), fits_.fitsOf(group, present)};
   }
   return Refused{{}, stop.stopRequested()};
 }

@@ -1,8 +1,6 @@
 #include "engine/sequence/straight_removal.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "engine/planning/path_certificate.h"
@@ -12,23 +10,7 @@
 namespace glissade {
 namespace {
 
-/// A body ends so far beyond the product's box, as a share of its radius.
-constexpr double kMargin = 0.05;
 constexpr double kSameLine = 1.0 - 1e-9;
-
-/// The shortest way along the direction after which the inner box is beyond the outer one, by the margin.
-double wayOut(const Box3& inner, const Box3& outer, const Vector3& direction, double margin) {
-  if (outer.isEmpty()) return margin;
-  double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double speed = std::abs(direction[axis]);
-    if (speed < 1e-3) continue;
-    const double gap =
-        direction[axis] > 0.0 ? outer.max()[axis] - inner.min()[axis] : inner.max()[axis] - outer.min()[axis];
-    least = std::min(least, std::max(0.0, gap + margin) / speed);
-  }
-  return least;
-}
 
 }  // namespace
 
@@ -122,9 +104,9 @@ StraightRemoval::Line& StraightRemoval::lineAlong(std::size_t body, const Vector
 
 StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Vector3& direction) const {
   const Box3& box = worlds_.boxOf(body);
-  const double margin = kMargin * radiusAboutOrigin(*product_.bodies[body].mesh);
+  const double margin = leavingMargin(radiusAboutOrigin(*product_.bodies[body].mesh));
   const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), {body}));
-  Line line{direction, wayOut(box, others, direction, margin) * direction, box,
+  Line line{direction, wayOutOf(box, others, direction, margin) * direction, box,
             std::vector<std::optional<bool>>(product_.bodies.size())};
   line.swept.extend(Box3(box.min() + line.way, box.max() + line.way));
   line.swept.min() -= Vector3::Constant(margin);
@@ -198,8 +180,8 @@ StraightRemoval::Blockers StraightRemoval::allBlockers(std::size_t body, const V
 bool StraightRemoval::isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop) {
   std::optional<bool>& known = line.blockedBy[other];
   if (known) return *known;
-  bool blocks = false;
-  if (line.swept.intersects(worlds_.boxOf(other))) {
+  bool blocks = fits_.threadOf(body, other) != nullptr;
+  if (!blocks && line.swept.intersects(worlds_.boxOf(other))) {
     const RigidBody& own = product_.bodies[body];
     Pose end = own.X_WB;
     end.position += line.way;

@@ -3839,6 +3839,10 @@
         <source>taken %1 thinner against %2</source>
         <translation>aminci de %1 face à %2</translation>
     </message>
+    <message>
+        <source>(thread), pitch %1, %2 turns</source>
+        <translation>(filetage), pas %1, %2 tours</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathShelf</name>

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "engine/planning/path_bounds.h"
+#include "engine/scenario/scenario_fits.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -24,7 +25,18 @@ QString nameOf(int body, const LoadedScenario& scenario) {
   return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name).toHtmlEscaped();
 }
 
-QString certificateText(const MotionCertificate& certificate, const LoadedScenario& scenario) {
+QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
+  QString text = PathPanel::tr("taken %1 thinner against %2")
+                     .arg(lengthText(fit.allowance), nameOf(static_cast<int>(fit.obstacle), scenario));
+  if (!fit.thread) return text;
+  const double turns = turnsOn(points, scenario, fit);
+  return text + QStringLiteral(" ") +
+         PathPanel::tr("(thread), pitch %1, %2 turns")
+             .arg(lengthText(std::abs(fit.thread->rule.pitch)), number(turns, 1));
+}
+
+QString certificateText(const Path& path, const LoadedScenario& scenario) {
+  const MotionCertificate& certificate = path.certificate;
   const int body = certificate.nearest.body;
   const QString what =
       body < 0 ? PathPanel::tr("nothing near")
@@ -38,9 +50,7 @@ QString certificateText(const MotionCertificate& certificate, const LoadedScenar
   QString text =
       QStringLiteral("<b>✓ %1</b><br>%2<br>%3").arg(PathPanel::tr("Certified free of penetration"), what, held);
   for (const Fit& fit : scenario.fits.allowed) {
-    text +=
-        QStringLiteral("<br>") + PathPanel::tr("taken %1 thinner against %2")
-                                     .arg(lengthText(fit.allowance), nameOf(static_cast<int>(fit.obstacle), scenario));
+    text += QStringLiteral("<br>") + allowanceText(fit, path.points, scenario);
   }
   if (const double deviation = surfaceDeviation(scenario); deviation > 0.0) {
     text += QStringLiteral("<br>") +
@@ -140,7 +150,7 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shar
   curve_->setVisible(path != nullptr);
   curve_->setProfile(nullptr, {}, 0.0);
   emit poseShown(std::nullopt);
-  if (path) certificate_->setText(certificateText(path->certificate, scenario));
+  if (path) certificate_->setText(certificateText(*path, scenario));
   if (refused) certificate_->setText(refusalText(*refused, *slider_, scenario));
   if (shown != nullptr) {
     showFigures(*shown, metric);

@@ -19,6 +19,7 @@
 
 #include "engine/base/guarded.h"
 #include "engine/base/tolerances.h"
+#include "engine/collision/thread_rule.h"
 #include "engine/planning/goal_roots.h"
 #include "engine/planning/ompl/ompl_prm.h"
 #include "engine/planning/ompl/ompl_space.h"
@@ -85,7 +86,7 @@ void setUpAsItIs(ob::Planner& planner, const ParameterValues& parameters) {
 struct OmplPlanner::Engine {
   Engine(const Problem& problem, std::uint64_t seed, OmplAlgorithm algorithm, OmplManner manner)
       : world(problem, seed), asItIs(manner == OmplManner::AsItIs), twoTrees(growsTwoTrees(algorithm)) {
-    const bool whole = problem.world->variants().empty();
+    const bool whole = problem.world->variants().empty() && problem.world->threads().empty();
     if (asItIs && whole) world.surfaces.emplace(makeFclGeometry(problem.world->obstacles(), problem.world->object()));
     // PRM tries again by itself, and looks at its termination condition in between.
     constexpr unsigned kAttempts = 100;  // OMPL's default

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -57,6 +58,68 @@ TEST(PlanJudge, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   EXPECT_FALSE((*judgements)[0].endsOutside);
   EXPECT_FALSE((*judgements)[1].allowancesAsFits);
   EXPECT_TRUE((*judgements)[2].valid());
+}
+
+/// A plate on a bolt with a nut on either side of it, both pairs marked as threads.
+AssembledProduct boltedPlate() {
+  AssembledProduct product =
+      test::productOf({test::partAt("plate", test::makeRing(0.006, 0.05, 0.006, 40), Pose::identity()),
+                       test::partAt("bolt", test::plainBolt(), Pose::identity()),
+                       test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, 0.0075})),
+                       test::partAt("nut#2", test::hexNut(), Pose::translation({0.0, 0.0, -0.0075}))},
+                      true);
+  product.fits.pairs = {{"nut", "bolt", ContactKind::Thread, {}, false},
+                        {"bolt", "nut#2", ContactKind::Thread, {}, false}};
+  return product;
+}
+
+TEST(PlanJudge, NutsLeaveTheirBoltFirstAndByTurningOnly) {
+  const AssembledProduct product = boltedPlate();
+  const AssemblyPlan plan = test::planOf(product, "plate");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "nut#2", "bolt"}));
+  EXPECT_EQ(plan.steps[0].method, "turned");
+  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_NEAR(plan.steps[0].allowances[0].turns, 0.0115 / test::kCoarsePitch, 0.1);
+  EXPECT_EQ(plan.steps[2].method, "straight");
+  EXPECT_TRUE(allValid(*judgePlan(plan, product, std::nullopt)));
+
+  AssemblyPlan pulling = plan;
+  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
+  const auto judgements = judgePlan(pulling, product, std::nullopt);
+  EXPECT_FALSE((*judgements)[0].valid());
+  EXPECT_TRUE((*judgements)[0].certificate.againstThread);
+  EXPECT_EQ((*judgements)[0].certificate.nearest.body, static_cast<int>(*product.indexOf("bolt")));
+}
+
+/// A nut on a bolt that stays, and a cap that leaves with the nut as one.
+TEST(PlanJudge, AGroupWithANutLeavesTheBoltByTurningOnly) {
+  AssembledProduct product = test::productOf(
+      {test::partAt("bolt", test::plainBolt(), Pose::identity()),
+       test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, 0.0075})),
+       test::partAt("cap", test::makeRing(0.006, 0.009, 0.004, 40), Pose::translation({0.0, 0.0, 0.0137}))},
+      true);
+  product.fits.pairs = {{"nut", "bolt", ContactKind::Thread, {}, false}};
+  const ProductFits fits = test::fitsOf(product);
+  MotionTrial trial(product, fits, 1, 0);
+  test::QuietHost host;
+  SequenceQuestion question{product, {true, false, false}, 1, trial};
+  question.rules.together = {{1, 2}};
+  const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"nut", "cap"}));
+  EXPECT_EQ(plan.steps[0].method, "turned");
+  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_GT(plan.steps[0].allowances[0].turns, 7.0);
+  EXPECT_TRUE(allValid(*judgePlan(plan, product, std::nullopt)));
+
+  AssemblyPlan pulling = plan;
+  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
+  pulling.steps[0].path.back().q.orientation = pulling.steps[0].path.front().q.orientation;
+  const auto judgements = judgePlan(pulling, product, std::nullopt);
+  EXPECT_FALSE((*judgements)[0].valid());
+  EXPECT_TRUE((*judgements)[0].certificate.againstThread);
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/collision/collision_query.h"
+#include "engine/collision/thread_rule.h"
+
+namespace glissade {
+
+/// What a world with threads asks: the object as it is taken while it is screwed, the object that is whole against the
+/// threads' obstacles, and the pairs.
+struct ThreadedWorld {
+  std::vector<ThreadPair> pairs;
+  CollisionWorldPtr whole;
+};
+
+/// Holds the rule of threads (ThreadRule). While a pair is engaged, configurations off its screw motion count as a
+/// collision with the pair's obstacle. While none is, the object is whole against their obstacles.
+class ThreadedQuery final : public CollisionQuery {
+ public:
+  /// `screwed` has the object thinned against the obstacles of the pairs.
+  ThreadedQuery(std::unique_ptr<CollisionQuery> screwed, std::shared_ptr<const ThreadedWorld> threads);
+
+  bool collides(const Pose& X_WB) override;
+  std::optional<int> collidingBody(const Pose& X_WB) override;
+  NearestObstacle nearestObstacle(const Pose& X_WB) override;
+  double distanceUpTo(const Pose& X_WB, double enough) override;
+  bool clearAbove(const Pose& X_WB, double bound) override;
+  MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
+                          const StopToken& stop) override;
+
+  const MotionBound& motionBound() const override { return screwed_->motionBound(); }
+  const QueryCounts& counts() const override { return counts_; }
+
+ private:
+  /// What the object is taken as in a configuration; or the obstacle of the thread that forbids it.
+  struct Taken {
+    CollisionQuery* query = nullptr;
+    int forbidding = -1;
+  };
+  Taken takenAt(const Pose& X_WB);
+  bool neverEngaged(const ThreadPair& pair, const Pose& from, const Pose& to) const;
+  double firstForbidden(const Pose& from, const Pose& to);
+
+  std::unique_ptr<CollisionQuery> screwed_;
+  std::unique_ptr<CollisionQuery> whole_;
+  std::shared_ptr<const ThreadedWorld> threads_;
+  QueryCounts counts_;
+};
+
+}  // namespace glissade

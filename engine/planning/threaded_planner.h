@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+
+#include "engine/planning/planner.h"
+
+namespace glissade {
+
+/// Turns the object out of the threads that it is engaged in at the start, and into those at the goal, by screw motions
+/// of both senses; another planner plans the rest, where the object is whole against the threads. The path is
+/// certified as one. Where no screw motion is free there is no path.
+class ThreadedPlanner final : public Planner {
+ public:
+  using Make = std::function<std::unique_ptr<Planner>(const Problem&)>;
+  /// `make` makes the planner of the rest. Precondition: the problem's world has threads.
+  ThreadedPlanner(Problem problem, Make make);
+
+  bool solve(PlannerHost& host) override;
+
+  const std::vector<RoadmapNode>& nodes() const override { return nodes_; }
+  const std::vector<RoadmapEdge>& edges() const override { return edges_; }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return dropped_; }
+  const PlannerCounts& counts() const override { return counts_; }
+  const Path* path() const override { return path_ ? &*path_ : nullptr; }
+  void completeRoadmap() override;
+  std::optional<Diagnostic> failure() const override;
+  const Planner* inner() const override { return rest_.get(); }
+
+ private:
+  class Host;
+  bool prepare(PlannerHost& host);
+  bool findWays(const Pose& end, PlannerHost& host, std::vector<Pose>& way);
+  void addChain(const std::vector<Pose>& poses, TreeSide side);
+  void takeGrown();
+  bool deliver(PlannerHost& host, const std::vector<PathPoint>& middle);
+
+  Problem problem_;
+  Make make_;
+  std::unique_ptr<CollisionQuery> query_;
+  bool prepared_ = false;
+  std::vector<Pose> out_;  ///< from the start, to where the rest begins; empty: it begins there
+  std::vector<Pose> in_;   ///< likewise from the goal
+  std::unique_ptr<Planner> rest_;
+  std::vector<RoadmapNode> nodes_;
+  std::vector<RoadmapEdge> edges_;
+  std::vector<std::uint32_t> dropped_;
+  std::size_t ownNodes_ = 0;
+  std::size_t ownEdges_ = 0;
+  PlannerCounts counts_;
+  std::optional<Path> path_;
+  std::optional<Diagnostic> failure_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/product/contact_report.h"
+
+namespace glissade {
+
+/// The axis that a shaft of one body has in common with a hole of the other, beside each other; of several the pair
+/// whose radii are nearest. They need not touch: the radii differ by a fifth at most. Nothing where there is none.
+std::optional<ContactAxis> commonAxisOf(const ContactBody& a, const ContactBody& b);
+
+}  // namespace glissade

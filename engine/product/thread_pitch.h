@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace glissade {
+
+struct ThreadPitch {
+  double pitch = 0.0;  ///< metres
+  std::string size;    ///< "M10"
+};
+
+/// The coarse pitch of ISO 261 for the nominal diameter that is nearest to this thread's, from M1 to M64. `radius`: of
+/// the shaft, metres.
+ThreadPitch isoCoarsePitch(double radius);
+
+}  // namespace glissade

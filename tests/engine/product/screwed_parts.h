@@ -1,0 +1,62 @@
+#pragma once
+
+#include "engine/product/object_fits.h"
+#include "tests/engine/product/ring.h"
+
+namespace glissade::test {
+
+inline constexpr double kBoltRadius = 0.005;
+inline constexpr double kBoltLength = 0.03;
+inline constexpr double kNutLength = 0.008;
+inline constexpr double kCoarsePitch = 0.0015;  ///< of M10
+
+inline RigidBody partAt(const std::string& id, TriangleMesh mesh, const Pose& X_WB) {
+  RigidBody body;
+  body.id = body.name = id;
+  body.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+  body.X_WB = X_WB;
+  return body;
+}
+
+/// A hexagonal nut about z, drawn with a cylinder for its thread.
+inline TriangleMesh hexNut(double bore = kBoltRadius) {
+  constexpr double kAcross = 0.008;  // from the axis to a flat
+  TriangleMesh mesh = makeRing(bore, 1.0, kNutLength, 48);
+  for (Vector3& vertex : mesh.vertices) {
+    if (vertex.head<2>().norm() < 0.5) continue;
+    const double sixth = 3.14159265358979323846 / 3.0;
+    const double angle = std::atan2(vertex.y(), vertex.x());
+    const double fromFlat = angle - (std::floor(angle / sixth + 1e-9) + 0.5) * sixth;
+    vertex.head<2>() *= kAcross / std::cos(fromFlat);
+  }
+  return mesh;
+}
+
+/// A bolt without a head.
+inline TriangleMesh plainBolt() { return makeRing(0.0, kBoltRadius, kBoltLength, 40); }
+
+/// Marks the pair "nut", "bolt".
+inline FitSettings markedThread() {
+  FitSettings settings;
+  settings.on = true;
+  settings.pairs.push_back({"nut", "bolt", ContactKind::Thread, {}, false});
+  return settings;
+}
+
+/// The object among the obstacles at the start, as its fits have it.
+struct FittedParts {
+  ObjectFits fits;
+  CollisionWorldPtr world;
+};
+
+inline Result<FittedParts> fitted(const std::vector<RigidBody>& obstacles, const RigidBody& object,
+                                  const std::vector<Pose>& ends, const FitSettings& settings) {
+  auto fits = findObjectFits({obstacles, object, ends, std::vector<double>(obstacles.size() + 1, 0.0), settings});
+  if (!fits) return fits.error();
+  FittedParts parts;
+  parts.fits = std::move(*fits);
+  parts.world = withFits(CollisionWorld::build(obstacles, object.mesh), parts.fits.allowed);
+  return parts;
+}
+
+}  // namespace glissade::test
