@@ -20,7 +20,7 @@ namespace {
 
 struct Judgement {
   MotionCertificate certificate;
-  std::string whyUndecided;   ///< empty where the certificate is a verdict
+  std::string whyUndecided;  ///< empty where the certificate is a verdict
   std::string whyRefused{};  ///< what is wrong with a motion in a thread; else empty
 };
 
@@ -105,8 +105,8 @@ int runCheck(const CheckOptions& options) {
     printJson(report);
   } else {
     std::cout << (valid ? "valid" : "invalid") << ": " << points.size() << " configurations, "
-              << inWords(certificate, *problem.world) << (whyUndecided.empty() ? "" : ": ") << whyUndecided << (whyRefused.empty() ? "" : ": ")
-              << whyRefused << "\n";
+              << inWords(certificate, *problem.world) << (whyUndecided.empty() ? "" : ": ") << whyUndecided
+              << (whyRefused.empty() ? "" : ": ") << whyRefused << "\n";
     std::cout << deviationInWords(*loaded, points);
     if (options.edges) printEdges(certificate, *problem.world);
     if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";

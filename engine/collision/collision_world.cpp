@@ -24,7 +24,7 @@ struct CollisionWorld::Impl {
   std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
   std::shared_ptr<const FclGeometry> fcl;        ///< of the backend
   std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;  ///< where there are variants: these answer, and not the three above
+  std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the three above
   std::shared_ptr<const ThreadedWorld> threads;  ///< null: there are none
 };
 

@@ -344,8 +344,9 @@ struct IndependentCheck::Geometry {
   }
 };
 
-std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(
-    const std::vector<RigidBody>& obstacles, const TriangleMesh& object, const std::vector<double>& allowances) {
+std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(const std::vector<RigidBody>& obstacles,
+                                                                               const TriangleMesh& object,
+                                                                               const std::vector<double>& allowances) {
   std::map<double, TriangleMesh> objects{{0.0, object}};
   for (const double allowance : allowances) {
     if (objects.count(allowance) == 0) objects.emplace(allowance, thinnedForJudging(object, allowance));

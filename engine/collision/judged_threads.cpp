@@ -16,8 +16,7 @@ constexpr double kMetres = 5e-6;
 constexpr double kWidest = 1.25;
 
 /// The lowest and the highest point of a line next to which a mesh has vertices of its thread.
-std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule,
-                                       bool shaft) {
+std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, bool shaft) {
   const Eigen::ParametrizedLine<double, 3> line(rule.point_W, rule.axis_W);
   const auto [narrow, wide] = std::minmax(rule.radiusOfObject, rule.radiusOfObstacle);
   const double off = std::max(kMetres, kShareOfRadius * wide);
@@ -118,8 +117,8 @@ bool JudgedThreads::isTurn(const Thread& thread, const Pose& from, const Pose& t
   const double play = kThreadPlay * std::abs(rule.pitch);
   const Eigen::ParametrizedLine<double, 3> axis(rule.point_W, rule.axis_W);
   if (!followed.engaged) followed = {true, from, 0.0};
-  const bool onAxis = axis.distance(followed.first * thread.low_B) <= play &&
-                      axis.distance(followed.first * thread.high_B) <= play;
+  const bool onAxis =
+      axis.distance(followed.first * thread.low_B) <= play && axis.distance(followed.first * thread.high_B) <= play;
   double tilt = 0.0;
   const double turn = turnOf(from, to, rule.axis_W, tilt);
   const double sagitta = axis.distance(from.position) * (1.0 - std::cos(0.5 * turn));

@@ -15,7 +15,7 @@ class JudgedThreads {
                 const std::vector<RigidBody>& obstacles);
 
   struct Edge {
-    bool engaged = false;  ///< or not shown to be disengaged on all of it
+    bool engaged = false;                ///< or not shown to be disengaged on all of it
     const ThreadRule* thread = nullptr;  ///< one of those that it turns in; null: none
     int forbiddenBy = -1;                ///< obstacle of an engaged thread in which the edge is no screw motion
   };
@@ -25,7 +25,7 @@ class JudgedThreads {
  private:
   struct Thread {
     ThreadRule rule;
-    Vector3 low_B;   ///< ends of the object's thread, in its frame
+    Vector3 low_B;  ///< ends of the object's thread, in its frame
     Vector3 high_B;
     Vector3 low_W;  ///< ends of the obstacle's
     Vector3 high_W;

@@ -44,11 +44,10 @@ TurnedTriangle turned(const Vector3& a, const Vector3& b, const Vector3& c, cons
   const std::array<double, 3> sides{side(flat[0], flat[1]), side(flat[1], flat[2]), side(flat[2], flat[0])};
   const auto [least, most] = std::minmax_element(sides.begin(), sides.end());
   const bool around = *least >= 0.0 || *most <= 0.0;
-  const double nearest =
-      around && *least != *most
-          ? 0.0
-          : std::min({distanceFromOrigin(flat[0], flat[1]), distanceFromOrigin(flat[1], flat[2]),
-                      distanceFromOrigin(flat[2], flat[0])});
+  const double nearest = around && *least != *most
+                             ? 0.0
+                             : std::min({distanceFromOrigin(flat[0], flat[1]), distanceFromOrigin(flat[1], flat[2]),
+                                         distanceFromOrigin(flat[2], flat[0])});
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   return {nearest, std::max({flat[0].norm(), flat[1].norm(), flat[2].norm()}), *low, *high};
 }

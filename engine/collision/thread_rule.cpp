@@ -42,8 +42,7 @@ Rim rimOf(const ThreadRule& rule, bool shaft) {
 }
 
 /// Lowest and highest place along the axis.
-std::pair<double, double> extentOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule,
-                                   const Rim& rim) {
+std::pair<double, double> extentOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, const Rim& rim) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::pair<double, double> extent{kInfinity, -kInfinity};
   for (const Vector3& vertex : mesh.vertices) {
@@ -153,9 +152,8 @@ bool ThreadPair::isScrewMotion(const Pose& from, const Pose& to) const {
   const double radius = (arm - arm.dot(rule_.axis_W) * rule_.axis_W).norm();
   if (std::abs(turn) > kMostTurn || radius * (1.0 - std::cos(0.5 * turn)) > play()) return false;
   if (std::abs(advanceBetween(from, to) - turn / kFullTurn * rule_.pitch) > play()) return false;
-  return std::any_of(rule_.assembled.begin(), rule_.assembled.end(), [&](const Pose& assembled) {
-    return isOnScrewOf(from, assembled) && isOnScrewOf(to, assembled);
-  });
+  return std::any_of(rule_.assembled.begin(), rule_.assembled.end(),
+                     [&](const Pose& assembled) { return isOnScrewOf(from, assembled) && isOnScrewOf(to, assembled); });
 }
 
 double ThreadPair::advanceOut(const Pose& from, double sense) const {

@@ -9,15 +9,15 @@ namespace glissade {
 /// A thread of the object and one of an obstacle on a common axis. While they are engaged, the object moves by the
 /// screw motion only: a turn about the axis together with a translation by the pitch.
 struct ThreadRule {
-  int obstacle = -1;                   ///< index
-  Vector3 point_W = Vector3::Zero();   ///< on the axis
-  Vector3 axis_W = Vector3::UnitZ();   ///< unit
-  double pitch = 0.0;                  ///< metres along the axis for a turn about it; not 0; below 0: left-handed
-  double radiusOfObject = 0.0;         ///< of the cylinder that stands for the object's thread, metres
-  double radiusOfObstacle = 0.0;       ///< the same of the obstacle
-  bool objectIsShaft = true;           ///< the obstacle has the hole then
-  bool mayTurn = true;                 ///< false: the obstacle would turn with the object, which cannot be moved
-  std::vector<Pose> assembled;         ///< configurations in which the object's thread is on the axis; at least one
+  int obstacle = -1;                  ///< index
+  Vector3 point_W = Vector3::Zero();  ///< on the axis
+  Vector3 axis_W = Vector3::UnitZ();  ///< unit
+  double pitch = 0.0;                 ///< metres along the axis for a turn about it; not 0; below 0: left-handed
+  double radiusOfObject = 0.0;        ///< of the cylinder that stands for the object's thread, metres
+  double radiusOfObstacle = 0.0;      ///< the same of the obstacle
+  bool objectIsShaft = true;          ///< the obstacle has the hole then
+  bool mayTurn = true;                ///< false: the obstacle would turn with the object, which cannot be moved
+  std::vector<Pose> assembled;        ///< configurations in which the object's thread is on the axis; at least one
 };
 
 /// The play, as a share of the pitch: by which a point of the thread may be off the exact screw motion.
@@ -39,7 +39,8 @@ class ThreadPair {
   const ThreadRule& rule() const { return rule_; }
 
   bool engaged(const Pose& X_WB) const { return engagedWithin(X_WB, 0.0); }
-  /// Nearer than the play, or than the distance more. False: no motion that moves points of the object by less than the distance (metres) engages the threads.
+  /// Nearer than the play, or than the distance more. False: no motion that moves points of the object by less than the
+  /// distance (metres) engages the threads.
   bool engagedWithin(const Pose& X_WB, double distance) const;
   /// A screw motion leads there from one of the assembled configurations.
   bool isOnScrew(const Pose& X_WB) const;

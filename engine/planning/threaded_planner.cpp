@@ -133,9 +133,7 @@ void ThreadedPlanner::completeRoadmap() {
   takeGrown();
 }
 
-std::optional<Diagnostic> ThreadedPlanner::failure() const {
-  return failure_ || !rest_ ? failure_ : rest_->failure();
-}
+std::optional<Diagnostic> ThreadedPlanner::failure() const { return failure_ || !rest_ ? failure_ : rest_->failure(); }
 
 bool ThreadedPlanner::deliver(PlannerHost& host, const std::vector<PathPoint>& middle) {
   Path path;

@@ -24,8 +24,8 @@ std::optional<ContactAxis> commonAxisOf(const ContactBody& a, const ContactBody&
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < regionsA.cylinders.size(); ++i) {
     for (std::uint32_t k = 0; k < regionsB.cylinders.size(); ++k) {
-      const auto pair = compareRegions(regionsA, {SurfaceRegions::Kind::Cylinder, i}, regionsB,
-                                       {SurfaceRegions::Kind::Cylinder, k});
+      const auto pair =
+          compareRegions(regionsA, {SurfaceRegions::Kind::Cylinder, i}, regionsB, {SurfaceRegions::Kind::Cylinder, k});
       if (!pair || pair->kind != RegionPair::Kind::Coaxial) continue;
       const double difference = std::abs(pair->gap);
       const double most = kMostDifference * std::max(pair->axis.radiusA, pair->axis.radiusB);

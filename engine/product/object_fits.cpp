@@ -160,7 +160,8 @@ class FitFinder {
       if (edit == nullptr || edit->kind != ContactKind::Thread) continue;
       const auto known = contacts_.find(obstacle);
       if (known != contacts_.end() && known->second.contact.axis) continue;
-      FoundContact found{Contact{obstacle, question_.obstacles.size(), ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
+      FoundContact found{
+          Contact{obstacle, question_.obstacles.size(), ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
       if (known != contacts_.end()) found = known->second;
       for (const Pose& end : question_.ends) {
         const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(question_.object, end));
@@ -359,7 +360,8 @@ std::string inWords(const Fit& fit, const std::string& object, const std::string
   } else if (fit.role == Fit::Role::Hole) {
     where = (fit.kind == ContactKind::Thread ? " on the thread of " : " on the shaft of ") + obstacle;
   }
-  std::string words = object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
+  std::string words =
+      object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
   if (!fit.thread) return words;
   words += ", pitch " + millimetres(fit.thread->rule.pitch);
   return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";

@@ -53,7 +53,8 @@ struct FitQuestion {
 /// either side, the pair is a clash. A pair that is marked as a thread is one although it does not touch.
 ///
 /// Errors: MalformedInput with "/fits/pairs/<index>" as place: a body that is not there, an allowance above what the
-/// object's thickness can give, an allowance for a pair that does not touch, a thread without a common axis. After a stop the fits are incomplete.
+/// object's thickness can give, an allowance for a pair that does not touch, a thread without a common axis. After a
+/// stop the fits are incomplete.
 Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop = {});
 
 /// The world where the object is thinned by each allowance against its own obstacle, and where threads come apart by

@@ -24,10 +24,10 @@ constexpr std::array<CoarseThread, 39> kCoarseThreads{
 
 ThreadPitch isoCoarsePitch(double radius) {
   const double diameter = 2e3 * radius;
-  const auto nearest = std::min_element(kCoarseThreads.begin(), kCoarseThreads.end(),
-                                        [&](const CoarseThread& one, const CoarseThread& other) {
-                                          return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
-                                        });
+  const auto nearest = std::min_element(
+      kCoarseThreads.begin(), kCoarseThreads.end(), [&](const CoarseThread& one, const CoarseThread& other) {
+        return std::abs(one.diameter - diameter) < std::abs(other.diameter - diameter);
+      });
   std::ostringstream size;
   size << "M" << nearest->diameter;
   return {1e-3 * nearest->pitch, size.str()};

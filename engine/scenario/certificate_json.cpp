@@ -43,14 +43,14 @@ const char* statusName(CertificateStatus status) {
 
 Json certificateJson(const MotionCertificate& certificate, const BodyNames& names) {
   Json json{{"status", statusName(certificate.status)},
-          {"min_clearance_m", number(certificate.minClearance)},
-          {"proved_clearance_m", number(certificate.provedClearance)},
-          {"tolerance_m", certificate.tolerance},
-          {"edge", certificate.edge},
-          {"at", certificate.at},
-          {"body", nameOf(certificate.nearest, names)},
-          {"sliding_edges", certificate.slidingEdges()},
-          {"distance_queries", certificate.distanceQueries}};
+            {"min_clearance_m", number(certificate.minClearance)},
+            {"proved_clearance_m", number(certificate.provedClearance)},
+            {"tolerance_m", certificate.tolerance},
+            {"edge", certificate.edge},
+            {"at", certificate.at},
+            {"body", nameOf(certificate.nearest, names)},
+            {"sliding_edges", certificate.slidingEdges()},
+            {"distance_queries", certificate.distanceQueries}};
   if (certificate.againstThread) json["against_thread"] = true;
   return json;
 }

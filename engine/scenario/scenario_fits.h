@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/product/contact_report.h"
 #include "engine/planning/path.h"
+#include "engine/product/contact_report.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {

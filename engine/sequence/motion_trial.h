@@ -6,8 +6,8 @@
 
 namespace glissade {
 
-/// Asks the collision kernel and the planners: effort 0 is straight lines and turns out of threads, the others are searches, each with four
-/// times the budget of the one before.
+/// Asks the collision kernel and the planners: effort 0 is straight lines and turns out of threads, the others are
+/// searches, each with four times the budget of the one before.
 class MotionTrial final : public RemovalTrial {
  public:
   /// Levels of search, at most.

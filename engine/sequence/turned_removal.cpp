@@ -25,8 +25,7 @@ RemovalAnswer TurnedRemoval::tryRemoval(std::size_t body, const BodySet& present
   const RigidBody& own = product_.bodies[body];
   const ParameterValues parameters = motionParameters(own);
   const auto query = motion.world->makeQuery();
-  ScrewSearch search =
-      findScrewWays(*motion.world, *query, own.X_WB, parameters[ParameterId::RequiredClearance], stop);
+  ScrewSearch search = findScrewWays(*motion.world, *query, own.X_WB, parameters[ParameterId::RequiredClearance], stop);
   std::set<std::size_t> blocking;
   for (const int obstacle : search.blockedBy) blocking.insert(motion.bodies[static_cast<std::size_t>(obstacle)]);
   for (ScrewWay& way : search.ways) {

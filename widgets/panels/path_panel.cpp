@@ -31,7 +31,8 @@ QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, cons
   if (!fit.thread) return text;
   const double turns = turnsOn(points, scenario, fit);
   return text + QStringLiteral(" ") +
-         PathPanel::tr("(thread), pitch %1, %2 turns").arg(lengthText(std::abs(fit.thread->rule.pitch)), number(turns, 1));
+         PathPanel::tr("(thread), pitch %1, %2 turns")
+             .arg(lengthText(std::abs(fit.thread->rule.pitch)), number(turns, 1));
 }
 
 QString certificateText(const Path& path, const LoadedScenario& scenario) {

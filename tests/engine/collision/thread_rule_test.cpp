@@ -74,8 +74,7 @@ TEST(ThreadRule, AScrewAdvancesByItsPitchWithEachTurn) {
   const Vector3 arm = nut.rule().axis_W.unitOrthogonal();
   const Vector3 before = nut.rule().point_W + arm;
   const Vector3 after = turned * (inverse(nut.object.X_WB) * before);
-  const Vector3 expected =
-      nut.rule().point_W + nut.rule().axis_W.cross(arm) + 0.25 * kCoarsePitch * nut.rule().axis_W;
+  const Vector3 expected = nut.rule().point_W + nut.rule().axis_W.cross(arm) + 0.25 * kCoarsePitch * nut.rule().axis_W;
   EXPECT_NEAR((after - expected).norm(), 0.0, 1e-9);
 }
 
