@@ -9,20 +9,24 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kTernarySteps = 100;
 constexpr int kMostHalvedParts = 20'000;
-/// A vertex belongs to the thread if its distance from the axis is the radius to this share, or to these metres.
+/// What the distance from the axis of a vertex of the thread can be off by, as a share of the radius or in metres.
 constexpr double kShareOfRadius = 1e-3;
 constexpr double kMetres = 5e-6;
+/// Vertices of a hole belong to its thread up to so many radii of the shaft; those of a shaft all within its radius.
+constexpr double kWidest = 1.25;
 
-/// The lowest and the highest point of a line next to which a mesh has vertices at the radius.
-std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule,
-                                       double radius) {
+/// The lowest and the highest point of a line next to which a mesh has vertices of its thread.
+std::pair<Vector3, Vector3> threadEnds(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, bool shaft) {
   const Eigen::ParametrizedLine<double, 3> line(rule.point_W, rule.axis_W);
+  const auto [narrow, wide] = std::minmax(rule.radiusOfObject, rule.radiusOfObstacle);
+  const double off = std::max(kMetres, kShareOfRadius * wide);
   double low = 0.0;
   double high = 0.0;
   bool any = false;
   for (const Vector3& vertex : mesh.vertices) {
     const Vector3 p = X_WM.orientation.toRotationMatrix() * vertex + X_WM.position;
-    if (std::abs(line.distance(p) - radius) > std::max(kMetres, kShareOfRadius * radius)) continue;
+    const double distance = line.distance(p);
+    if (shaft ? distance > wide + off : distance < narrow - off || distance > kWidest * wide) continue;
     const double along = (p - rule.point_W).dot(rule.axis_W);
     low = any ? std::min(low, along) : along;
     high = any ? std::max(high, along) : along;
@@ -49,8 +53,8 @@ JudgedThreads::JudgedThreads(const std::vector<ThreadRule>& rules, const Triangl
   for (const ThreadRule& rule : rules) {
     const RigidBody& obstacle = obstacles[static_cast<std::size_t>(rule.obstacle)];
     const Pose& assembled = rule.assembled.front();
-    const auto own = threadEnds(object, assembled, rule, rule.radiusOfObject);
-    const auto other = threadEnds(*obstacle.mesh, obstacle.X_WB, rule, rule.radiusOfObstacle);
+    const auto own = threadEnds(object, assembled, rule, rule.objectIsShaft);
+    const auto other = threadEnds(*obstacle.mesh, obstacle.X_WB, rule, !rule.objectIsShaft);
     const Pose X_BW = inverse(assembled);
     threads_.push_back({rule, X_BW * own.first, X_BW * own.second, other.first, other.second, reach});
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -12,6 +14,8 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Vertices within this share of the radius, or this many metres, are on the thread's cylinder.
 constexpr double kOnCylinder = 1e-3;
 constexpr double kOnCylinderAtLeast = 5e-6;
+/// A countersink is at most so many times as wide as the shaft.
+constexpr double kCountersink = 1.25;
 /// Turns above this have no sense that is sure.
 constexpr double kMostTurn = std::numbers::pi - 1e-6;
 /// Metres and radians that a configuration of a thread that may not turn can be off: rounding.
@@ -21,6 +25,34 @@ constexpr double kHeldRounding = 1e-9;
 double turnAbout(const Vector3& axis, const Quaternion& rotation) {
   const double half = std::atan2(rotation.vec().dot(axis), rotation.w());
   return std::remainder(2.0 * half, kFullTurn);
+}
+
+/// Distances from the axis at which a vertex belongs to a thread.
+struct Rim {
+  double least;
+  double most;
+};
+
+/// A shaft's thread ends with the shaft's tip, that of a hole with its countersink.
+Rim rimOf(const ThreadRule& rule, bool shaft) {
+  const double thick = std::max(rule.radiusOfObject, rule.radiusOfObstacle);
+  const double thin = std::min(rule.radiusOfObject, rule.radiusOfObstacle);
+  const double off = std::max(kOnCylinderAtLeast, kOnCylinder * thick);
+  return shaft ? Rim{0.0, thick + off} : Rim{thin - off, kCountersink * thick};
+}
+
+/// Lowest and highest place along the axis.
+std::pair<double, double> extentOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, const Rim& rim) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::pair<double, double> extent{kInfinity, -kInfinity};
+  for (const Vector3& vertex : mesh.vertices) {
+    const Vector3 p = X_WM * vertex - rule.point_W;
+    const double along = p.dot(rule.axis_W);
+    const double radius = (p - along * rule.axis_W).norm();
+    if (radius < rim.least || radius > rim.most) continue;
+    extent = {std::min(extent.first, along), std::max(extent.second, along)};
+  }
+  return extent;
 }
 
 /// Of the line, the part in the slab along z; false where there is none.
@@ -56,21 +88,11 @@ Pose screwed(const ThreadRule& rule, const Pose& from, double advance) {
 ThreadPair::ThreadPair(const ThreadRule& rule, const TriangleMesh& object, const RigidBody& obstacle)
     : rule_(rule),
       point_B_(inverse(rule.assembled.front()) * rule.point_W),
-      axis_B_(rule.assembled.front().orientation.conjugate() * rule.axis_W),
-      object_(spanOf(object, rule.assembled.front(), rule, rule.radiusOfObject)),
-      obstacle_(spanOf(*obstacle.mesh, obstacle.X_WB, rule, rule.radiusOfObstacle)) {}
-
-ThreadPair::Span ThreadPair::spanOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, double radius) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double off = std::max(kOnCylinderAtLeast, kOnCylinder * radius);
-  Span span{kInfinity, -kInfinity};
-  for (const Vector3& vertex : mesh.vertices) {
-    const Vector3 p = X_WM * vertex - rule.point_W;
-    const double along = p.dot(rule.axis_W);
-    if (std::abs((p - along * rule.axis_W).norm() - radius) > off) continue;
-    span = {std::min(span.low, along), std::max(span.high, along)};
-  }
-  return span;
+      axis_B_(rule.assembled.front().orientation.conjugate() * rule.axis_W) {
+  const Rim ofObject = rimOf(rule, rule.objectIsShaft);
+  const Rim ofObstacle = rimOf(rule, !rule.objectIsShaft);
+  std::tie(object_.low, object_.high) = extentOf(object, rule.assembled.front(), rule, ofObject);
+  std::tie(obstacle_.low, obstacle_.high) = extentOf(*obstacle.mesh, obstacle.X_WB, rule, ofObstacle);
 }
 
 bool ThreadPair::engagedWithin(const Pose& X_WB, double distance) const {

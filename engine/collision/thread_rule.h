@@ -28,7 +28,8 @@ Pose screwed(const ThreadRule& rule, const Pose& from, double advance);
 
 /// A threaded pair for planners: which configurations and motions the rule allows. Immutable, shared by threads.
 ///
-/// The thread of a body is the part of its mesh with vertices at the thread's radius about the axis. Two threads are
+/// The thread of a shaft reaches along the axis as far as its mesh has vertices within the shaft's radius, that of a
+/// hole as far as there are vertices from the hole's radius to 1.25 times the shaft's (a countersink). Two threads are
 /// engaged while the axis of the shaft's thread runs through the bore of the other, or is nearer to it than the play.
 class ThreadPair {
  public:
@@ -59,7 +60,6 @@ class ThreadPair {
     double low;
     double high;
   };
-  static Span spanOf(const TriangleMesh& mesh, const Pose& X_WM, const ThreadRule& rule, double radius);
   bool isOnScrewOf(const Pose& X_WB, const Pose& assembled) const;
   double play() const;
   double offBy(const Pose& X_WB, const Pose& exact) const;

@@ -193,7 +193,8 @@ class FitFinder {
     const FitEdit* edit = editOf(question_.settings, question_.object.id, question_.obstacles[obstacle].id);
     const FitDecision decision = decideFit(found.contact, edit, question_.settings, gap_);
     Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
-    if (decision.kind == ContactKind::Thread && found.contact.axis) fit.thread = threadOf(found, edit);
+    const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
+    if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
       refuse(fit, "overlap by " + millimetres(fit.overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(fit.overlap) + "), or mend the parts.");

@@ -26,7 +26,7 @@ struct Fit {
   Role role = Role::Other;
   double overlap = 0.0;    ///< as measured, metres
   double allowance = 0.0;  ///< metres by which the object is taken thinner; of a refused clash, what it would take
-  std::optional<FitThread> thread{};  ///< of kind thread
+  std::optional<FitThread> thread{};  ///< where a person has marked the pair as a thread
 };
 
 struct ObjectFits {
