@@ -41,4 +41,10 @@ double fclScale(const std::vector<RigidBody>& obstacles, const TriangleMesh& obj
   return std::ldexp(1.0, std::min(exponent, kLargestExponent - std::ilogb(extremes.largestCoordinate)));
 }
 
+double largestCoordinate(const TriangleMesh& mesh) {
+  double largest = 0.0;
+  for (const Vector3& vertex : mesh.vertices) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  return largest;
+}
+
 }  // namespace glissade

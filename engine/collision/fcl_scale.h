@@ -10,4 +10,7 @@ namespace glissade {
 /// an area near one. A power of two changes no digit of any coordinate.
 double fclScale(const std::vector<RigidBody>& obstacles, const TriangleMesh& object);
 
+/// Of a vertex, without its sign; 0 where there is none.
+double largestCoordinate(const TriangleMesh& mesh);
+
 }  // namespace glissade

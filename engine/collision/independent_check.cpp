@@ -9,10 +9,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "engine/collision/fcl_scale.h"
+#include "engine/collision/judged_course.h"
+#include "engine/collision/judged_sweep.h"
 #include "engine/collision/judged_thinning.h"
 #include "engine/collision/judged_threads.h"
 #include "engine/collision/judged_turn.h"
@@ -35,8 +36,6 @@ constexpr double kCloseShare = 0.5;
 constexpr std::uint64_t kMostDistances = 400'000;
 /// An interval of time that was halved this often is as short as numbers allow.
 constexpr int kMostHalvings = 48;
-/// Within this many radians of half a circle the sense of the turn is rounding.
-constexpr double kHalfCircle = 1e-6;
 
 void addTriangles(Model& model, const TriangleMesh& mesh) {
   std::vector<fcl::Vector3d> points(mesh.vertices.begin(), mesh.vertices.end());
@@ -54,12 +53,6 @@ TriangleMesh inWorld(const RigidBody& body, double scale) {
 
 Pose scaledPose(const Pose& pose, double scale) { return {scale * pose.position, pose.orientation}; }
 
-double largestCoordinate(const TriangleMesh& mesh) {
-  double largest = 0.0;
-  for (const Vector3& vertex : mesh.vertices) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
-  return largest;
-}
-
 /// From the scaled geometry's lengths to metres.
 MotionCertificate inMetres(MotionCertificate edge, double scale) {
   edge.tolerance /= scale;
@@ -69,79 +62,6 @@ MotionCertificate inMetres(MotionCertificate edge, double scale) {
   edge.nearest.p_WPo /= scale;
   edge.nearest.p_WPn /= scale;
   return edge;
-}
-
-/// The straight motion, as a line and a rotation vector in the object's frame.
-class Course {
- public:
-  Course(const Pose& from, const Pose& to) : from_(from), way_(to.position - from.position) {
-    Quaternion turn = from.orientation.conjugate() * to.orientation;
-    if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
-    const double sine = turn.vec().norm();
-    angle_ = 2.0 * std::atan2(sine, turn.w());
-    if (sine > 0.0) axis_ = turn.vec() / sine;
-  }
-
-  fcl::Transform3d at(double t) const {
-    fcl::Transform3d place = fcl::Transform3d::Identity();
-    place.linear() = from_.orientation.toRotationMatrix() * Eigen::AngleAxisd(t * angle_, axis_).toRotationMatrix();
-    place.translation() = from_.position + t * way_;
-    return place;
-  }
-  /// No vertex moves faster, in metres per unit of t.
-  double speed(const TriangleMesh& object) const { return (way_.norm() + turn(object)) * (1.0 + kRelativeError); }
-  /// No vertex moves farther by the rotation, in metres.
-  double turn(const TriangleMesh& object) const {
-    double arm = 0.0;
-    for (const Vector3& vertex : object.vertices) arm = std::max(arm, (vertex - axis_ * axis_.dot(vertex)).norm());
-    return angle_ * arm;
-  }
-  const Vector3& way() const { return way_; }
-  /// No vertex is farther from where an exact turn about the axis, and translation along it, has it. Between its ends a
-  /// line is off a helix by an eighth of its radius times the square of its angle.
-  double offTurn(const Vector3& point, const Vector3& axis, const Pose& to, const TriangleMesh& object) const {
-    const Vector3 rotation = from_.orientation.toRotationMatrix() * (angle_ * axis_);
-    const double turn = rotation.dot(axis);
-    const Vector3 arm = from_.position - point;
-    const Vector3 end = point + Eigen::AngleAxisd(turn, axis) * arm + way_.dot(axis) * axis;
-    const double chord = arm.cross(axis).norm() * turn * turn / 8.0;
-    double reach = 0.0;
-    for (const Vector3& vertex : object.vertices) reach = std::max(reach, vertex.norm());
-    return (chord + (to.position - end).norm() + (rotation - turn * axis).norm() * reach) * (1.0 + kRelativeError);
-  }
-  bool isHalfACircle() const { return angle_ > 3.14159265358979323846 - kHalfCircle; }
-
- private:
-  const Pose& from_;
-  Vector3 way_;
-  double angle_ = 0.0;
-  Vector3 axis_ = Vector3::UnitX();
-};
-
-/// What a mesh passes over on a straight way: the boundaries of the prisms that its triangles sweep.
-TriangleMesh sweptBy(const TriangleMesh& mesh, const Vector3& way) {
-  TriangleMesh swept = mesh;
-  const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const Vector3& vertex : mesh.vertices) swept.vertices.emplace_back(vertex + way);
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    swept.triangles.push_back({a + count, b + count, c + count});
-    edges.insert({std::minmax(a, b), std::minmax(b, c), std::minmax(c, a)});
-  }
-  for (const auto& [a, b] : edges) {
-    swept.triangles.push_back({a, b, b + count});
-    swept.triangles.push_back({a, b + count, a + count});
-  }
-  return swept;
-}
-
-/// Whether a triangle on a straight way passes over the point.
-bool passesOver(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& way, const Vector3& point) {
-  Eigen::Matrix3d sides;
-  sides << b - a, c - a, way;
-  if (sides.determinant() == 0.0) return false;
-  const Vector3 shares = sides.inverse() * (point - a);
-  return shares.minCoeff() >= 0.0 && shares.x() + shares.y() <= 1.0 && shares.z() <= 1.0;
 }
 
 struct Span {
@@ -363,8 +283,8 @@ struct IndependentCheck::Geometry {
 
   /// Proves what it can of a turn in a thread, whatever its angle is: those of the groups are no longer asked that keep
   /// the clearance. Returns the least that was proved.
-  double proveTurn(const ThreadRule& thread, const Course& course, const Pose& from, const Pose& to, double required,
-                   std::vector<bool>& asked) const {
+  double proveTurn(const ThreadRule& thread, const JudgedCourse& course, const Pose& from, const Pose& to,
+                   double required, std::vector<bool>& asked) const {
     const Vector3 point = scale * thread.point_W;
     const double advance = (to.position - from.position).dot(thread.axis_W);
     const double off = course.offTurn(point, thread.axis_W, to, object);
@@ -493,7 +413,7 @@ std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, dou
   const double scale = geometry_->scale;
   const Pose begin = scaledPose(from, scale);
   const Pose end = scaledPose(to, scale);
-  if (Course(begin, end).isHalfACircle()) {
+  if (JudgedCourse(begin, end).isHalfACircle()) {
     return "the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends";
   }
   if (!geometry_->resolves(begin, end, scale * requiredClearance)) {
@@ -509,7 +429,7 @@ std::string IndependentCheck::whyUndecided(const Pose& from, const Pose& to, dou
 /// there a straight way is proved by what the object sweeps, too.
 MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to,
                                               double required, const ThreadRule* thread, const StopToken& stop) {
-  const Course course(from, to);
+  const JudgedCourse course(from, to);
   const double speed = course.speed(geometry.object);
   MotionCertificate result;
   result.tolerance = required;
