@@ -2,10 +2,9 @@
 # Checks the style of the C++ sources: clang-format for the layout, clang-tidy for suspicious code.
 # usage: packaging/lint.sh --format        layout of all files: some seconds. The test Style.Format.
 #        packaging/lint.sh --since REV     layout of all files, clang-tidy of the files changed since REV
-#        packaging/lint.sh --unrecorded    the same of the files whose content packaging/lint_clean.txt does not list;
-#                                          part of packaging/test.sh
+#        packaging/lint.sh --unrecorded    the same of the files whose content packaging/lint_clean.txt does not list
 #        packaging/lint.sh --record        the same; if all are clean, writes packaging/lint_clean.txt anew
-#        packaging/lint.sh --all           layout and clang-tidy of all files: 15 minutes of the processor
+#        packaging/lint.sh --all           layout and clang-tidy of all files: about 40 minutes of the processor
 # clang-tidy takes seconds for a file. So the contents that it found clean are recorded, and checked when they change.
 # JOBS: how many files at once (default: the number of cores).
 set -uo pipefail
@@ -122,7 +121,7 @@ check_changed() {
 }
 
 usage() {
-  sed -n '3,10s/^# //p' "$0" >&2
+  sed -n '3,9s/^# //p' "$0" >&2
   exit 2
 }
 
