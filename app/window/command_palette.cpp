@@ -45,6 +45,7 @@ std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QStr
   }
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<QAction*> found;
+  found.reserve(ranked.size());
   for (const auto& [rank, action] : ranked) found.push_back(action);
   return found;
 }

@@ -96,6 +96,7 @@ QString RecordingController::offerJournal(const QString& file) {
 void RecordingController::saveJournals(const std::vector<JournalSave>& saves) {
   bench_.work.runToEnd(tr("Saving the recording"), [this, saves](const WorkWatch& watch) -> BackgroundTask::Delivery {
     std::vector<SaveResult> results;
+    results.reserve(saves.size());
     for (const auto& [journal, target] : saves) {
       results.push_back(saveJournal(journal.toStdString(), target.toStdString(), watch));
     }

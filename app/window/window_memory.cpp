@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kMostFiles = 10;
 /// Grows when panels are added or renamed: an older layout would hide them.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 constexpr QLatin1String kFiles("recent-files");
 constexpr QLatin1String kState("layout/panels");

@@ -83,6 +83,7 @@ Descriptor makeInput(std::string_view bytes) {
 /// Pointers to texts that outlive it, and a null at the end, as execve wants them.
 std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
   pointers.push_back(nullptr);
   return pointers;

@@ -218,6 +218,25 @@ Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind
                     "Leave out 'unit' and 'up_axis'."};
 }
 
+std::string partId(const std::string& bodyId, const GeometryPart& part) {
+  if (bodyId.empty() || part.name.empty()) return bodyId + part.name;
+  return bodyId + "/" + part.name;
+}
+
+void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
+                        Warnings& warnings) {
+  for (const GeometryPart& part : geometry.parts) {
+    if (part.facesWithoutMesh == 0) continue;
+    const bool one = part.facesWithoutMesh == 1;
+    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + partId(bodyId, part) + "'",
+                        "lacks " + std::to_string(part.facesWithoutMesh) +
+                            (one ? " face or boundary" : " faces or boundaries") +
+                            " that could not be made: it is not closed there, and what is missing is free space to "
+                            "every proof",
+                        "Do not trust paths near it; export it again, or as a mesh."});
+  }
+}
+
 void chooseReferencePoint(ObjectDescription& object, const LoadedGeometry& geometry) {
   object.centreOnVertexMean = std::holds_alternative<MeshGeometry>(object.geometry);
   const bool step = std::holds_alternative<StepGeometry>(object.geometry);

@@ -54,6 +54,13 @@ class GeometryLoader {
   Warnings warnings_;
 };
 
+/// The id of a part of a body: "body/part"; that of the other one where one of them has no name.
+std::string partId(const std::string& bodyId, const GeometryPart& part);
+
+/// What of a STEP file is not there is free space to the planner: a warning for each part that lacks something.
+void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
+                        Warnings& warnings);
+
 /// Puts the reference point of an object where it turns best: a mesh file's into the mean of its vertices, a
 /// STEP part's into the middle of its box; elsewhere it is the origin.
 void chooseReferencePoint(ObjectDescription& object, const LoadedGeometry& geometry);

@@ -74,12 +74,14 @@ PartFile usualPart(const std::string& text) {
   return usual;
 }
 
-Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop) {
+Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop,
+                                   Warnings* warnings) {
   Scenario scenario;
   PartAdder(scenario, "").addBody(part);
   GeometryLoader loader(scenario, ".", part.path, read, stop);
   auto geometry = loader.load(scenario.bodies.front().geometry);
   if (geometry) read.merge(loader.loaded());
+  if (warnings != nullptr) warnings->insert(warnings->end(), loader.warnings().begin(), loader.warnings().end());
   return geometry;
 }
 

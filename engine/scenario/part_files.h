@@ -36,8 +36,9 @@ bool saysItsUnit(const std::string& path);
 bool isPartFile(const std::string& path);
 
 /// What a part is made of. What is in `read` is not read again, and what is read comes into it. Errors: it
-/// cannot be read, or was stopped.
-Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop = {});
+/// cannot be read, or was stopped. What was lost in reading the file is added to `warnings`, where there is one.
+Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, const StopToken& stop = {},
+                                   Warnings* warnings = nullptr);
 
 /// One of the parts of a file, with its bounding box in the units and axes of the file (metres where
 /// saysItsUnit()).

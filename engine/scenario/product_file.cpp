@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/scenario/geometry_loader.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -13,9 +14,10 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   GeometryCache read;
   PartFile part = usualPart(file);
   part.deflection = deflection;
-  const auto geometry = readPart(part, read, stop);
-  if (!geometry) return geometry.error();
   ProductFile loaded;
+  const auto geometry = readPart(part, read, stop, &loaded.warnings);
+  if (!geometry) return geometry.error();
+  warnOfMissingFaces(**geometry, "", file, loaded.warnings);
   for (const GeometryPart& solid : (*geometry)->parts) {
     const std::string name = solid.name.empty() ? file : solid.name;
     loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_BP});

@@ -47,23 +47,6 @@ Mobility mobilityOf(const BodyDescription& description) {
   return edited->second == AttributeValue(std::string("mobile")) ? Mobility::Mobile : Mobility::Static;
 }
 
-std::string idOf(const std::string& bodyId, const GeometryPart& part) {
-  return part.name.empty() ? bodyId : bodyId + "/" + part.name;
-}
-
-/// What of a STEP file is not there is free space to the planner.
-void warnIfIncomplete(const LoadedGeometry& geometry, const std::string& id, const std::string& file,
-                      Warnings& warnings) {
-  for (const GeometryPart& part : geometry.parts) {
-    if (part.facesWithoutMesh == 0) continue;
-    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + idOf(id, part) + "'",
-                        "misses " + std::to_string(part.facesWithoutMesh) +
-                            " faces or boundaries that could not be made: it is not closed there, and what is missing "
-                            "is free space to every proof",
-                        "Do not trust paths near it; export it again, or as a mesh."});
-  }
-}
-
 /// The largest of a body's values; nothing is noted where all are zero.
 void noteLargest(double value, const std::string& bodyId, std::map<std::string, double>& values) {
   if (value == 0.0) return;
@@ -74,7 +57,7 @@ void noteLargest(double value, const std::string& bodyId, std::map<std::string, 
 /// How far the geometry may be off. `merged`: all parts are one rigid body.
 void noteUncertainties(const LoadedGeometry& geometry, const std::string& bodyId, bool merged, LoadedScenario& loaded) {
   for (const GeometryPart& part : geometry.parts) {
-    const std::string id = merged ? bodyId : idOf(bodyId, part);
+    const std::string id = merged ? bodyId : partId(bodyId, part);
     noteLargest(part.deflection, id, loaded.deflections);
     noteLargest(part.coordinateSpacing, id, loaded.coordinateSpacings);
   }
@@ -95,7 +78,7 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, const Loaded
   std::vector<RigidBody> bodies;
   for (const GeometryPart& part : geometry.parts) {
     RigidBody body;
-    body.id = idOf(description.id, part);
+    body.id = partId(description.id, part);
     body.name = part.name.empty() ? description.name : part.name;
     body.mobility = mobilityOf(description);
     body.mesh = part.mesh;
@@ -117,7 +100,7 @@ Result<RigidBody> loadObject(const Scenario& scenario, const std::string& file, 
   object.mobility = Mobility::Mobile;
   object.mesh = std::make_shared<const TriangleMesh>(objectMesh(scenario.object, geometry));
   object.X_WB = normalized(scenario.start);
-  warnIfIncomplete(geometry, object.id, file, loader.warnings());
+  warnOfMissingFaces(geometry, object.id, file, loader.warnings());
   object.colour =
       scenario.object.colour ? *scenario.object.colour : geometry.parts.front().colour.value_or(kObjectColour);
   return object;
@@ -214,7 +197,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   for (const BodyDescription& body : scenario.bodies) {
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
-    warnIfIncomplete(**geometry, body.id, file, loader.warnings());
+    warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
     noteUncertainties(**geometry, body.id, false, loaded);
     for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
     if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();

@@ -7,6 +7,7 @@
 #include "engine/geometry/mesh_audit.h"
 #include "engine/scenario/assembly_edits.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/support/loaded_scenario.h"
 #include "tests/engine/support/step_files.h"
@@ -77,6 +78,20 @@ TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {
   EXPECT_THAT(idsOf(loaded), ElementsAre("cylinder"));
   const LoadedScenario whole = loadedFrom(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
   EXPECT_EQ(audit(*whole.object.mesh).components, 5U) << "the whole file moves as one";
+}
+
+TEST(StepParts, OfAProductWhatWasLostInReadingIsAWarning) {
+  const test::TemporaryFolder folder;
+  std::string text = test::stepText("fits.step");
+  EXPECT_THAT(readProduct(folder.write("whole.step", text))->warnings, testing::IsEmpty());
+  const std::string plane = " PLANE(";
+  text.replace(text.find(plane), plane.size(), " UNKNOWN_SURFACE(");
+  const auto product = readProduct(folder.write("lossy.step", text));
+  ASSERT_TRUE(product) << toString(product.error());
+  std::string told;
+  for (const Diagnostic& warning : product->warnings) told += warning.reason + "\n";
+  EXPECT_THAT(told, testing::HasSubstr("could not be made"));
+  EXPECT_THAT(told, testing::HasSubstr("lacks 1 face or boundary"));
 }
 
 TEST(StepParts, SavedAndReadAgainItIsTheSame) {
