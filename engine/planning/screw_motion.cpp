@@ -170,4 +170,10 @@ std::vector<Pose> screwBetween(const CollisionWorld& world, CollisionQuery& quer
   return {};
 }
 
+std::vector<PathPoint> computedPoints(const std::vector<Pose>& configurations) {
+  std::vector<PathPoint> points;
+  for (const Pose& q : configurations) points.push_back({q, Author::Computer, Author::Computer});
+  return points;
+}
+
 }  // namespace glissade

@@ -5,6 +5,7 @@
 
 #include "engine/base/stop_token.h"
 #include "engine/collision/collision_query.h"
+#include "engine/planning/path.h"
 
 namespace glissade {
 
@@ -31,5 +32,8 @@ ScrewSearch findScrewWays(const CollisionWorld& world, CollisionQuery& query, co
 /// is not free.
 std::vector<Pose> screwBetween(const CollisionWorld& world, CollisionQuery& query, const Pose& from, const Pose& to,
                                double required, const StopToken& stop);
+
+/// The configurations as points of a path that the computer found.
+std::vector<PathPoint> computedPoints(const std::vector<Pose>& configurations);
 
 }  // namespace glissade

@@ -8,16 +8,6 @@
 #include "engine/planning/screw_motion.h"
 
 namespace glissade {
-namespace {
-
-std::vector<PathPoint> pointsOf(const std::vector<Pose>& poses) {
-  std::vector<PathPoint> points;
-  for (const Pose& q : poses) points.push_back({q, Author::Computer, Author::Computer});
-  return points;
-}
-
-}  // namespace
-
 /// Collects what the other planner has grown before the run's host looks at it.
 class ThreadedPlanner::Host final : public PlannerHost {
  public:
@@ -137,12 +127,12 @@ std::optional<Diagnostic> ThreadedPlanner::failure() const { return failure_ || 
 
 bool ThreadedPlanner::deliver(PlannerHost& host, const std::vector<PathPoint>& middle) {
   Path path;
-  path.points = pointsOf(out_);
+  path.points = computedPoints(out_);
   if (!path.points.empty() && !middle.empty()) path.points.pop_back();
   path.points.insert(path.points.end(), middle.begin(), middle.end());
   if (!in_.empty()) {
     path.points.pop_back();
-    const std::vector<PathPoint> in = pointsOf({in_.rbegin(), in_.rend()});
+    const std::vector<PathPoint> in = computedPoints({in_.rbegin(), in_.rend()});
     path.points.insert(path.points.end(), in.begin(), in.end());
   }
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());

@@ -7,16 +7,6 @@
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
-namespace {
-
-std::vector<PathPoint> computedPoints(const std::vector<Pose>& configurations) {
-  std::vector<PathPoint> points;
-  for (const Pose& q : configurations) points.push_back({q, Author::Computer, Author::Computer});
-  return points;
-}
-
-}  // namespace
-
 RemovalAnswer TurnedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const {
   if (!fits_.isInThread(group, present)) return Refused{};
   const MotionWorld motion = worlds_.world(group, present);

@@ -230,9 +230,11 @@ struct SceneView::Impl {
     osg::ref_ptr<osg::Group> group = new osg::Group;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
       osg::ref_ptr<osg::Group> cap;
-      RigidBody body = scenario->obstacles[i];
-      body.X_WB = poseOf(i);
-      if (hasCaps(i)) cap = makeCap(body, sections[section], palette);
+      if (hasCaps(i)) {
+        RigidBody body = scenario->obstacles[i];
+        body.X_WB = poseOf(i);
+        cap = makeCap(body, sections[section], palette);
+      }
       if (!cap) cap = new osg::Group;
       group->addChild(cap);
     }
