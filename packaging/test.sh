@@ -23,6 +23,12 @@ passed=0
 failed=0
 skipped=0
 
+# output_of_failed LOG: what the tests that failed printed, at most 200 lines.
+output_of_failed() {
+  awk '/^ *[0-9]+\/[0-9]+ Test +#/ { show = /\*\*\*/ && !/\*\*\*Skipped/ } /^ *Start +[0-9]+:/ { next } show' "$1" |
+    cut -c1-300 | tail -n 200
+}
+
 # run_suite PRESET CTEST_OPTION...: runs the tests of a build and adds to the totals.
 run_suite() {
   local preset=$1
@@ -47,7 +53,7 @@ run_suite() {
   passed=$((passed + total - bad - idle))
   failed=$((failed + bad))
   skipped=$((skipped + idle))
-  [ "$bad" -eq 0 ] || sed -n '/^[0-9]*: /p' "build/$preset-tests.log" | tail -n 200
+  [ "$bad" -eq 0 ] || output_of_failed "build/$preset-tests.log"
 }
 
 # build_and_run PRESET "TARGETS" CTEST_OPTION...
