@@ -18,6 +18,7 @@
 #include "engine/import/step_text_check.h"
 #include "engine/import/urdf_import.h"
 #include "engine/scenario/path_reader.h"
+#include "engine/scenario/plan_file.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/study/study_plan.h"
@@ -114,6 +115,16 @@ std::string plan(const std::string& bytes) {
   return read ? std::string() : requireError(read.error());
 }
 
+std::string assemblyPlan(const std::string& bytes) {
+  const auto read = parsePlan(bytes, "plan.json");
+  if (!read) return requireError(read.error());
+  const std::string written = planJson(*read, "product").dump();
+  const auto again = parsePlan(written, "written.json");
+  require(again.ok(), "what is written can be read");
+  require(planJson(*again, "product").dump() == written, "what is read is written as it was");
+  return {};
+}
+
 std::string urdf(const std::string& bytes) {
   const auto links = importUrdf(asFile(bytes), "/nonexistent");
   if (!links) return requireError(links.error());
@@ -184,11 +195,15 @@ const std::vector<Target>& targets() {
   static const std::vector<Target> kTargets{
       {"scenario", scenario,
        withJsonWords({"\"box\"", "\"sphere\"", "\"radius\"", "\"mesh\"", "\"step\"", "\"pose\"", "\"attributes\"",
-                      "\"places\"", "\"rules\"", "\"parameters\"", "((((", "not not "})},
+                      "\"places\"", "\"rules\"", "\"parameters\"", "\"fits\"", "\"pitch_m\"", "\"sequence\"",
+                      "\"paths\"", "((((", "not not "})},
       {"path", path, withJsonWords({"\n", " ", "0 0 0 0 0 0 1\n", "nan", "inf", "1e19", ",,", "operator", "contact"})},
       {"record", record, withJsonWords({"\n", "\"step\"", "\"semantics\"", "\"q\"", "\"operator_stream\"", "[0]"})},
       {"study", study, withJsonWords({"\"seeds\"", "\"count\"", "\"rows\"", "\"grid\"", "\"quick\"", "10000000"})},
       {"plan", plan, withJsonWords({"\"cells\"", "\"seeds\"", "\"paper\"", "\"settings\""})},
+      {"assembly-plan", assemblyPlan,
+       withJsonWords({"\"bodies\"", "\"steps\"", "\"after\"", "\"wave\"", "\"certificate\"", "\"allowances\"",
+                      "\"path\"", "\"stuck\""})},
       {"urdf",
        urdf,
        {"<",

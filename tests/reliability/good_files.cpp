@@ -119,9 +119,26 @@ std::string journalOf(const std::string& record) {
   return head.dump() + "\n" + events.dump() + "\n";
 }
 
+/// What a product says of its pairs, of the order of its bodies, and of paths that were kept.
+const char* const kProduct =
+    R"json("fits": {"mode": "on", "accept_clashes": 0.001, "pairs": [{"a": "object", "b": "wall", "kind": "overlap",
+"allowance": 0.0001, "accepted": true}]},
+"sequence": {"together": [["object", "wall"]], "before": [["object", "wall"]], "gravity": [0, 0, -1],
+"densities": [{"body": "wall", "density": 2700}]},
+"paths": [{"name": "out", "pinned": true, "object": "object", "planner": "birrt", "seed": 1, "smoothed": true,
+"required_clearance": 0.00001, "clearance": 0.1, "proved_clearance": 0.05, "allowances": [{"body": "wall", "allowance": 0.0001}],
+"problem_sha256": "00", "configurations": [
+{"position": [-0.75, 0, 0], "orientation": [0, 0, 0, 1], "author": "computer"},
+{"position": [-3, 0, 0], "orientation": [0, 0, 0, 1], "author": "operator", "segment_author": "contact"}]}],
+"seed": 1)json";
+
 const char* const kStudy = R"({"format": "glissade-study", "version": 1, "name": "malformed", "title": "Malformed",
 "scenarios": ["scenario.json"], "strategies": ["birrt"], "limits": {"max_steps": 100}, "seeds": {"first": 1, "count": 2}, "rows": [{"label": "plain"}]}
 )";
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  return text.replace(text.find(word), word.size(), by);
+}
 
 std::size_t countOf(const std::string& text, const std::string& word) {
   std::size_t count = 0;
@@ -165,9 +182,10 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
     files.push_back({format, name, content, std::move(command)});
   };
   addFile("scenario", "variant.json", scenarioWith("box", ""), {"info", in("variant.json")});
-  std::string semantics = scenarioWith("box", "");
-  semantics.replace(semantics.find("\"seed\": 1"), std::string("\"seed\": 1").size(), kSemantics);
-  addFile("semantics", "semantics.json", semantics, {"info", in("semantics.json")});
+  addFile("semantics", "semantics.json", replaced(scenarioWith("box", ""), "\"seed\": 1", kSemantics),
+          {"info", in("semantics.json")});
+  const std::string touching = replaced(scenarioWith("box", ""), "[-3, 0, 0]", "[-0.75, 0, 0]");
+  addFile("product", "product.json", replaced(touching, "\"seed\": 1", kProduct), {"info", in("product.json")});
   addFile("cfg", "variant.cfg", test::kSampleCfg, {"info", in("variant.cfg")});
   addFile("study", "study.json", kStudy, {"study", in("study.json"), "--out", in("results"), "--dry-run"});
   for (const std::string ending : {"csv", "json", "path"}) {
@@ -177,6 +195,9 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
         {});
     addFile("path-" + ending, path, contentOf(in(path)), {"check", scenario, in(path)});
   }
+  oracle::runChild({cli, "sequence", scenario, "--out", in("assembly-plan.json")}, {});
+  addFile("assembly-plan", "assembly-plan.json", contentOf(in("assembly-plan.json")),
+          {"check", scenario, in("assembly-plan.json")});
   addFile("record", "record.json", contentOf(in("record.json")), {"replay", in("record.json"), "--scenario", scenario});
   addFile("journal", "run.journal", journalOf(contentOf(in("record.json"))),
           {"replay", in("run.journal"), "--scenario", scenario});
