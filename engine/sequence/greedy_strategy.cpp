@@ -222,7 +222,8 @@ class GreedySearch {
       }
     }
     std::vector<BodyGroup> groups;
-    for (const auto& [name, bodies] : assemblies) {
+    for (const auto& assembly : assemblies) {
+      const BodyGroup& bodies = assembly.second;
       const bool whole = std::all_of(bodies.begin(), bodies.end(), [&](std::size_t body) {
         const BodyGroup unit = unitOf(body);
         return std::includes(bodies.begin(), bodies.end(), unit.begin(), unit.end());

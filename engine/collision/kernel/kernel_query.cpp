@@ -75,9 +75,7 @@ KernelGeometry::KernelGeometry(double commonScale, std::shared_ptr<const BoxTree
     : scale(commonScale), obstacles(std::move(obstacleTree)), object(std::move(objectTree)) {}
 
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
-    : geometry_(std::move(geometry)),
-      functions_(functions),
-      traversal_(*geometry_->obstacles, *geometry_->object, functions) {}
+    : geometry_(std::move(geometry)), traversal_(*geometry_->obstacles, *geometry_->object, functions) {}
 
 bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
   if (geometry_->obstacles->empty() || geometry_->object->empty()) return false;

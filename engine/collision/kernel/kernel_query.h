@@ -75,7 +75,6 @@ class KernelQuery final : public SurfaceQuery {
   void remember(const TrianglePair& pair);
 
   std::shared_ptr<const KernelGeometry> geometry_;
-  const lanes::LaneFunctions& functions_;
   PairTraversal traversal_;
   std::vector<BoxPair> stack_;
   std::vector<Candidate> candidates_;  ///< a heap, the nearest first: no more is opened than has to be

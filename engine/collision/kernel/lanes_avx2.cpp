@@ -49,8 +49,6 @@ struct Avx2Double4 {
   friend F operator/(F a, F b) { return {_mm256_div_pd(a.v, b.v)}; }
   friend F min(F a, F b) { return {_mm256_min_pd(a.v, b.v)}; }
   friend F max(F a, F b) { return {_mm256_max_pd(a.v, b.v)}; }
-  friend F sqrt(F a) { return {_mm256_sqrt_pd(a.v)}; }
-  friend F abs(F a) { return {_mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v)}; }
   friend F less(F a, F b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)}; }
   friend F select(F mask, F yes, F no) { return {_mm256_blendv_pd(no.v, yes.v, mask.v)}; }
   friend unsigned bits(F mask) { return static_cast<unsigned>(_mm256_movemask_pd(mask.v)); }

@@ -65,11 +65,6 @@ struct Sse2Double4 {
   friend F operator/(F a, F b) { return {_mm_div_pd(a.low, b.low), _mm_div_pd(a.high, b.high)}; }
   friend F min(F a, F b) { return {_mm_min_pd(a.low, b.low), _mm_min_pd(a.high, b.high)}; }
   friend F max(F a, F b) { return {_mm_max_pd(a.low, b.low), _mm_max_pd(a.high, b.high)}; }
-  friend F sqrt(F a) { return {_mm_sqrt_pd(a.low), _mm_sqrt_pd(a.high)}; }
-  friend F abs(F a) {
-    const __m128d sign = _mm_set1_pd(-0.0);
-    return {_mm_andnot_pd(sign, a.low), _mm_andnot_pd(sign, a.high)};
-  }
   friend F less(F a, F b) { return {_mm_cmplt_pd(a.low, b.low), _mm_cmplt_pd(a.high, b.high)}; }
   friend F select(F mask, F yes, F no) {
     return {_mm_or_pd(_mm_and_pd(mask.low, yes.low), _mm_andnot_pd(mask.low, no.low)),
