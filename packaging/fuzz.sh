@@ -22,7 +22,7 @@ done
 [ "${#targets[@]}" -gt 0 ] || mapfile -t targets < <(ls tests/fuzz/corpus)
 
 if [ -n "$build" ]; then
-  packaging/setup.sh build fuzz || exit 1
+  packaging/setup.sh build test || exit 1
   packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_TESTS=ON -DGLISSADE_PRECOMPILE=OFF || exit 1
 fi
 [ -x build/fuzz/bin/fuzz_readers ] || { echo "build/fuzz/bin/fuzz_readers is missing" >&2; exit 1; }
