@@ -56,23 +56,24 @@ run_suite() {
   [ "$bad" -eq 0 ] || output_of_failed "build/$preset-tests.log"
 }
 
-# build_and_run PRESET "TARGETS" CTEST_OPTION...
+# build_and_run PRESET "TARGETS" SANITIZER_TESTS CTEST_OPTION...
 build_and_run() {
-  local preset=$1 targets=$2
-  shift 2
+  local preset=$1 targets=$2 sanitizer_tests=$3
+  shift 3
+  # run.sh may have left the tests out.
   # shellcheck disable=SC2086
-  if packaging/build.sh "$preset" $targets -- -DGLISSADE_TESTS=ON; then  # run.sh may have left them out
+  if packaging/build.sh "$preset" $targets -- -DGLISSADE_TESTS=ON "-DGLISSADE_SANITIZER_TESTS=$sanitizer_tests"; then
     run_suite "$preset" "$@"
   else
     failed=$((failed + 1))
   fi
 }
 
-build_and_run release ""
+build_and_run release "" OFF
 # Sanitizers where they matter: what reads files, and what runs in threads.
-build_and_run asan "import_test scenario_test mutate_readers" -L 'import|scenario|fuzz'
+build_and_run asan "import_test scenario_test mutate_readers" ON -L 'import|scenario|fuzz'
 # The contact of the haptic loop is computed by one thread: those tests run in the release build only.
-build_and_run tsan "session_test operator_test haptic_test slots_test" -L 'session|operator|slots' -E '^HapticContact'
+build_and_run tsan "session_test operator_test haptic_test slots_test" ON -L 'session|operator|slots' -E '^HapticContact'
 
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" -eq 0 ]

@@ -17,7 +17,7 @@
 namespace glissade {
 
 /// Sanitizers reserve terabytes of address space: the memory of a child is not limited under them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GLISSADE_SANITIZED
 inline constexpr bool kMemoryCanBeLimited = false;
 #else
 inline constexpr bool kMemoryCanBeLimited = true;

@@ -46,7 +46,7 @@ std::vector<Rule> permitted() {
       {SCMP_SYS(exit), {}},
       {SCMP_SYS(exit_group), {}},
   };
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef GLISSADE_SANITIZED
   // What the run-time libraries of the sanitizers call while the program runs, and to report.
   rules.push_back({SCMP_SYS(write), {equals(0, STDERR_FILENO)}});
   for (const int call : {SCMP_SYS(getpid), SCMP_SYS(gettid), SCMP_SYS(sched_yield), SCMP_SYS(sigaltstack),

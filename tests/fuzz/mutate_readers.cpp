@@ -29,7 +29,7 @@
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/targets.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef GLISSADE_SANITIZED
 extern "C" const char* __ubsan_default_options();
 extern "C" const char* __ubsan_default_options() { return "halt_on_error=1:abort_on_error=1:print_stacktrace=1"; }
 extern "C" const char* __asan_default_options();
