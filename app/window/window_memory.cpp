@@ -9,9 +9,9 @@ constexpr int kMostFiles = 10;
 /// Grows when panels are added or renamed: an older layout would hide them.
 constexpr int kLayoutVersion = 2;
 
-constexpr QLatin1String kFiles("recent-files");
-constexpr QLatin1String kState("layout/panels");
-constexpr QLatin1String kGeometry("layout/window");
+const QLatin1String kFiles("recent-files");
+const QLatin1String kState("layout/panels");
+const QLatin1String kGeometry("layout/window");
 
 }  // namespace
 
