@@ -78,7 +78,7 @@ struct IndependentCheck::Obstacle {
   Box3 box;  ///< scaled, world frame
   double farthest;
 
-  explicit Obstacle(TriangleMesh placed)
+  explicit Obstacle(const TriangleMesh& placed)
       : solid(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {
     surface.beginModel();
     addTriangles(surface, placed);

@@ -208,6 +208,7 @@ class JudgedBody {
       }
     }
     std::vector<Vector3> moves;
+    moves.reserve(around.size());
     for (const auto& faces : around) moves.push_back(moveOf(faces, allowance));
     return moves;
   }

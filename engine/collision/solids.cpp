@@ -23,8 +23,8 @@ Solids::Solids(const Solids& other, const std::vector<RigidBody>& before, const 
                const TriangleMesh* object)
     : Solids(makeSolids(obstacles, before, *other.obstacles_), object != nullptr ? prepare(*object) : other.object_) {}
 
-Solids::Solids(SolidPtr obstacle, SolidPtr object)
-    : Solids(std::make_shared<const std::vector<SolidPtr>>(1, std::move(obstacle)), std::move(object)) {}
+Solids::Solids(const SolidPtr& obstacle, SolidPtr object)
+    : Solids(std::make_shared<const std::vector<SolidPtr>>(1, obstacle), std::move(object)) {}
 
 Solids::Solids(SolidsPtr obstacles, SolidPtr object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
   if (object_->box.isEmpty()) return;

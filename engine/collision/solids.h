@@ -26,7 +26,7 @@ class Solids {
   using SolidPtr = std::shared_ptr<const Solid>;
   static SolidPtr prepare(const TriangleMesh& mesh);
   /// Of prepared ones: the obstacle is prepared in the world, the object in B.
-  Solids(SolidPtr obstacle, SolidPtr object);
+  Solids(const SolidPtr& obstacle, SolidPtr object);
 
   /// The lowest obstacle that contains the object, or that the object contains; nothing where none
   /// does. Precondition: the surfaces do not touch.

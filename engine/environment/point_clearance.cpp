@@ -51,7 +51,8 @@ Vector3 PointClearance::widestNear(const Vector3& p_W, double step, const Box3& 
     bool better = false;
     // Diagonals, too: between two walls at a right angle no axis alone leads uphill.
     for (int direction = 0; direction < 27; ++direction) {
-      const Vector3 way(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
+      const Eigen::Vector3i cell(direction / 9 - 1, direction / 3 % 3 - 1, direction % 3 - 1);
+      const Vector3 way = cell.cast<double>();
       const Vector3 next = best + s * way;
       if ((next - about_).norm() > reach_ / 2.0 || !within.contains(next)) continue;
       const double clearance = (*this)(next);

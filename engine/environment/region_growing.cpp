@@ -16,7 +16,7 @@ class LevelBlocks {
   LevelBlocks(const FreeSpace& space, int level, const PlaceLabels& labels)
       : grid_(space.grid), edge_(1 << static_cast<unsigned>(space.grid.level - level)) {
     for (std::size_t a = 0; a < 3; ++a) counts_[a] = grid_.counts[a] / edge_;
-    free_.assign(static_cast<std::size_t>(counts_[0] * counts_[1] * counts_[2]), 1);
+    free_.assign(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2], 1);
     for (std::size_t cell = 0; cell < labels.size(); ++cell) {
       const auto c = grid_.coordinates(cell);
       const std::array<int, 3> block{c[0] / edge_, c[1] / edge_, c[2] / edge_};
@@ -59,7 +59,7 @@ class LevelBlocks {
 
  private:
   std::size_t at(const std::array<int, 3>& b) const {
-    return static_cast<std::size_t>((b[0] * counts_[1] + b[1]) * counts_[2] + b[2]);
+    return (static_cast<std::size_t>(b[0]) * counts_[1] + b[1]) * counts_[2] + b[2];
   }
   std::array<int, 3> coordinates(std::size_t block) const {
     const int i = static_cast<int>(block);

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-SemanticModel::SemanticModel(EnvironmentModelPtr environment, const std::vector<RigidBody>& bodies,
+SemanticModel::SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies,
                              std::string objectId, const SemanticEdits& edits, const std::vector<double>& compatibility)
     : objectId_(std::move(objectId)) {
   if (auto table = attributeTableOf(edits)) table_ = std::move(*table);

@@ -20,7 +20,7 @@ class SemanticModel {
   /// `compatibility` are the computed scores of the object, per place; empty: not computed.
   /// Precondition: attributeTableOf(edits) succeeds. Edits of places that are nowhere count for
   /// nothing (editWarnings() tells of them).
-  SemanticModel(EnvironmentModelPtr environment, const std::vector<RigidBody>& bodies, std::string objectId,
+  SemanticModel(const EnvironmentModelPtr& environment, const std::vector<RigidBody>& bodies, std::string objectId,
                 const SemanticEdits& edits, const std::vector<double>& compatibility = {});
 
   const AttributeTable& table() const { return table_; }

@@ -172,6 +172,7 @@ std::vector<Pose> screwBetween(const CollisionWorld& world, CollisionQuery& quer
 
 std::vector<PathPoint> computedPoints(const std::vector<Pose>& configurations) {
   std::vector<PathPoint> points;
+  points.reserve(configurations.size());
   for (const Pose& q : configurations) points.push_back({q, Author::Computer, Author::Computer});
   return points;
 }

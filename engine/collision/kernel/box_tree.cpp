@@ -119,13 +119,14 @@ std::uint32_t BoxTree::addNode() {
 
 void BoxTree::fillNode(std::uint32_t node, std::vector<Part> parts) {
   counts[node] = static_cast<std::uint32_t>(parts.size());
+  const std::size_t first = std::size_t{node} * lanes::kWidth;
   for (std::size_t lane = 0; lane < lanes::kWidth; ++lane) {
     // Lanes without a box repeat the last one: their arithmetic stays finite, their answers are not read.
-    setBox(static_cast<Box>(node * lanes::kWidth + lane), parts[std::min(lane, parts.size() - 1)]);
+    setBox(static_cast<Box>(first + lane), parts[std::min(lane, parts.size() - 1)]);
   }
   for (std::size_t lane = 0; lane < parts.size(); ++lane) {
     const Part& part = parts[lane];
-    const std::size_t box = node * lanes::kWidth + lane;
+    const std::size_t box = first + lane;
     if (part.size() <= mostInALeaf_) {
       child[box] = addLeaf(part);
       continue;

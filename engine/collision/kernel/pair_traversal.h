@@ -73,7 +73,7 @@ class PairTraversal {
   /// Lower bounds on their squared distances, and estimates (LaneFunctions); unused places hold
   /// +infinity.
   struct LeafDistances {
-    static constexpr std::size_t kPairs = lanes::kLeafTriangles * lanes::kLeafTriangles;
+    static constexpr std::size_t kPairs = std::size_t{lanes::kLeafTriangles} * lanes::kLeafTriangles;
     alignas(32) std::array<float, kPairs> squared;
     alignas(32) std::array<float, kPairs> estimate;
     std::uint32_t firstObstacle;

@@ -10,6 +10,7 @@ namespace {
 
 std::vector<Contender> contendersOf(const std::vector<Member>& members) {
   std::vector<Contender> contenders;
+  contenders.reserve(members.size());
   for (const Member& member : members) contenders.push_back(member.contender);
   return contenders;
 }

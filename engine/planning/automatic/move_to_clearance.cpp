@@ -76,6 +76,7 @@ class MoveToClearance {
 
   std::vector<Vector3> directions() const {
     std::vector<Vector3> directions;
+    directions.reserve(2 * (3 + kWayOutFaces));
     for (int axis = 0; axis < 3; ++axis) directions.push_back(Vector3::Unit(axis));
     for (const Vector3& normal_B : largestFaceNormals(world_->object(), kWayOutFaces)) {
       directions.push_back(q_.orientation * normal_B);
@@ -100,6 +101,7 @@ class MoveToClearance {
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Pose> ends;
+    ends.reserve(found.size());
     for (const auto& [way, end] : found) ends.push_back(end);
     return ends;
   }

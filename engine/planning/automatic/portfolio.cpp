@@ -35,7 +35,7 @@ std::uint64_t lifeLength(const Contender& contender, std::uint64_t life) {
   return kNoEnd;
 }
 
-Portfolio::Portfolio(std::vector<Contender> contenders) {
+Portfolio::Portfolio(const std::vector<Contender>& contenders) {
   for (const Contender& contender : contenders) {
     states_.push_back({contender, contender.share, contender.patience, contender.patience});
   }

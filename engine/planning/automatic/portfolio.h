@@ -38,7 +38,7 @@ class Portfolio {
  public:
   static constexpr std::size_t kNobody = static_cast<std::size_t>(-1);
 
-  explicit Portfolio(std::vector<Contender> contenders);
+  explicit Portfolio(const std::vector<Contender>& contenders);
 
   /// Whose turn it is, the first among equals; kNobody once all are retired.
   std::size_t next() const;
