@@ -9,6 +9,7 @@
 #include "engine/geometry/vertex_welder.h"
 #include "engine/import/formats/corner_mean.h"
 #include "engine/import/formats/gltf_document.h"
+#include "engine/import/formats/index_text.h"
 
 namespace glissade {
 namespace {
@@ -184,8 +185,8 @@ class Scene {
     }
     for (const double index : document_.numbers(wholeNumber(primitive, "indices", location), 1).values) {
       if (!(index >= 0.0 && index < static_cast<double>(vertices))) {
-        throw FormatError{location, "has vertex " + std::to_string(static_cast<std::int64_t>(index)) +
-                                        " in its indices, but " + std::to_string(vertices) + " vertices"};
+        throw FormatError{location, "has vertex " + indexText(index) + " in its indices, but " +
+                                        std::to_string(vertices) + " vertices"};
       }
       indices.push_back(static_cast<std::size_t>(index));
     }

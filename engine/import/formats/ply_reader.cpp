@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "engine/geometry/vertex_welder.h"
+#include "engine/import/formats/index_text.h"
 #include "engine/import/formats/ply_header.h"
 #include "engine/import/formats/polygon_triangulation.h"
 #include "engine/import/formats/text_scanner.h"
@@ -159,8 +160,8 @@ class Ply {
     corners_.clear();
     for (const double index : list_) {
       if (!(index >= 0.0 && index < static_cast<double>(positions_.size())) || index != std::floor(index)) {
-        throw numbers_.error("has a face with vertex " + std::to_string(static_cast<std::int64_t>(index)) +
-                             ", but the file has " + std::to_string(positions_.size()));
+        throw numbers_.error("has a face with vertex " + indexText(index) + ", but the file has " +
+                             std::to_string(positions_.size()));
       }
       corners_.push_back(positions_[static_cast<std::size_t>(index)]);
     }

@@ -47,6 +47,10 @@ const std::vector<MalformedMeshFile>& malformedMeshFiles() {
       {"ply_in_disguise.stl", "ply\nformat ascii 1.0\nelement vertex 3\nend_header\n0 0 0\n1 0 0\n0 1 0\n",
        "too short"},
       {"part.ply", "ply\n", "before 'end_header'"},
+      {"part.ply",
+       "ply\nformat ascii 1.0\nelement vertex 1\nproperty double x\nproperty double y\nproperty double z\n"
+       "element face 1\nproperty list uchar double vertex_indices\nend_header\n0 0 0\n3 0 0 1e300\n",
+       "has a face with vertex 1e+300, but the file has 1"},
       {"part.3mf", "PK", "not read"},
       {"part", "solid", "not read"},
       {"empty.stl", "", "empty"},

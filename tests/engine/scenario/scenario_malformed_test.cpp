@@ -51,7 +51,7 @@ TEST(MalformedScenario, DeepDocumentsAreRefused) {
 /// The time to read such an object is quadratic in its keys: with a million of them it was hours.
 TEST(MalformedScenario, ObjectsOfVeryManyKeysAreRefused) {
   std::string text = "{";
-  for (int i = 0; i < 1'000'000; ++i) text += "\"k" + std::to_string(i) + "\": 0,";
+  for (int i = 0; i < 100'000; ++i) text += "\"k" + std::to_string(i) + "\": 0,";
   expectRefused(text + "\"k\": 0}", "", "more than 20000 keys");
 }
 
@@ -67,11 +67,7 @@ TEST(MalformedScenario, TheValuesOfADocumentAreCounted) {
 
 TEST(MalformedScenario, VeryManyBodiesAreRefused) {
   auto json = nlohmann::json::parse(writeScenario(test::boxScenario()));
-  const auto body = json["bodies"][0];
-  for (int i = 0; i < 20'000; ++i) {
-    json["bodies"].push_back(body);
-    json["bodies"].back()["id"] = "b" + std::to_string(i);
-  }
+  json["bodies"] = nlohmann::json::array_t(20'001, json["bodies"][0]["id"]);
   expectRefused(json.dump(), "/bodies", "more than 20000 entries");
 }
 
