@@ -26,7 +26,7 @@ std::optional<Vector3> axisOf(const std::vector<Vector3>& normals) {
 std::optional<FittedCylinder> circleAbout(const std::vector<Vector3>& points, const Vector3& axis) {
   const Vector3 u = axis.unitOrthogonal();
   const Vector3 v = axis.cross(u);
-  const Vector3 origin = points.front();
+  const Vector3& origin = points.front();
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Vector3 right = Vector3::Zero();
   double scale = 0.0;

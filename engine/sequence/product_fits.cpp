@@ -177,7 +177,7 @@ void ProductFits::resolveClashes(const AssembledProduct& product, const std::vec
   }
 }
 
-void ProductFits::yieldTo(std::size_t body, Fit fit, const AssembledProduct& product) {
+void ProductFits::yieldTo(std::size_t body, const Fit& fit, const AssembledProduct& product) {
   moving_[body].yielding.push_back(fit);
   const std::string pair = "'" + product.bodies[body].name + "' and '" + product.bodies[fit.obstacle].name + "'";
   std::erase_if(warnings_, [&](const Diagnostic& warning) { return warning.location == pair; });

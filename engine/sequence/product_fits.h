@@ -55,7 +55,7 @@ class ProductFits {
   };
 
   void resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits, ThreadTeam& team);
-  void yieldTo(std::size_t body, Fit fit, const AssembledProduct& product);
+  void yieldTo(std::size_t body, const Fit& fit, const AssembledProduct& product);
 
   std::vector<Moving> moving_;  ///< of each body
   std::vector<Contact> contacts_;

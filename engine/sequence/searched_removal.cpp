@@ -10,8 +10,8 @@ namespace {
 /// Lets a planner work for so many steps.
 class BudgetHost final : public PlannerHost {
  public:
-  BudgetHost(ParameterValues parameters, std::uint64_t steps, const StopToken& stop)
-      : parameters_(std::move(parameters)), left_(steps), stop_(stop) {}
+  BudgetHost(const ParameterValues& parameters, std::uint64_t steps, const StopToken& stop)
+      : parameters_(parameters), left_(steps), stop_(stop) {}
 
   std::optional<OperatorSample> operatorSample() override { return std::nullopt; }
   const ParameterValues& parameters() const override { return parameters_; }

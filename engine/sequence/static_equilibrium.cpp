@@ -57,7 +57,7 @@ class Balance {
     for (std::size_t body = 0; body < bodies.size(); ++body) {
       if (firstRow_[body] < 0) continue;
       const Vector3 force = -bodies[body].weight / unit_ * gravity;
-      for (int axis = 0; axis < 3; ++axis) wanted_[static_cast<std::size_t>(firstRow_[body] + axis)] = force[axis];
+      for (int axis = 0; axis < 3; ++axis) wanted_[static_cast<std::size_t>(firstRow_[body]) + axis] = force[axis];
     }
   }
 

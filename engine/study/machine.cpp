@@ -6,6 +6,7 @@
 #include <sys/utsname.h>
 
 #include <Eigen/Core>
+#include <cmath>
 #include <fstream>
 #include <thread>
 
@@ -39,7 +40,7 @@ std::string describeMachine() {
   if (sysinfo(&memory) == 0) {
     constexpr double kGiga = 1024.0 * 1024.0 * 1024.0;
     const double bytes = static_cast<double>(memory.totalram) * memory.mem_unit;
-    text += ", " + std::to_string(static_cast<int>(bytes / kGiga + 0.5)) + " GB of memory";
+    text += ", " + std::to_string(std::lround(bytes / kGiga)) + " GB of memory";
   }
   struct utsname system {};
   if (uname(&system) == 0) text += std::string(", ") + system.sysname + " " + system.machine;

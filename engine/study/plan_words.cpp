@@ -28,8 +28,8 @@ std::string degrees(double radians) { return decimals(radians * 180.0 / std::aco
 std::string PlanWords::direction(const Vector3& direction) const {
   static constexpr std::array<const char*, 6> kNames{"+X", "−X", "+Y", "−Y", "up (+Z)", "down (−Z)"};
   for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] > kAlongAxis) return words_(kNames[static_cast<std::size_t>(2 * axis)]);
-    if (direction[axis] < -kAlongAxis) return words_(kNames[static_cast<std::size_t>(2 * axis + 1)]);
+    if (direction[axis] > kAlongAxis) return words_(kNames[2 * static_cast<std::size_t>(axis)]);
+    if (direction[axis] < -kAlongAxis) return words_(kNames[2 * static_cast<std::size_t>(axis) + 1]);
   }
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
 }

@@ -151,9 +151,11 @@ TriangleMesh plate(const Preset& preset) {
   std::map<int, std::vector<std::uint32_t>> lattice;  // 3 x 3 points a face
   for (const double x : {kPlateFront, kPlateBack}) {
     auto& points = lattice[x == kPlateBack ? 1 : 0];
-    for (int i = 0; i < 9; ++i) points.push_back(add(mesh, x, {kMiddle * (i / 3), kMiddle * (i % 3)}));
+    for (int y = 0; y < 3; ++y) {
+      for (int z = 0; z < 3; ++z) points.push_back(add(mesh, x, {kMiddle * y, kMiddle * z}));
+    }
   }
-  const auto at = [&](int face, int y, int z) { return lattice[face][static_cast<std::size_t>(3 * y + z)]; };
+  const auto at = [&](int face, int y, int z) { return lattice[face][3 * static_cast<std::size_t>(y) + z]; };
   for (const Hole& hole : holesOf(preset)) {
     const int y = hole.centre.y > kMiddle ? 1 : 0;
     const int z = hole.centre.z > kMiddle ? 1 : 0;

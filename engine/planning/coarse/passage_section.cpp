@@ -96,7 +96,7 @@ double SampledSection::signedDistance(const Point2& uv) const {
   const int j = std::min(points_ - 2, static_cast<int>(scaled.y()));
   const double s = scaled.x() - i;
   const double t = scaled.y() - j;
-  const auto value = [&](int a, int b) { return values_[static_cast<std::size_t>(a * points_ + b)]; };
+  const auto value = [&](int a, int b) { return values_[static_cast<std::size_t>(a) * points_ + b]; };
   return (1 - s) * ((1 - t) * value(i, j) + t * value(i, j + 1)) +
          s * ((1 - t) * value(i + 1, j) + t * value(i + 1, j + 1));
 }
