@@ -87,7 +87,7 @@ check_tidy() {
   local files
   mapfile -t files
   if [ "${#files[@]}" -eq 0 ]; then
-    echo "clang-tidy: no file has changed"
+    echo "clang-tidy: no compiled source shows what has changed"
     return 0
   fi
   # Sources that are compiled together are included by one that CMake writes.
@@ -111,6 +111,10 @@ check_all() {
 check_changed() {
   local changed sources
   changed=$(cat)
+  if [ -z "$changed" ]; then
+    echo "clang-tidy: no file has changed"
+    return 0
+  fi
   configure OFF || return 1
   sources=$(sources_showing <<<"$changed")
   if [ "$(grep -c . <<<"$sources")" -gt 150 ]; then

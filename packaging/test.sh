@@ -69,6 +69,8 @@ build_and_run() {
   fi
 }
 
+# clang-tidy of what has changed since packaging/lint_clean.txt was recorded. The layout is a test of the release build.
+if packaging/lint.sh --unrecorded; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 build_and_run release "" OFF
 # Sanitizers where they matter: what reads files, and what runs in threads.
 build_and_run asan "import_test scenario_test mutate_readers" ON -L 'import|scenario|fuzz'
