@@ -197,12 +197,13 @@ TEST_P(SessionExceptions, OfMakingASessionAreToldAndTheNextCallMakesIt) {
       {"post", [&](SessionBridge& bridge) { bridge.post(command::SetSeed{7}); }},
   };
   std::size_t failed = 0;
-  for (const auto& [name, call] : calls) {
+  for (const auto& entry : calls) {
+    const auto& call = entry.second;
     SessionBridge bridge(GetParam());
     bridge.open(scenario);
     bridge.post(command::SetParameter{ParameterId::Alpha, 0.625});
     for (std::uint64_t first = 1; first < 2000; first += 1 + first / 4) {
-      SCOPED_TRACE(std::string(name) + ", allocation " + std::to_string(first));
+      SCOPED_TRACE(std::string(entry.first) + ", allocation " + std::to_string(first));
       {
         const FailingAllocation failing(Where::ThisThread, first);
         (void)guarded("making a session", [&] { call(bridge); });

@@ -6,6 +6,7 @@ namespace glissade {
 
 /// The engine's texts that the window shows, for the translators: labels and help of the live
 /// parameters, planners, devices and plots of the papers' studies. A test compares them with the engine's tables.
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Parameters", "Authority"),
     QT_TRANSLATE_NOOP("Parameters", "Contact samples"),
@@ -153,5 +154,6 @@ inline constexpr const char* kEngineTexts[] = {
     QT_TRANSLATE_NOOP("Presets", "Precise"),
     QT_TRANSLATE_NOOP("Presets", "Flight"),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 }  // namespace glissade
