@@ -11,6 +11,7 @@
 #include "app/cli/convert_command.h"
 #include "app/cli/fits_command.h"
 #include "app/cli/info_command.h"
+#include "app/cli/length_text.h"
 #include "app/cli/new_command.h"
 #include "app/cli/plan_command.h"
 #include "app/cli/printable_output.h"
@@ -38,21 +39,6 @@ std::string plannerNames() {
   const PlannerRegistry registry = makePlannerRegistry();
   for (const PlannerEntry& entry : registry.entries()) names += (names.empty() ? "" : ", ") + entry.id;
   return names;
-}
-
-/// A length in metres, or with its unit: 0.0005, 0.5mm, 0.05cm.
-double metres(const std::string& text) {
-  const std::size_t unit = text.find_last_not_of("cm") + 1;
-  const std::string name = text.substr(unit);
-  const auto number = toNumber(text.substr(0, unit));
-  const double factor = name == "mm" ? 1e-3 : name == "cm" ? 1e-2 : 1.0;
-  if (!number || (factor == 1.0 && name != "m" && !name.empty())) {
-    throw CLI::ValidationError("'" + text + "' is not a length: give metres, or a unit as in 0.5mm");
-  }
-  if (!limits::isCoordinate(*number * factor)) {
-    throw CLI::ValidationError("'" + text + "' is beyond 1e9 m: check the unit");
-  }
-  return *number * factor;
 }
 
 void addLength(CLI::App& command, const std::string& option, const std::function<void(double)>& take,
@@ -228,8 +214,8 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
   make->add_option("--mobile", options.mobiles, "Parts that somebody could move");
   addLength(
       *make, "--unit", [&options](double unit) { options.unit = unit; },
-      "A unit of the files, as 1mm or 1m (default: 1m for Collada and glTF, 1mm for other meshes); STEP and URDF "
-      "files say it themselves");
+      "A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m "
+      "where only that fits their size, which a warning says); STEP and URDF files say it themselves");
   const std::map<std::string, UpAxis> axes{{"y", UpAxis::Y}, {"z", UpAxis::Z}};
   make->add_option_function<std::string>(
           "--up", [&options, axes](const std::string& axis) { options.up = axes.at(axis); },
@@ -243,6 +229,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       },
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
       "part's diagonal, from 0.01mm to 0.5mm)");
+  make->add_flag("--close-holes", options.closeHoles, "Close the holes of meshes that are planar, and say how many");
   addFitOptions(*make, options.fits, "on");
   make->add_flag("--clear", options.clear, "Move the start clear of what it touches, and say how far");
   return make;

@@ -2,9 +2,11 @@
 
 #include <iostream>
 
+#include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_file.h"
+#include "engine/scenario/unit_guess.h"
 
 namespace glissade::cli {
 namespace {
@@ -15,6 +17,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
     PartFile part = usualPart(file);
     part.role = role;
     part.deflection = options.deflection;
+    part.closeHoles = options.closeHoles && isMeshFile(part.path);
     if (!saysItsUnit(part.path)) {
       part.unit = options.unit.value_or(part.unit);
       part.up = options.up.value_or(part.up);
@@ -41,7 +44,13 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
 
 int runNew(const NewOptions& options) {
   GeometryCache read;
-  auto scenario = scenarioOfParts(partsOf(options), &read);
+  std::vector<PartFile> parts = partsOf(options);
+  if (!options.unit) {
+    const auto guessed = guessUnits(parts, read);
+    if (!guessed) return reportError(guessed.error(), options.format);
+    reportWarnings(*guessed);
+  }
+  auto scenario = scenarioOfParts(parts, &read);
   if (!scenario) return reportError(scenario.error(), options.format);
   scenario->fits = withOptions(scenario->fits, options.fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);

@@ -15,9 +15,10 @@ struct NewOptions {
   std::string moving;  ///< as usualPart() takes it, like those below
   std::vector<std::string> statics;
   std::vector<std::string> mobiles;
-  std::optional<double> unit;  ///< metres per unit of the files; none: as files of their kind usually are
+  std::optional<double> unit;  ///< metres per unit of the files; none: as their kind or their size says
   std::optional<UpAxis> up;
   double deflection = 0.0;  ///< of STEP files, metres; 0: by the size of each part
+  bool closeHoles = false;  ///< of meshes, where they are planar
   FitOptions fits;          ///< on unless they are turned off
   bool clear = false;       ///< move the start clear of what it touches
   Format format = Format::Text;

@@ -213,7 +213,8 @@ void AssemblyController::showPlacement() {
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Goal) name = tr("the goal");
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Body) name = QString::fromStdString(chosen_->bodyId);
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;
-  placement_->show(name, pose);
+  const PlacementPoints points = pose ? placementPoints(*document_.scenario(), *chosen_) : PlacementPoints();
+  placement_->show(name, pose, points);
   placement_->setEnabled(editable_);
 }
 

@@ -31,34 +31,21 @@ class MemoryBuffer final : public std::streambuf {
 /// The triangles of each shape once, however many parts have it.
 class Message {
  public:
-  Message(double deflection, const std::vector<std::string>& losses) : deflection_(deflection) {
-    for (const std::string& loss : losses) losses_ += loss + "\n";
-  }
-
-  void add(const StepSolid& solid) {
-    if (!indexOf_.IsBound(solid.shape)) addShape(solid);
-    protocol::Part part;
-    part.shape = static_cast<std::uint32_t>(indexOf_.Find(solid.shape));
-    const gp_XYZ position = solid.placement.TranslationPart();
-    const gp_Quaternion turn = solid.placement.GetRotation();
-    for (int i = 0; i < 3; ++i) part.position[i] = position.Coord(i + 1);
-    part.orientation[0] = turn.X();
-    part.orientation[1] = turn.Y();
-    part.orientation[2] = turn.Z();
-    part.orientation[3] = turn.W();
-    part.hasColour = solid.colour ? 1 : 0;
-    if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
-    part.pathBytes = static_cast<std::uint32_t>(solid.path.size());
-    parts_.push_back(part);
-    paths_.push_back(solid.path);
+  Message(double deflection, const StepAssembly& assembly)
+      : deflection_(deflection), rootName_(assembly.rootName), externalParts_(assembly.externalParts) {
+    for (const std::string& loss : assembly.losses) losses_ += loss + "\n";
+    total_.kind = protocol::kAssembly;
+    for (const StepSolid& solid : assembly.solids) add(solid);
   }
 
   void write(const ImportOutput& output) const {
     output.write(&total_, sizeof total_);
-    const protocol::AssemblyCounts counts{static_cast<std::uint32_t>(shapes_.size()),
-                                          static_cast<std::uint32_t>(parts_.size()),
-                                          static_cast<std::uint32_t>(losses_.size()), 0};
+    const protocol::AssemblyCounts counts{
+        static_cast<std::uint32_t>(shapes_.size()),   static_cast<std::uint32_t>(parts_.size()),
+        static_cast<std::uint32_t>(losses_.size()),   static_cast<std::uint32_t>(externalParts_.size()),
+        static_cast<std::uint32_t>(rootName_.size()), 0};
     output.write(&counts, sizeof counts);
+    output.write(rootName_.data(), rootName_.size());
     for (const StepTriangles& shape : shapes_) {
       output.write(&shape.record, sizeof shape.record);
       output.write(shape.vertices);
@@ -68,15 +55,48 @@ class Message {
       output.write(&parts_[i], sizeof parts_[i]);
       output.write(paths_[i].data(), paths_[i].size());
     }
+    for (const StepExternalPart& part : externalParts_) write(part, output);
     output.write(losses_.data(), losses_.size());
   }
 
  private:
+  void add(const StepSolid& solid) {
+    if (!indexOf_.IsBound(solid.shape)) addShape(solid);
+    protocol::Part part;
+    part.shape = static_cast<std::uint32_t>(indexOf_.Find(solid.shape));
+    place(solid.placement, part);
+    part.hasColour = solid.colour ? 1 : 0;
+    if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
+    part.pathBytes = static_cast<std::uint32_t>(solid.path.size());
+    parts_.push_back(part);
+    paths_.push_back(solid.path);
+  }
+
+  template <class Placed>
+  static void place(const gp_Trsf& placement, Placed& placed) {
+    const gp_XYZ position = placement.TranslationPart();
+    const gp_Quaternion turn = placement.GetRotation();
+    for (int i = 0; i < 3; ++i) placed.position[i] = position.Coord(i + 1);
+    placed.orientation[0] = turn.X();
+    placed.orientation[1] = turn.Y();
+    placed.orientation[2] = turn.Z();
+    placed.orientation[3] = turn.W();
+  }
+
+  static void write(const StepExternalPart& part, const ImportOutput& output) {
+    protocol::ExternalPart record;
+    place(part.placement, record);
+    record.pathBytes = static_cast<std::uint32_t>(part.path.size());
+    record.nameBytes = static_cast<std::uint32_t>(part.file.size());
+    output.write(&record, sizeof record);
+    output.write(part.path.data(), part.path.size());
+    output.write(part.file.data(), part.file.size());
+  }
+
   void addShape(const StepSolid& solid) {
     indexOf_.Bind(solid.shape, static_cast<int>(shapes_.size()));
     shapes_.push_back(tessellate(solid.shape, deflection_));
     shapes_.back().record.facesWithoutMesh += solid.losses;
-    total_.kind = protocol::kAssembly;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
     if (total_.vertices > protocol::kMostElements || total_.triangles > protocol::kMostElements) {
@@ -85,11 +105,13 @@ class Message {
   }
 
   double deflection_;
+  std::string rootName_;
   protocol::Header total_;
   std::vector<StepTriangles> shapes_;
   TopTools_DataMapOfShapeInteger indexOf_;
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
+  std::vector<StepExternalPart> externalParts_;
   std::string losses_;
 };
 
@@ -103,10 +125,7 @@ int import(double deflection, bool solidNames, const ImportOutput& output) {
   if (const auto fault = faultOfStepText({content.data(), content.size()})) return failToRead(output, *fault);
   MemoryBuffer buffer(content);
   std::istream stream(&buffer);
-  const StepAssembly assembly = readStepAssembly(stream, solidNames);
-  Message message(deflection, assembly.losses);
-  for (const StepSolid& solid : assembly.solids) message.add(solid);
-  message.write(output);
+  Message(deflection, readStepAssembly(stream, solidNames)).write(output);
   return 0;
 }
 

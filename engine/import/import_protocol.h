@@ -8,9 +8,10 @@ namespace glissade::import_protocol {
 
 // What an importing process writes to its standard output: one header, then
 // for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each);
-// for kAssembly an AssemblyCounts; every shape as a Shape, its vertices x 3 doubles (millimetres), its
-// triangles x 3 indices; every part as a Part, the bytes of its path (UTF-8); the bytes of its losses (a line each,
-// "entity in the file, tab, what is missing");
+// for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
+// (millimetres), its triangles x 3 indices; every part as a Part, the bytes of its path below the root (UTF-8); every
+// use of another file as an ExternalPart, the bytes of its path, the bytes of the file's name; the bytes of its losses
+// (a line each, "entity in the file, tab, what is missing");
 // for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and
 // has read nothing) `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
@@ -39,6 +40,8 @@ struct AssemblyCounts {
   std::uint32_t shapes = 0;
   std::uint32_t parts = 0;
   std::uint32_t lossBytes = 0;
+  std::uint32_t externalParts = 0;
+  std::uint32_t rootNameBytes = 0;  ///< of the one product of the file that is no assembly; else 0
   std::uint32_t unused = 0;
 };
 
@@ -59,6 +62,14 @@ struct Part {
   double colour[3] = {0.0, 0.0, 0.0};            ///< sRGB
   std::uint32_t pathBytes = 0;
   std::uint32_t unused = 0;
+};
+
+/// A product that the file places and another file has.
+struct ExternalPart {
+  double position[3] = {0.0, 0.0, 0.0};          ///< millimetres
+  double orientation[4] = {0.0, 0.0, 0.0, 1.0};  ///< x y z w
+  std::uint32_t pathBytes = 0;
+  std::uint32_t nameBytes = 0;
 };
 
 /// What an importing process may use, and the largest file that it is given.
@@ -85,5 +96,12 @@ constexpr Limits stepLimitsFor(std::uint64_t fileBytes) {
 inline constexpr std::uint32_t kMostElements = 64U << 20;
 /// Largest number of parts taken over.
 inline constexpr std::uint32_t kMostParts = 10'000;
+/// Largest number of files that a product may be in.
+inline constexpr std::uint32_t kMostFiles = 1'000;
+/// Most occurrences of assemblies and parts: assemblies that use each other twice at every level would take time
+/// without end.
+inline constexpr std::uint32_t kMostOccurrences = 100'000;
+/// Deepest nesting of assemblies, and of files.
+inline constexpr int kDeepestAssembly = 64;
 
 }  // namespace glissade::import_protocol

@@ -23,21 +23,30 @@ class StepDecoder {
  public:
   StepDecoder(const ImporterCall& call, ImporterAnswer& answer) : call_(call), answer_(answer) {}
 
-  Result<StepProduct> decode() {
+  Result<StepAnswer> decode() {
     protocol::AssemblyCounts counts;
-    if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts) {
+    if (!answer_.message.take(&counts, 1) || counts.parts > protocol::kMostParts || counts.shapes > counts.parts ||
+        counts.externalParts > protocol::kMostOccurrences) {
       return broken();
     }
+    StepAnswer product;
+    if (!takeName(counts.rootNameBytes, product.rootName)) return broken();
     for (std::uint32_t i = 0; i < counts.shapes; ++i) {
       if (const Outcome taken = takeShape(); !taken) return taken.error();
     }
-    StepProduct product;
     for (std::uint32_t i = 0; i < counts.parts; ++i) {
       auto part = takePart();
       if (!part) return part.error();
       if (!part->mesh->empty()) product.parts.push_back(std::move(*part));
     }
-    if (product.parts.empty()) return refusalOf(call_, "has no face that could be tessellated");
+    for (std::uint32_t i = 0; i < counts.externalParts; ++i) {
+      auto external = takeExternal();
+      if (!external) return external.error();
+      product.externals.push_back(std::move(*external));
+    }
+    if (product.parts.empty() && product.externals.empty()) {
+      return refusalOf(call_, "has no face that could be tessellated");
+    }
     const std::string losses = answer_.message.rest();
     if (losses.size() != counts.lossBytes) return broken();
     product.warnings = warningsOf(losses);
@@ -85,22 +94,48 @@ class StepDecoder {
     return Done{};
   }
 
-  Result<StepPart> takePart() {
-    constexpr std::uint32_t kLongestPath = 1U << 16;
-    protocol::Part record;
-    if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size() || record.pathBytes > kLongestPath) {
-      return broken();
-    }
-    const Shape& shape = shapes_[record.shape];
-    StepPart part{std::string(record.pathBytes, ' '), shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
-    if (!answer_.message.take(part.path.data(), part.path.size()) || part.path != printableLine(part.path)) {
-      return broken();
-    }
-    if (!paths_.insert(part.path).second) return broken();
-    part.X_FP.position = protocol::kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
+  bool takeName(std::uint32_t bytes, std::string& name) {
+    constexpr std::uint32_t kLongest = 1U << 16;
+    if (bytes > kLongest) return false;
+    name.resize(bytes);
+    return answer_.message.take(name.data(), name.size()) && name == printableLine(name);
+  }
+
+  /// Each path is there once.
+  bool takePath(std::uint32_t bytes, std::string& path) { return takeName(bytes, path) && paths_.insert(path).second; }
+
+  template <class Record>
+  Result<Pose> placeOf(const Record& record) const {
+    Pose X_FP;
+    X_FP.position = protocol::kMillimetre * Vector3(record.position[0], record.position[1], record.position[2]);
     const auto& [x, y, z, w] = record.orientation;
-    part.X_FP.orientation = Quaternion(w, x, y, z).normalized();
-    if (!isValid(part.X_FP)) return refusalOf(call_, "has a part that is at no place in space");
+    X_FP.orientation = Quaternion(w, x, y, z).normalized();
+    if (!isValid(X_FP)) return refusalOf(call_, "has a part that is at no place in space");
+    return X_FP;
+  }
+
+  Result<StepExternal> takeExternal() {
+    protocol::ExternalPart record;
+    StepExternal external;
+    if (!answer_.message.take(&record, 1) || !takePath(record.pathBytes, external.path) ||
+        !takeName(record.nameBytes, external.file) || external.file.empty()) {
+      return broken();
+    }
+    const auto place = placeOf(record);
+    if (!place) return place.error();
+    external.X_FP = *place;
+    return external;
+  }
+
+  Result<StepPart> takePart() {
+    protocol::Part record;
+    if (!answer_.message.take(&record, 1) || record.shape >= shapes_.size()) return broken();
+    const Shape& shape = shapes_[record.shape];
+    StepPart part{"", shape.mesh, {}, {}, shape.deflection, shape.facesWithoutMesh};
+    if (!takePath(record.pathBytes, part.path)) return broken();
+    const auto place = placeOf(record);
+    if (!place) return place.error();
+    part.X_FP = *place;
     if (record.hasColour != 0) {
       if (!std::all_of(record.colour, record.colour + 3, [](double value) { return std::isfinite(value); })) {
         return broken();
@@ -120,7 +155,7 @@ class StepDecoder {
 
 }  // namespace
 
-Result<StepProduct> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer) {
+Result<StepAnswer> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer) {
   return StepDecoder(call, answer).decode();
 }
 

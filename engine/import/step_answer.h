@@ -7,8 +7,23 @@
 
 namespace glissade {
 
-/// The product in what glissade-import-step wrote. Every count, number, index and name is checked: the program may have
+/// A product that a STEP file places and another file has.
+struct StepExternal {
+  std::string path;  ///< as of StepPart, below the root
+  Pose X_FP;
+  std::string file;  ///< as the STEP file names it
+};
+
+/// What one STEP file holds itself.
+struct StepAnswer {
+  std::string rootName;         ///< of the one product of the file, where it is no assembly; else empty
+  std::vector<StepPart> parts;  ///< with their paths below the root; none where `externals` has some
+  std::vector<StepExternal> externals;
+  Warnings warnings;
+};
+
+/// What glissade-import-step wrote. Every count, number, index and name is checked: the program may have
 /// been captured by its file. Errors are MalformedInput with the file's name.
-Result<StepProduct> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer);
+Result<StepAnswer> decodeStepAnswer(const ImporterCall& call, ImporterAnswer& answer);
 
 }  // namespace glissade

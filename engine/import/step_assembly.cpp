@@ -21,15 +21,14 @@
 
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
+#include "engine/import/step_external_files.h"
 #include "engine/import/step_losses.h"
+#include "engine/import/step_mirrors.h"
 
 namespace glissade {
 namespace {
 
-/// An assembly that holds itself would have no end.
-constexpr int kDeepestAssembly = 64;
-/// Assemblies that use each other twice at every level would take time without end.
-constexpr std::size_t kMostOccurrences = 100'000;
+namespace protocol = import_protocol;
 
 std::string nameOf(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
@@ -66,7 +65,11 @@ class UniqueNames {
 
 std::string joined(const std::string& path, const std::string& step) { return path.empty() ? step : path + "/" + step; }
 
-bool isRigid(const gp_Trsf& placement) { return std::abs(placement.ScaleFactor() - 1.0) < 1e-9; }
+bool isRigid(const gp_Trsf& placement) {
+  constexpr double kTolerance = 1e-9;
+  return std::abs(placement.ScaleFactor() - 1.0) < kTolerance &&
+         std::abs(placement.VectorialPart().Determinant() - 1.0) < kTolerance;
+}
 
 /// Solids, and what lies beside them: loose shells and faces as one.
 std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
@@ -84,20 +87,22 @@ std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
 
 class AssemblyWalk {
  public:
-  AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours)
-      : shapes_(shapes), colours_(colours) {}
+  AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours,
+               ExternalFiles externalFiles)
+      : shapes_(shapes), colours_(colours), externalFiles_(std::move(externalFiles)) {}
 
-  std::vector<StepSolid> walk() {
+  StepAssembly walk() {
     TDF_LabelSequence roots;
     shapes_->GetFreeShapes(roots);
-    // The one product that the file is about needs no name.
-    if (roots.Length() == 1 && XCAFDoc_ShapeTool::IsAssembly(roots.First())) {
-      visit(roots.First(), {"", TopLoc_Location(), colourOf(roots.First()), 0});
-      return std::move(solids_);
+    if (roots.Length() == 1) {
+      const TDF_Label& root = roots.First();
+      if (!XCAFDoc_ShapeTool::IsAssembly(root)) assembly_.rootName = stepOf(root, root);
+      visit(root, {"", TopLoc_Location(), colourOf(root), 0});
+    } else {
+      UniqueNames names;
+      for (const TDF_Label& root : roots) visit(root, {names.take(stepOf(root, root)), {}, colourOf(root), 0});
     }
-    UniqueNames names;
-    for (const TDF_Label& root : roots) visit(root, {names.take(stepOf(root, root)), {}, colourOf(root), 0});
-    return std::move(solids_);
+    return std::move(assembly_);
   }
 
  private:
@@ -112,10 +117,11 @@ class AssemblyWalk {
   };
 
   void visit(const TDF_Label& product, const Place& place) {
-    if (place.depth > kDeepestAssembly)
+    if (place.depth > protocol::kDeepestAssembly)
       throw std::runtime_error("its assemblies are nested too deeply, or hold themselves");
-    if (++occurrences_ > kMostOccurrences) {
-      throw std::runtime_error("it has more than " + std::to_string(kMostOccurrences) + " assemblies and parts");
+    if (++occurrences_ > protocol::kMostOccurrences) {
+      throw std::runtime_error("it has more than " + std::to_string(protocol::kMostOccurrences) +
+                               " assemblies and parts");
     }
     if (!XCAFDoc_ShapeTool::IsAssembly(product)) {
       addSolids(product, place);
@@ -136,20 +142,35 @@ class AssemblyWalk {
   }
 
   void addSolids(const TDF_Label& product, const Place& place) {
-    const std::vector<TopoDS_Shape> shapes = rigidShapesOf(XCAFDoc_ShapeTool::GetShape(product));
+    const TopoDS_Shape whole = XCAFDoc_ShapeTool::GetShape(product);
+    const std::vector<TopoDS_Shape> shapes = rigidShapesOf(whole);
+    if (shapes.empty()) addExternalPart(whole, place);
     UniqueNames names;
     for (const TopoDS_Shape& shape : shapes) {
-      if (solids_.size() == import_protocol::kMostParts) {
-        throw std::runtime_error("it has more than " + std::to_string(import_protocol::kMostParts) + " parts");
+      if (assembly_.solids.size() == protocol::kMostParts) {
+        throw std::runtime_error("it has more than " + std::to_string(protocol::kMostParts) + " parts");
       }
       OptionalColour colour = place.colour;
       if (!colour) colour = colourOf(shape);
       const std::string path =
           shapes.size() == 1 ? place.path : joined(place.path, names.take(solidName(product, shape)));
-      const gp_Trsf placement = (place.location * shape.Location()).Transformation();
-      if (!isRigid(placement)) throw std::runtime_error("'" + path + "' is mirrored or scaled by its assembly");
-      solids_.push_back({path, shape.Located(TopLoc_Location()), placement, colour});
+      assembly_.solids.push_back(
+          {path, shape.Located(TopLoc_Location()), rigidPlacement(place.location * shape.Location(), path), colour});
     }
+  }
+
+  /// A product without a shape may be in another file.
+  void addExternalPart(const TopoDS_Shape& shape, const Place& place) {
+    const auto file = externalFiles_.find(shape.TShape().get());
+    if (file == externalFiles_.end()) return;
+    const TopLoc_Location location = place.location * shape.Location();
+    assembly_.externalParts.push_back({place.path, rigidPlacement(location, place.path), file->second});
+  }
+
+  static gp_Trsf rigidPlacement(const TopLoc_Location& location, const std::string& path) {
+    const gp_Trsf& placement = location.Transformation();
+    if (!isRigid(placement)) throw std::runtime_error("'" + path + "' is mirrored or scaled by its assembly");
+    return placement;
   }
 
   /// The product's name, which people know; that of its use is often only a number.
@@ -191,7 +212,8 @@ class AssemblyWalk {
 
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
-  std::vector<StepSolid> solids_;
+  ExternalFiles externalFiles_;
+  StepAssembly assembly_;
   std::size_t occurrences_ = 0;
 };
 
@@ -237,17 +259,19 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
+  if (const auto mirror = mirrorOrScaleIn(reader)) throw std::runtime_error(*mirror);
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   if (!reader.Transfer(document)) throw std::runtime_error("it holds no product that can be understood");
-  if (!reader.ExternFiles().IsEmpty())
-    throw std::runtime_error("it names other files for its parts, which are not read");
-  std::vector<StepSolid> solids =
-      AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()))
-          .walk();
-  if (solids.empty()) throw std::runtime_error("it holds neither a solid nor a face");
+  StepAssembly assembly = AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()),
+                                       XCAFDoc_DocumentTool::ColorTool(document->Main()), externalFilesOf(reader))
+                              .walk();
+  if (assembly.solids.empty() && assembly.externalParts.empty()) {
+    throw std::runtime_error("it holds neither a solid nor a face");
+  }
   const std::vector<StepLoss> losses = lossesOf(reader);
-  if (!losses.empty()) assign(losses, solids);
-  return {std::move(solids), inLines(losses)};
+  if (!losses.empty()) assign(losses, assembly.solids);
+  assembly.losses = inLines(losses);
+  return assembly;
 }
 
 }  // namespace glissade

@@ -13,7 +13,7 @@ namespace glissade {
 
 /// A solid of a STEP file, or the surfaces of a product that are none, where the assembly has it.
 struct StepSolid {
-  /// Names on the way to it, each once among its sisters: "pump/rotor", "pin#2". UTF-8.
+  /// Names on the way to it below the root, each once among its sisters: "pump/rotor", "pin#2". UTF-8. Empty: the root.
   std::string path;
   TopoDS_Shape shape;                           ///< at its own origin; instances of one solid share it
   gp_Trsf placement;                            ///< millimetres
@@ -21,8 +21,17 @@ struct StepSolid {
   std::uint32_t losses = 0;                     ///< faces and boundaries that the file has and `shape` has not
 };
 
+/// A product that the file places and another file has.
+struct StepExternalPart {
+  std::string path;  ///< as of StepSolid
+  gp_Trsf placement;
+  std::string file;  ///< as the STEP file names it; UTF-8
+};
+
 struct StepAssembly {
+  std::string rootName;  ///< of the one product of the file, where it is no assembly; else empty
   std::vector<StepSolid> solids;
+  std::vector<StepExternalPart> externalParts;
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
 };
 

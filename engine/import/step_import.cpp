@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <string_view>
 
-#include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/import/step_answer.h"
+#include "engine/import/step_composition.h"
+#include "engine/import/step_ending.h"
 
 namespace glissade {
 namespace {
@@ -33,14 +34,8 @@ std::optional<Diagnostic> precheck(const ImporterCall& call, std::string_view te
   return std::nullopt;
 }
 
-}  // namespace
-
-bool isStepFile(const std::string& file) {
-  const std::string ending = endingOf(file);
-  return ending == "step" || ending == "stp";
-}
-
-Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
+/// Without the files that it names.
+Result<StepAnswer> importOneFile(const FileContent& content, double deflection, const StopToken& stop) {
   const std::string millimetres = toText(deflection / protocol::kMillimetre);
   const ImporterCall call{"glissade-import-step",
                           {millimetres},
@@ -52,6 +47,14 @@ Result<StepProduct> importStep(const FileContent& content, double deflection, co
   auto answer = callImporter(call, content.bytes, stop);
   if (!answer) return answer.error();
   return decodeStepAnswer(call, *answer);
+}
+
+}  // namespace
+
+bool isStepFile(const std::string& file) { return hasStepEnding(file); }
+
+Result<StepProduct> importStep(const FileContent& content, double deflection, const StopToken& stop) {
+  return composeStepProduct(content, [&](const FileContent& file) { return importOneFile(file, deflection, stop); });
 }
 
 Result<StepProduct> importStep(const std::string& file, double deflection, const StopToken& stop) {

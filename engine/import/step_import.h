@@ -23,15 +23,26 @@ struct StepPart {
   std::size_t facesWithoutMesh = 0;             ///< faces and boundaries that could not be made: they are missing
 };
 
-/// The content of a STEP file.
+/// A file that another one names for a part of its product.
+struct StepPartFile {
+  std::string name;    ///< below the folder of the product's file, '/' separated; as it is named where it is not there
+  std::string sha256;  ///< of the bytes that were read; empty: it is not there
+};
+
+/// The content of a STEP file, and of those that it names for its parts.
 struct StepProduct {
   std::vector<StepPart> parts;  ///< at least one
-  Warnings warnings;            ///< what the file says and OpenCASCADE has not made, with the entity
+  /// What the files say and OpenCASCADE has not made, with the entity; files that are not there, with their parts.
+  Warnings warnings;
+  std::vector<StepPartFile> partFiles;  ///< each once, in the order in which they are named
 };
 
 /// Imports a STEP file (AP203, AP214, AP242) with OpenCASCADE, in a process of its own that can open no
 /// file and has limited memory and time. The file's unit is honoured. `deflection`: metres that the
 /// triangles may be off curved surfaces; 0: usualDeflection() of each part.
+///
+/// Parts that are in files of their own are read from the folder of the file and those below it, each file once and in
+/// a process of its own (step_composition.h has the rules).
 ///
 /// Takes its time: seconds for thousands of faces. Errors are MalformedInput with the file's name, or
 /// Interrupted where it was stopped.

@@ -8,6 +8,7 @@
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
 #include "engine/geometry/primitives.h"
+#include "engine/import/hole_closing.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
@@ -51,12 +52,39 @@ const Asset& assetById(const std::string& id, const Scenario& scenario) {
   return *std::find_if(scenario.assets.begin(), scenario.assets.end(), [&](const Asset& a) { return a.id == id; });
 }
 
+/// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
+void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings& warnings) {
+  if (count == 0) return;
+  warnings.push_back({ErrorKind::MalformedInput, file, "",
+                      "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
+                      "They have no area, so that no surface is missing."});
+}
+
+/// With its planar holes closed, and said.
+TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, Warnings& warnings) {
+  ClosedHoles closed = withPlanarHolesClosed(mesh);
+  if (closed.closed + closed.left == 0) return mesh;
+  warnings.push_back({ErrorKind::MalformedInput, file, "",
+                      "had " + std::to_string(closed.closed) + " planar holes, which were closed as asked for; " +
+                          std::to_string(closed.left) + " holes are left open",
+                      "Look at them: what is behind a closed hole is solid."});
+  return std::move(closed.mesh);
+}
+
+/// Of the file's bytes; where it names others for its parts, of all their hashes and names.
+std::string hashOf(const FileContent& content, const StepProduct& product) {
+  std::string hash = sha256(content.bytes);
+  if (product.partFiles.empty()) return hash;
+  for (const StepPartFile& file : product.partFiles) hash += "\n" + file.sha256 + " " + file.name;
+  return sha256(hash);
+}
+
 }  // namespace
 
 std::string geometryKey(const Geometry& geometry, const Scenario& scenario, const std::string& folder) {
   const auto ofAsset = [&](const std::string& kind, const std::string& id) {
     const Asset& asset = assetById(id, scenario);
-    return kind + " " + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
+    return kind + (asset.closeHoles ? " closed " : " ") + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
            withoutLinks(assetFile(asset, folder));
   };
   return std::visit(Overloaded{[&](const MeshGeometry& mesh) { return ofAsset("mesh", mesh.asset); },
@@ -95,7 +123,18 @@ Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
     loaded = std::make_shared<const LoadedGeometry>(std::move(*read));
   }
   if (const std::string* asset = assetOf(geometry)) hashes_[*asset] = loaded->sha256;
+  takeWarnings(*loaded);
   return loaded;
+}
+
+/// Each once, also where it was read before and several bodies have it.
+void GeometryLoader::takeWarnings(const LoadedGeometry& geometry) {
+  for (const Diagnostic& warning : geometry.warnings) {
+    const bool known = std::any_of(warnings_.begin(), warnings_.end(), [&](const Diagnostic& other) {
+      return other.file == warning.file && other.location == warning.location && other.reason == warning.reason;
+    });
+    if (!known) warnings_.push_back(warning);
+  }
 }
 
 void GeometryLoader::noteHashes(Scenario& scenario) const {
@@ -121,17 +160,19 @@ Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
       geometry);
 }
 
-/// Reads the file of an asset, once; warns where it is not the one that the scenario was saved with.
+/// Reads the file of an asset, once.
 Result<FileContent> GeometryLoader::readAsset(const Asset& asset) {
   auto content = readContent(assetFile(asset, folder_), mostFileBytes());
-  if (!content) return content.error();
-  std::string& hash = hashes_[asset.id];
-  hash = sha256(content->bytes);
-  if (!asset.sha256.empty() && hash != asset.sha256) {
-    warnings_.push_back({ErrorKind::MalformedInput, content->file, "", "has changed since the scenario was saved",
-                         "Check the scenario and save it again."});
-  }
+  if (content) noteHash(asset, content->file, sha256(content->bytes));
   return content;
+}
+
+/// Warns where what was read is not what the scenario was saved with.
+void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const std::string& hash) {
+  hashes_[asset.id] = hash;
+  if (asset.sha256.empty() || hash == asset.sha256) return;
+  warnings_.push_back({ErrorKind::MalformedInput, file, "", "has changed since the scenario was saved",
+                       "Check the scenario and save it again."});
 }
 
 Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
@@ -139,28 +180,23 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   if (!content) return content.error();
   const auto imported = importMesh(*content, stop_);
   if (!imported) return imported.error();
-  warnings_.insert(warnings_.end(), imported->warnings.begin(), imported->warnings.end());
-  LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset.unit, asset.up)));
-  GeometryPart& part = geometry.parts.front();
-  if (part.mesh->empty()) {
+  TriangleMesh mesh = welded(interpreted(imported->mesh, asset.unit, asset.up));
+  if (mesh.empty()) {
     return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
                       "Export the part again."};
   }
-  warnOfRemovedTriangles(imported->mesh.triangles.size() - part.mesh->triangles.size(), content->file);
+  Warnings warnings = imported->warnings;
+  warnOfRemovedTriangles(imported->mesh.triangles.size() - mesh.triangles.size(), content->file, warnings);
+  if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
+  LoadedGeometry geometry = single(std::move(mesh));
+  geometry.warnings = std::move(warnings);
+  GeometryPart& part = geometry.parts.front();
   part.coordinateSpacing = asset.unit * imported->coordinateSpacing;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
   geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();
   geometry.sha256 = hashes_[asset.id];
   return geometry;
-}
-
-/// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
-void GeometryLoader::warnOfRemovedTriangles(std::size_t count, const std::string& file) {
-  if (count == 0) return;
-  warnings_.push_back({ErrorKind::MalformedInput, file, "",
-                       "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
-                       "They have no area, so that no surface is missing."});
 }
 
 Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
@@ -181,13 +217,14 @@ Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
 
 Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
   if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
-  const auto content = readAsset(asset);
+  const auto content = readContent(assetFile(asset, folder_), mostFileBytes());
   if (!content) return content.error();
   const auto product = importStep(*content, asset.deflection, stop_);
   if (!product) return product.error();
+  noteHash(asset, content->file, hashOf(*content, *product));
   const std::vector<StepPart>& parts = product->parts;
-  warnings_.insert(warnings_.end(), product->warnings.begin(), product->warnings.end());
   LoadedGeometry geometry;
+  geometry.warnings = product->warnings;
   geometry.sha256 = hashes_[asset.id];
   for (const StepPart& part : parts) {
     const std::string name = parts.size() == 1 ? "" : part.path;
@@ -202,6 +239,7 @@ Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
   if (!whole) return whole.error();
   LoadedGeometry geometry;
   geometry.sha256 = (*whole)->sha256;
+  geometry.warnings = (*whole)->warnings;
   for (const GeometryPart& part : (*whole)->parts) {
     if (!isWithin(part.name, step.part)) continue;
     geometry.parts.push_back(part);

@@ -37,11 +37,12 @@ class GeometryLoader {
  private:
   Result<LoadedGeometry> read(const Geometry& geometry);
   Result<FileContent> readAsset(const Asset& asset);
+  void noteHash(const Asset& asset, const std::string& file, const std::string& hash);
   Result<LoadedGeometry> readMesh(const Asset& asset);
   Result<LoadedGeometry> readUrdf(const Asset& asset);
   Result<LoadedGeometry> readStep(const Asset& asset);
   Result<LoadedGeometry> partOf(const StepGeometry& step);
-  void warnOfRemovedTriangles(std::size_t count, const std::string& file);
+  void takeWarnings(const LoadedGeometry& geometry);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const Scenario& scenario_;

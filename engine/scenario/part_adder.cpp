@@ -73,13 +73,13 @@ std::string PartAdder::assetOf(const PartFile& part) {
   const auto same = std::find_if(scenario_.assets.begin(), scenario_.assets.end(), [&](const Asset& asset) {
     std::error_code noneThere;
     return asset.unit == part.unit && asset.up == part.up && asset.deflection == part.deflection &&
-           fs::equivalent(assetFile(asset, folder_), part.path, noneThere);
+           asset.closeHoles == part.closeHoles && fs::equivalent(assetFile(asset, folder_), part.path, noneThere);
   });
   if (same != scenario_.assets.end()) return same->id;
   const std::string path = fs::absolute(part.path).lexically_normal().generic_string();
   const std::string id = uniqueId(stemOf(part), assetIds(scenario_));
   scenario_.assets.push_back(
-      {id, saved_ ? assetPathFrom(folder_, path) : path, "", part.unit, part.up, part.deflection});
+      {id, saved_ ? assetPathFrom(folder_, path) : path, "", part.unit, part.up, part.deflection, part.closeHoles});
   return id;
 }
 

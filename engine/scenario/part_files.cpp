@@ -60,6 +60,11 @@ bool isUrdfFile(const std::string& path) { return endingOf(path) == "urdf"; }
 
 bool saysItsUnit(const std::string& path) { return isUrdfFile(path) || isStepFile(path); }
 
+bool saysNoUnit(const std::string& path) {
+  const std::string ending = endingOf(path);
+  return ending == "stl" || ending == "obj" || ending == "ply";
+}
+
 bool isPartFile(const std::string& path) { return saysItsUnit(path) || isMeshFile(path); }
 
 PartFile usualPart(const std::string& text) {

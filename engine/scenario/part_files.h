@@ -20,6 +20,7 @@ struct PartFile {
   UpAxis up = UpAxis::Z;    ///< Z where saysItsUnit()
   std::string part{};       ///< of a STEP file, or an assembly in it, as "pump/rotor"; empty: all of the file
   double deflection = 0.0;  ///< as of Asset
+  bool closeHoles = false;  ///< as of Asset
 };
 
 /// A static part, taken as files of its kind usually are: Collada and glTF in metres and y up, URDF and STEP
@@ -31,6 +32,9 @@ bool isUrdfFile(const std::string& path);
 
 /// URDF and STEP: the file says what its numbers mean, whatever a person says, and is z up.
 bool saysItsUnit(const std::string& path);
+
+/// Whether nothing says what a unit of the file is: STL, OBJ, PLY. Its size may tell (unit_guess.h).
+bool saysNoUnit(const std::string& path);
 
 /// Whether the ending is one that parts have: of a mesh, a STEP or a URDF file.
 bool isPartFile(const std::string& path);

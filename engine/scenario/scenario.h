@@ -23,11 +23,14 @@ enum class UpAxis { Y, Z };
 /// A file that geometry comes from.
 struct Asset {
   std::string id;
-  std::string path;    ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
-  std::string sha256;  ///< of the content that was loaded, or when the scenario was saved; empty: unknown
-  double unit = 1.0;   ///< metres per unit of the file (the chosen interpretation)
+  std::string path;  ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
+  /// Of the content that was loaded, or when the scenario was saved; empty: unknown. Where a STEP file names others for
+  /// its parts, of their contents, too.
+  std::string sha256;
+  double unit = 1.0;  ///< metres per unit of the file (the chosen interpretation)
   UpAxis up = UpAxis::Z;
   double deflection = 0.0;  ///< metres that triangles may be off a STEP surface; 0: by the size of each part
+  bool closeHoles = false;  ///< of a mesh: planar holes are closed
 };
 
 struct MeshGeometry {
@@ -122,7 +125,9 @@ struct GeometryPart {
 struct LoadedGeometry {
   std::vector<GeometryPart> parts;
   Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
-  std::string sha256;                    ///< of the bytes that it was read from; empty for primitives
+  /// Of the bytes that it was read from, and of the files that a STEP file names; empty for primitives.
+  std::string sha256;
+  Warnings warnings;  ///< what was lost, left out or added in reading it
 };
 using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
 /// By what was asked for: a file and how it is interpreted, or a primitive's sizes.

@@ -33,7 +33,8 @@ void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScen
   }
   if (found->second) return;
   loaded.warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
-                             "Being inside it is not seen as a collision; close its surface."});
+                             "Being inside it is not seen as a collision; close its surface, or let planar holes be "
+                             "closed (--close-holes)."});
 }
 
 bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {

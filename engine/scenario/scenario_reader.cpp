@@ -29,7 +29,7 @@ Colour readColour(const JsonCursor& at) {
 }
 
 Asset readAsset(const JsonCursor& at) {
-  at.allowOnly({"id", "path", "sha256", "unit", "up_axis", "deflection"});
+  at.allowOnly({"id", "path", "sha256", "unit", "up_axis", "deflection", "close_holes"});
   Asset asset;
   asset.id = at.at("id").nonEmptyText();
   asset.path = at.at("path").exactText();
@@ -41,6 +41,7 @@ Asset readAsset(const JsonCursor& at) {
     asset.up = axis == "y" ? UpAxis::Y : UpAxis::Z;
   }
   if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
+  if (const auto close = at.find("close_holes")) asset.closeHoles = close->boolean();
   return asset;
 }
 

@@ -20,6 +20,7 @@ Json toJson(const Asset& asset) {
   json["unit"] = asset.unit;
   json["up_axis"] = asset.up == UpAxis::Y ? "y" : "z";
   if (asset.deflection > 0.0) json["deflection"] = asset.deflection;
+  if (asset.closeHoles) json["close_holes"] = true;
   return json;
 }
 

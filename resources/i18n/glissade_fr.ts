@@ -1532,6 +1532,54 @@
         <source>Correct the file.</source>
         <translation>Corriger le fichier.</translation>
     </message>
+    <message>
+        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is not there (looked for in &apos;%2&apos;)</source>
+        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » n&apos;existe pas (cherché dans « %2 »)</translation>
+    </message>
+    <message>
+        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is outside its folder (looked for in &apos;%2&apos;)</source>
+        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » est hors du dossier (cherché dans « %2 »)</translation>
+    </message>
+    <message>
+        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is no STEP file (looked for in &apos;%2&apos;)</source>
+        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » n&apos;est pas un fichier STEP (cherché dans « %2 »)</translation>
+    </message>
+    <message>
+        <source>%1 more files of its parts are missing</source>
+        <translation>%1 autres fichiers de ses pièces manquent</translation>
+    </message>
+    <message>
+        <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
+        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
+    </message>
+    <message>
+        <source>Put the files there and load again, or export the product as one file.</source>
+        <translation>Y placer les fichiers et recharger, ou exporter le produit en un seul fichier.</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos; for a part, which holds this file itself</source>
+        <translation>nomme « %1 » pour une pièce, qui contient ce fichier lui-même</translation>
+    </message>
+    <message>
+        <source>Export the product as one file.</source>
+        <translation>Exporter le produit en un seul fichier.</translation>
+    </message>
+    <message>
+        <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
+        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
+    </message>
+    <message>
+        <source>Look at them: what is behind a closed hole is solid.</source>
+        <translation>À vérifier : ce qui est derrière un trou fermé est plein.</translation>
+    </message>
+    <message>
+        <source>is not a closed surface</source>
+        <translation>n&apos;est pas une surface fermée</translation>
+    </message>
+    <message>
+        <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
+        <translation>Se trouver à l&apos;intérieur n&apos;est pas vu comme une collision ; fermer sa surface, ou faire fermer les trous plans (--close-holes).</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -3733,6 +3781,22 @@
         <source>Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)</source>
         <translation>Pièces (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Close planar &amp;holes</source>
+        <translation>Fermer les &amp;trous plans</translation>
+    </message>
+    <message>
+        <source>Closes holes of meshes whose edge lies in a plane; a warning says how many</source>
+        <translation>Ferme les trous des maillages dont le bord est dans un plan ; un avertissement dit combien</translation>
+    </message>
+    <message>
+        <source>Is the unit right? The files do not say it, and their size does not tell. Choose it.</source>
+        <translation>L&apos;unité est-elle juste ? Les fichiers ne la disent pas, et leur taille ne la révèle pas. La choisir.</translation>
+    </message>
+    <message>
+        <source>The files do not say their unit: by their size it is the metre.</source>
+        <translation>Les fichiers ne disent pas leur unité : d&apos;après leur taille, c&apos;est le mètre.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::PathController</name>
@@ -3888,6 +3952,30 @@
     <message>
         <source>Placement of %1, mm and °</source>
         <translation>Position de %1, mm et °</translation>
+    </message>
+    <message>
+        <source>Point that the numbers are about</source>
+        <translation>Point auquel les nombres se rapportent</translation>
+    </message>
+    <message>
+        <source>What the numbers are about; poses of a CAD system are about the origin of its file</source>
+        <translation>Ce à quoi les nombres se rapportent ; les poses d&apos;un système de CAO se rapportent à l&apos;origine de son fichier</translation>
+    </message>
+    <message>
+        <source>Origin of the file</source>
+        <translation>Origine du fichier</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Milieu</translation>
+    </message>
+    <message>
+        <source>Reference point</source>
+        <translation>Point de référence</translation>
+    </message>
+    <message>
+        <source>What the poses of path files are about</source>
+        <translation>Ce à quoi les poses des fichiers de chemin se rapportent</translation>
     </message>
 </context>
 <context>

@@ -222,6 +222,48 @@ TEST_F(Cli, LengthsBeyondTheLimitAreWrongUsage) {
   EXPECT_EQ(run("new " + (folder / "made.json").string() + " --moves a.stl --unit 1e10").exitCode, 2);
 }
 
+/// 24 mm in metres, as a CAD system without a choice of units writes it.
+TEST_F(Cli, AUnitIsAnyLengthAndIsGuessedFromTheSizeWhereItIsNotGiven) {
+  const std::string made = (folder / "made.json").string();
+  const std::string part =
+      write("a.obj", "v 0 0 0\nv .024 0 0\nv 0 .024 0\nv 0 0 .024\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  const auto unitOf = [&](const std::string& options) {
+    const Finished run = this->run("new " + made + " --moves " + part + options);
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.err.find("does not say its unit") != std::string::npos, options.empty()) << run.err;
+    return Json::parse(read(made))["assets"][0]["unit"].get<double>();
+  };
+  EXPECT_EQ(unitOf(""), 1.0);
+  EXPECT_EQ(unitOf(" --unit 1m"), 1.0);
+  EXPECT_EQ(unitOf(" --unit 1in"), 0.0254);
+  EXPECT_EQ(unitOf(" --unit 25.4mm"), 0.0254);
+  EXPECT_EQ(unitOf(" --unit '1 in'"), 0.0254);
+  EXPECT_EQ(unitOf(" --unit 2cm"), 0.02);
+  for (const char* wrong : {"in", "1 furlong", "1inm", "'1 in in'", "0mm", "-1mm"}) {
+    EXPECT_EQ(run("new " + made + " --moves " + part + " --unit " + wrong).exitCode, 2) << wrong;
+  }
+}
+
+/// A box without its lid.
+TEST_F(Cli, PlanarHolesAreClosedWhereThatIsAskedFor) {
+  const std::string made = (folder / "made.json").string();
+  const std::string part = write("open.obj",
+                                 "v 0 0 0\nv 30 0 0\nv 30 30 0\nv 0 30 0\nv 0 0 30\nv 30 0 30\nv 30 30 30\nv 0 30 "
+                                 "30\nf 4 3 2 1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const Finished open = run("new " + made + " --moves " + part);
+  EXPECT_EQ(open.exitCode, 0) << open.err;
+  EXPECT_NE(open.err.find("is not a closed surface"), std::string::npos) << open.err;
+  EXPECT_EQ(Json::parse(run("info " + made + " --json").out)["object"]["closed"], false);
+  const Finished closed = run("new " + made + " --moves " + part + " --close-holes");
+  EXPECT_EQ(closed.exitCode, 0) << closed.err;
+  EXPECT_NE(closed.err.find("had 1 planar holes, which were closed as asked for; 0 holes"), std::string::npos)
+      << closed.err;
+  const Finished info = run("info " + made + " --json");
+  EXPECT_EQ(Json::parse(info.out)["object"]["closed"], true);
+  EXPECT_NEAR(Json::parse(info.out)["object"]["volume_m3"].get<double>(), 2.7e-5, 1e-12);
+  EXPECT_NE(info.err.find("planar holes"), std::string::npos) << "said whenever it is loaded";
+}
+
 TEST_F(Cli, APathThroughTheWallIsInvalid) {
   const std::string file = scenario([](Json&) {});
   const std::string path = write("through.path", "-1 0 0 0 0 0 1\n1 0 0 0 0 0 1\n");

@@ -81,6 +81,36 @@ TEST_F(PartsPage, TheSmallestPartMovesUntilSomebodyChooses) {
   EXPECT_EQ(roles(dialog), (std::vector<PartRole>{kStatic, kStatic, kStatic}));
 }
 
+std::string tetrahedron(double edge) {
+  const std::string e = std::to_string(edge);
+  return "v 0 0 0\nv " + e + " 0 0\nv 0 " + e + " 0\nv 0 0 " + e + "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+}
+
+TEST_F(PartsPage, UnitsAreGuessedAndAskedForWhereTheSizeDoesNotTell) {
+  PartsDialog small(Purpose::NewScenario, {write("small.obj", tetrahedron(0.024))}, true);
+  EXPECT_EQ(combo(small, 0, PartsDialog::kUnit).currentText(), QStringLiteral("m"));
+  EXPECT_EQ(small.parts()[0].unit, 1.0);
+  EXPECT_TRUE(hint(small).contains(QStringLiteral("metre"))) << hint(small).toStdString();
+  choose(small, 0, PartsDialog::kUnit, "inch");
+  EXPECT_EQ(small.parts()[0].unit, 0.0254) << "what a person chooses stays";
+  EXPECT_EQ(hint(small), QString());
+
+  PartsDialog doubtful(Purpose::NewScenario, {write("two.obj", tetrahedron(2.0))}, true);
+  EXPECT_TRUE(hint(doubtful).contains(QStringLiteral("Is the unit right?"))) << hint(doubtful).toStdString();
+  choose(doubtful, 0, PartsDialog::kUnit, "mm");
+  EXPECT_EQ(hint(doubtful), QString());
+}
+
+TEST_F(PartsPage, PlanarHolesAreClosedOnDemand) {
+  const PartsDialog dialog(Purpose::NewScenario, files(), true);
+  EXPECT_FALSE(dialog.parts()[0].closeHoles);
+  auto* box = dialog.findChild<QCheckBox*>(QStringLiteral("close-holes"));
+  ASSERT_NE(box, nullptr);
+  box->setChecked(true);
+  EXPECT_TRUE(dialog.parts()[0].closeHoles);
+  EXPECT_TRUE(dialog.parts()[1].closeHoles);
+}
+
 TEST_F(PartsPage, ChoosingThePartThatMovesTakesItFromTheOther) {
   PartsDialog dialog(Purpose::NewScenario, files(), true);
   choose(dialog, 0, PartsDialog::kRole, "Moves");

@@ -44,5 +44,25 @@ TEST_F(PlacementPanelTest, OnlyTheNumberThatIsChangedChanges) {
   EXPECT_EQ(placed.back().position, Vector3(1.0 / 3.0, 0.5, 1.0 / 7.0));
 }
 
+TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
+  const Pose before{Vector3(0.1, 0.2, 0.3), fromRollPitchYaw(0.0, 0.0, std::acos(0.0))};  // a quarter about z
+  const PlacementPoints points{Vector3(-0.01, 0, 0), Vector3(0, 0.04, 0)};
+  panel.show(QStringLiteral("part"), before, points);
+  auto& about = *panel.findChild<QComboBox*>(QStringLiteral("place-about"));
+  EXPECT_FALSE(about.isHidden());
+  EXPECT_NEAR(box("place-y").value(), 190.0, 1e-9) << "the origin of the file";
+  about.setCurrentIndex(about.findText(QStringLiteral("Middle")));
+  EXPECT_NEAR(box("place-x").value(), 60.0, 1e-9);
+  EXPECT_TRUE(placed.isEmpty()) << "nothing has moved";
+  box("place-x").setValue(0.0);
+  EXPECT_TRUE((placed.back() * points.middle).isApprox(Vector3(0, 0.2, 0.3), 1e-12));
+  box("turn-z").setValue(0.0);
+  EXPECT_TRUE((placed.back() * points.middle).isApprox(Vector3(0, 0.2, 0.3), 1e-12)) << "it turns about its middle";
+  about.setCurrentIndex(about.findText(QStringLiteral("Reference point")));
+  EXPECT_NEAR(box("place-y").value(), 160.0, 1e-9);
+  panel.show(QString(), std::nullopt);
+  EXPECT_TRUE(about.isHidden());
+}
+
 }  // namespace
 }  // namespace glissade

@@ -152,6 +152,10 @@ std::string stepProtocol(const std::string& bytes) {
     return "is no message";
   const auto product = decodeStepAnswer(call, answer);
   if (!product) return requireError(product.error());
+  for (const StepExternal& part : product->externals) {
+    require(isUtf8(part.path) && isUtf8(part.file) && isValid(part.X_FP),
+            "a file that is named has a name and a place");
+  }
   for (const StepPart& part : product->parts) {
     require(isUtf8(part.path) && isValid(part.X_FP), "a part has a name and a place");
     for (const TriangleIndices& triangle : part.mesh->triangles) {

@@ -168,7 +168,11 @@ std::vector<GoodFile> makeGoodFiles(const std::string& folder, const std::string
   addAsset("glb", "mesh", ".glb", meshFile(part, MeshFormat::Glb));
   addAsset("gltf", "mesh", ".gltf", kGltf);
   addAsset("urdf", "urdf", ".urdf", kUrdf);
-  for (const std::string name : {"box", "plate"}) {
+  for (const std::string solid : {"plate", "pin", "housing", "rotor"}) {
+    const std::string file = "split-" + solid + ".stp";
+    if (!stepFiles.empty() && fs::exists(stepFiles + "/" + file)) save(in(file), contentOf(stepFiles + "/" + file));
+  }
+  for (const std::string name : {"box", "plate", "split"}) {
     const std::string step = stepFiles + "/" + name + ".step";
     if (!stepFiles.empty() && fs::exists(step)) addAsset("step-" + name, "step", ".step", contentOf(step));
   }

@@ -88,14 +88,15 @@ class Product {
     shapes_->AddComponent(assembly, part, place);
   }
 
-  void write(const std::string& file, const char* unit = "MM") {
+  /// `partFiles`: how the names of files begin that hold a part each; null: all is in one file.
+  void write(const std::string& file, const char* unit = "MM", const char* partFiles = nullptr) {
     shapes_->UpdateAssemblies();
     STEPCAFControl_Controller::Init();
     Interface_Static::SetCVal("write.step.unit", unit);  // counts for writers that are made from now on
     STEPCAFControl_Writer writer;
     writer.SetColorMode(true);
     writer.SetNameMode(true);
-    if (!writer.Transfer(document_, STEPControl_AsIs) || writer.Write(file.c_str()) != IFSelect_RetDone) {
+    if (!writer.Transfer(document_, STEPControl_AsIs, partFiles) || writer.Write(file.c_str()) != IFSelect_RetDone) {
       throw std::string("cannot write " + file);
     }
   }
@@ -167,6 +168,22 @@ void writeFits(const std::string& file) {
   product.write(file);
 }
 
+/// A plate, two pins, and a pump of two parts, each in a file of its own beside the product's.
+void writeSplit(const std::string& folder) {
+  Product product;
+  const TDF_Label plate = product.part("plate", plateWithHole());
+  const TDF_Label pin = product.part("pin", cylinder(8, 40));
+  const TDF_Label pump = product.assembly("pump");
+  product.put(product.part("housing", box(40, 40, 40)), pump, at(0, 0, 0));
+  product.put(product.part("rotor", cylinder(5, 30)), pump, turnedAt(0, -50, 0));
+  const TDF_Label unit = product.assembly("unit");
+  product.put(plate, unit, at(0, 0, 0));
+  product.put(pin, unit, at(0, 0, 10));
+  product.put(pin, unit, turnedAt(0, 200, 8));
+  product.put(pump, unit, turnedAt(300, 0, 20));
+  product.write(folder + "/split.step", "MM", "split-");
+}
+
 void writeAll(const std::string& folder) {
   writePart(folder + "/box.step", "box", box(100, 50, 20));
   writePart(folder + "/cylinder.STP", "cylinder", cylinder(10, 40));
@@ -179,6 +196,7 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
+  writeSplit(folder);
 }
 
 }  // namespace

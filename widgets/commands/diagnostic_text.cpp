@@ -42,6 +42,26 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "cannot be written"),
     QT_TRANSLATE_NOOP("Diagnostics", "does not exist"),
     QT_TRANSLATE_NOOP("Diagnostics", "Correct the file."),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "is missing, and is free space to every proof: its file '%1' is not there (looked for in '%2')"),
+    QT_TRANSLATE_NOOP(
+        "Diagnostics",
+        "is missing, and is free space to every proof: its file '%1' is outside its folder (looked for in '%2')"),
+    QT_TRANSLATE_NOOP(
+        "Diagnostics",
+        "is missing, and is free space to every proof: its file '%1' is no STEP file (looked for in '%2')"),
+    QT_TRANSLATE_NOOP("Diagnostics", "%1 more files of its parts are missing"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "has its parts in other files, and none of them is there: %1 (looked for in '%2')"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Put the files there and load again, or export the product as one file."),
+    QT_TRANSLATE_NOOP("Diagnostics", "names '%1' for a part, which holds this file itself"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Export the product as one file."),
+    QT_TRANSLATE_NOOP("Diagnostics", "had %1 planar holes, which were closed as asked for; %2 holes are left open"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Look at them: what is behind a closed hole is solid."),
+    QT_TRANSLATE_NOOP("Diagnostics", "is not a closed surface"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "Being inside it is not seen as a collision; close its surface, or let planar holes be closed "
+                      "(--close-holes)."),
 };
 
 /// The sentence as a pattern: what %1 and %2 stand for is captured.

@@ -15,6 +15,8 @@
 #include <memory>
 #include <utility>
 
+#include "engine/import/mesh_import.h"
+
 namespace glissade {
 namespace {
 
@@ -79,6 +81,7 @@ PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce,
       atOnce_(atOnce),
       table_(new QTableWidget(0, 5, this)),
       remove_(new QPushButton(tr("&Remove"), this)),
+      closeHoles_(new QCheckBox(tr("Close planar &holes"), this)),
       hint_(new QLabel(this)) {
   setObjectName(QStringLiteral("parts"));
   setWindowTitle(purpose == Purpose::NewScenario ? tr("New scenario from parts") : tr("Add parts"));
@@ -123,6 +126,9 @@ QLayout* PartsDialog::makeFileButtons() {
   row->addWidget(add);
   row->addWidget(remove_);
   row->addStretch(1);
+  row->addWidget(closeHoles_);
+  closeHoles_->setObjectName(QStringLiteral("close-holes"));
+  closeHoles_->setToolTip(tr("Closes holes of meshes whose edge lies in a plane; a warning says how many"));
   const auto* del = new QShortcut(QKeySequence::Delete, table_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
   connect(del, &QShortcut::activated, this, &PartsDialog::removeSelected);
   connect(add, &QPushButton::clicked, this, &PartsDialog::chooseFiles);
@@ -158,7 +164,7 @@ void PartsDialog::addFiles(const QStringList& files) {
 }
 
 void PartsDialog::addRow(int row, const PartFile& part) {
-  rows_.insert(rows_.begin() + row, {part, std::nullopt});
+  rows_.insert(rows_.begin() + row, {part, std::nullopt, false});
   table_->insertRow(row);
   for (const Column column : {kPart, kSize}) table_->setItem(row, column, new QTableWidgetItem);
   const QString file = QString::fromStdString(part.path);
@@ -204,7 +210,9 @@ QComboBox* PartsDialog::makeUnit(const QString& name) {
   unit->addItem(tr("inch"), 0.0254);
   connect(unit, QOverload<int>::of(&QComboBox::activated), this, [this, unit] {
     for (const int i : rowsWith(rowOf(unit, kUnit))) {
-      if (!saysItsUnit(rows_[i].part.path)) rows_[i].part.unit = unit->currentData().toDouble();
+      if (saysItsUnit(rows_[i].part.path)) continue;
+      rows_[i].part.unit = unit->currentData().toDouble();
+      rows_[i].unitChosen = true;
     }
     refresh();
   });
@@ -326,6 +334,22 @@ bool PartsDialog::hasMoving() const {
   return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.part.role == PartRole::Moves; });
 }
 
+/// Of the files that do not say theirs, as long as nobody has chosen.
+void PartsDialog::guessUnits() {
+  unitGuess_.reset();
+  if (!isMeasured()) return;
+  std::vector<Row*> guessed;
+  std::vector<Box3> boxes;
+  for (Row& row : rows_) {
+    if (row.unitChosen || !row.inFile->ok() || !saysNoUnit(row.part.path)) continue;
+    guessed.push_back(&row);
+    boxes.push_back(**row.inFile);
+  }
+  if (guessed.empty()) return;
+  unitGuess_ = guessUnit(boxes);
+  for (Row* row : guessed) row->part.unit = unitGuess_->unit;
+}
+
 /// The smallest part, as long as nobody has chosen.
 void PartsDialog::guessWhatMoves() {
   if (purpose_ != Purpose::NewScenario || roleChosen_ || !isMeasured()) return;
@@ -340,6 +364,7 @@ void PartsDialog::guessWhatMoves() {
 }
 
 void PartsDialog::refresh() {
+  guessUnits();
   guessWhatMoves();
   for (int row = 0; row < table_->rowCount(); ++row) showRow(row);
   hint_->setText(hint());
@@ -383,12 +408,20 @@ QString PartsDialog::hint() const {
   }
   if (!isMeasured()) return tr("The files are being read.");
   if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
+  if (unitGuess_ && unitGuess_->inDoubt) {
+    return tr("Is the unit right? The files do not say it, and their size does not tell. Choose it.");
+  }
+  if (unitGuess_ && unitGuess_->unit == 1.0)
+    return tr("The files do not say their unit: by their size it is the metre.");
   return rows_.size() > 1 ? tr("Select several rows to choose their role, unit or axis together.") : QString();
 }
 
 std::vector<PartFile> PartsDialog::parts() const {
   std::vector<PartFile> parts;
-  for (const Row& row : rows_) parts.push_back(row.part);
+  for (const Row& row : rows_) {
+    parts.push_back(row.part);
+    parts.back().closeHoles = closeHoles_->isChecked() && isMeshFile(row.part.path);
+  }
   return parts;
 }
 

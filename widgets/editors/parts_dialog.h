@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/unit_guess.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {
@@ -38,6 +40,7 @@ class PartsDialog final : public QDialog {
   struct Row {
     PartFile part;
     std::optional<Result<Box3>> inFile;  ///< none: not measured yet
+    bool unitChosen = false;             ///< by a person
   };
 
   void setUpTable();
@@ -59,6 +62,7 @@ class PartsDialog final : public QDialog {
   void setMeasured(const std::string& path, const Result<std::vector<MeasuredPart>>& measured);
   bool isMeasured() const;
   bool hasMoving() const;
+  void guessUnits();
   void guessWhatMoves();
   void refresh();
   void showRow(int row);
@@ -68,10 +72,12 @@ class PartsDialog final : public QDialog {
   Purpose purpose_;
   bool atOnce_;
   bool roleChosen_ = false;
-  std::vector<Row> rows_;  ///< as in the table
+  std::vector<Row> rows_;               ///< as in the table
+  std::optional<UnitGuess> unitGuess_;  ///< of the files that say none, where nobody has chosen
   GeometryCache read_;
   QTableWidget* table_;
   QPushButton* remove_;
+  QCheckBox* closeHoles_;
   QLabel* hint_;
   QPushButton* accept_ = nullptr;
   BackgroundTask measuring_;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+enum About { kFile, kMiddle, kReference };
 /// A kilometre: whatever is assembled is smaller.
 constexpr double kFarthest = 1e6;
 
@@ -33,7 +34,30 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
             [this, axis] { takePosition(axis); });
     connect(turn_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, axis] { takeTurn(axis); });
   }
+  about_ = makePoints();
+  grid->addWidget(about_, 3, 0, 1, 6);
   show(QString(), std::nullopt);
+}
+
+QComboBox* PlacementPanel::makePoints() {
+  auto* about = new QComboBox(this);
+  about->setObjectName(QStringLiteral("place-about"));
+  about->setAccessibleName(tr("Point that the numbers are about"));
+  about->setToolTip(tr("What the numbers are about; poses of a CAD system are about the origin of its file"));
+  about->addItem(tr("Origin of the file"), kFile);
+  about->addItem(tr("Middle"), kMiddle);
+  about->addItem(tr("Reference point"), kReference);
+  about->setItemData(kReference, tr("What the poses of path files are about"), Qt::ToolTipRole);
+  connect(about, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { showNumbers(); });
+  return about;
+}
+
+Vector3 PlacementPanel::point() const {
+  switch (about_->currentData().toInt()) {
+    case kFile: return points_.fileOrigin;
+    case kMiddle: return points_.middle;
+    default: return Vector3::Zero();
+  }
 }
 
 QDoubleSpinBox* PlacementPanel::addBox(int row, int axis, const QString& label, const QString& tip) {
@@ -53,30 +77,42 @@ QDoubleSpinBox* PlacementPanel::addBox(int row, int axis, const QString& label, 
   return box;
 }
 
-void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB) {
+void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, const PlacementPoints& points) {
+  points_ = points;
   X_WB_ = X_WB.value_or(Pose::identity());
   rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation);
   name_->setText(!X_WB            ? tr("Placement: select one body, start or goal")
                  : name.isEmpty() ? tr("Placement, mm and °")
                                   : tr("Placement of %1, mm and °").arg(name));
+  about_->setVisible(X_WB.has_value());
+  for (int axis = 0; axis < 3; ++axis) {
+    position_[axis]->setEnabled(X_WB.has_value());
+    turn_[axis]->setEnabled(X_WB.has_value());
+  }
+  showNumbers();
+}
+
+void PlacementPanel::showNumbers() {
+  const Vector3 at = X_WB_ * point();
   for (int axis = 0; axis < 3; ++axis) {
     const QSignalBlocker blockPosition(position_[axis]);
     const QSignalBlocker blockTurn(turn_[axis]);
-    position_[axis]->setValue(kMillimetres * X_WB_.position[axis]);
+    position_[axis]->setValue(kMillimetres * at[axis]);
     turn_[axis]->setValue(kDegrees * rollPitchYaw_[axis]);
-    position_[axis]->setEnabled(X_WB.has_value());
-    turn_[axis]->setEnabled(X_WB.has_value());
   }
 }
 
 void PlacementPanel::takePosition(int axis) {
-  X_WB_.position[axis] = position_[axis]->value() / kMillimetres;
+  const double turned = (X_WB_.orientation * point())[axis];
+  X_WB_.position[axis] = position_[axis]->value() / kMillimetres - turned;
   emit placed(X_WB_);
 }
 
 void PlacementPanel::takeTurn(int axis) {
   rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
+  const Vector3 stays = X_WB_ * point();
   X_WB_.orientation = fromRollPitchYaw(rollPitchYaw_.x(), rollPitchYaw_.y(), rollPitchYaw_.z());
+  if (!point().isZero(0.0)) X_WB_.position = stays - X_WB_.orientation * point();
   emit placed(X_WB_);
 }
 

@@ -1,0 +1,196 @@
+#include "engine/import/step_composition.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "engine/base/file.h"
+#include "engine/import/import_limits.h"
+#include "engine/import/import_protocol.h"
+#include "engine/import/step_part_file.h"
+
+namespace glissade {
+namespace {
+
+namespace protocol = import_protocol;
+
+constexpr const char* kAdvice = "Put the files there and load again, or export the product as one file.";
+
+std::string joined(const std::string& path, const std::string& step) {
+  return path.empty() || step.empty() ? path + step : path + "/" + step;
+}
+
+/// "'a', 'b' and 3 more".
+std::string listed(const std::vector<std::string>& names, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", '" : "'") + names[i] + "'";
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
+class Composition {
+ public:
+  Composition(const FileContent& content, const StepFileReader& read)
+      : content_(content), read_(read), folder_(folderOf(content.file)), bytes_(content.bytes.size()) {}
+
+  Result<StepProduct> run() {
+    auto answer = read_(content_);
+    if (!answer) return answer.error();
+    const File top{content_.file, "", std::move(*answer)};
+    countTriangles(top.answer);
+    product_.warnings = top.answer.warnings;
+    if (const Outcome added = add(top, {top.answer.rootName, Pose::identity(), 0}); !added) return added.error();
+    if (product_.parts.empty()) return nothingLeft();
+    warnOfMissing();
+    return std::move(product_);
+  }
+
+ private:
+  struct File {
+    std::string file;
+    std::string folder;  ///< below the product's
+    StepAnswer answer;
+  };
+  /// Where a file's product is.
+  struct Place {
+    std::string path;
+    Pose X_FP;
+    int depth = 0;
+  };
+  struct Missing {
+    std::string name;
+    std::string whyNot;
+    std::vector<std::string> paths;  ///< of its parts
+  };
+
+  Outcome add(const File& file, const Place& place) {
+    chain_.push_back(&file);
+    for (const StepPart& part : file.answer.parts) {
+      if (product_.parts.size() == protocol::kMostParts) {
+        return refusal(content_.file, "has more than " + std::to_string(protocol::kMostParts) + " parts");
+      }
+      product_.parts.push_back(part);
+      product_.parts.back().path = joined(place.path, part.path);
+      if (place.depth > 0) product_.parts.back().X_FP = place.X_FP * part.X_FP;
+    }
+    for (const StepExternal& external : file.answer.externals) {
+      if (const Outcome added = addExternal(file, external, place); !added) return added;
+    }
+    chain_.pop_back();
+    return Done{};
+  }
+
+  Outcome addExternal(const File& in, const StepExternal& external, const Place& place) {
+    if (++occurrences_ > protocol::kMostOccurrences) {
+      return refusal(content_.file, "places other files more than " + std::to_string(protocol::kMostOccurrences) +
+                                        " times, those that they place counted");
+    }
+    if (place.depth == protocol::kDeepestAssembly) return refusal(in.file, "is nested too deeply in other files");
+    const std::string path = joined(place.path, external.path);
+    const FoundStepPart found = findStepPart(folder_, in.folder, external.file);
+    if (found.file.empty()) {
+      noteMissing(found, path);
+      return Done{};
+    }
+    const auto file = fileOf(found);
+    if (!file) return file.error();
+    if (std::find(chain_.begin(), chain_.end(), *file) != chain_.end()) {
+      return refusal(in.file, "names '" + found.name + "' for a part, which holds this file itself");
+    }
+    return add(**file, {path, place.X_FP * external.X_FP, place.depth + 1});
+  }
+
+  /// The file, which is read where it was not yet.
+  Result<const File*> fileOf(const FoundStepPart& found) {
+    std::unique_ptr<File>& known = files_[found.name];
+    if (known) return known.get();
+    if (files_.size() > protocol::kMostFiles) {
+      return refusal(content_.file, "names more than " + std::to_string(protocol::kMostFiles) + " files");
+    }
+    const auto content = readContent(found.file, protocol::kStepLimits.bytes);
+    if (!content) return content.error();
+    bytes_ += content->bytes.size();
+    if (bytes_ > mostFileBytes()) {
+      return refusal(content_.file, "and the files that it names have more than " + sizeInWords(mostFileBytes()));
+    }
+    auto answer = read_(*content);
+    if (!answer) return answer.error();
+    if (!countTriangles(*answer)) {
+      return refusal(content_.file, "needs more than " + std::to_string(protocol::kMostElements) + " triangles");
+    }
+    product_.warnings.insert(product_.warnings.end(), answer->warnings.begin(), answer->warnings.end());
+    product_.partFiles.push_back({found.name, sha256(content->bytes)});
+    const std::string folder = folderOf(found.name);
+    known = std::make_unique<File>(File{found.file, folder == "." ? "" : folder, std::move(*answer)});
+    return known.get();
+  }
+
+  /// Whether all files together have few enough.
+  bool countTriangles(const StepAnswer& answer) {
+    std::set<const TriangleMesh*> counted;
+    for (const StepPart& part : answer.parts) {
+      if (counted.insert(part.mesh.get()).second) triangles_ += part.mesh->triangles.size();
+    }
+    return triangles_ <= protocol::kMostElements;
+  }
+
+  void noteMissing(const FoundStepPart& found, const std::string& path) {
+    const auto [missing, isNew] = missing_.try_emplace(found.name);
+    missing->second.paths.push_back(path);
+    if (!isNew) return;
+    missing->second.name = found.name;
+    missing->second.whyNot = found.whyNot;
+    missingInOrder_.push_back(found.name);
+    product_.partFiles.push_back({found.name, ""});
+  }
+
+  void warnOfMissing() {
+    constexpr std::size_t kMost = 20;
+    for (std::size_t i = 0; i < std::min(kMost, missingInOrder_.size()); ++i) {
+      product_.warnings.push_back(warningOf(missing_.at(missingInOrder_[i])));
+    }
+    if (missingInOrder_.size() <= kMost) return;
+    product_.warnings.push_back(
+        {ErrorKind::MalformedInput, content_.file, "",
+         std::to_string(missingInOrder_.size() - kMost) + " more files of its parts are missing", kAdvice});
+  }
+
+  Diagnostic warningOf(const Missing& missing) const {
+    return {ErrorKind::MalformedInput, content_.file, "part " + listed(missing.paths, 3),
+            "is missing, and is free space to every proof: its file '" + missing.name + "' " + missing.whyNot +
+                " (looked for in '" + folder_ + "')",
+            kAdvice};
+  }
+
+  Diagnostic nothingLeft() const {
+    return {ErrorKind::MalformedInput, content_.file, "",
+            "has its parts in other files, and none of them is there: " + listed(missingInOrder_, 10) +
+                " (looked for in '" + folder_ + "')",
+            kAdvice};
+  }
+
+  static Diagnostic refusal(const std::string& file, const std::string& reason) {
+    return {ErrorKind::MalformedInput, file, "", reason, "Export the product as one file."};
+  }
+
+  const FileContent& content_;
+  const StepFileReader& read_;
+  std::string folder_;
+  std::uint64_t bytes_;
+  std::uint64_t triangles_ = 0;
+  std::size_t occurrences_ = 0;
+  StepProduct product_;
+  std::vector<const File*> chain_;  ///< files that are being added, each in the one before
+  std::map<std::string, std::unique_ptr<File>> files_;
+  std::map<std::string, Missing> missing_;
+  std::vector<std::string> missingInOrder_;
+};
+
+}  // namespace
+
+Result<StepProduct> composeStepProduct(const FileContent& content, const StepFileReader& read) {
+  return Composition(content, read).run();
+}
+
+}  // namespace glissade

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <STEPCAFControl_Reader.hxx>
+#include <TopoDS_TShape.hxx>
+#include <map>
+#include <string>
+
+namespace glissade {
+
+/// Names of the files that have the products of a STEP file that it only places, by the shape that OpenCASCADE has
+/// made of the product.
+using ExternalFiles = std::map<const TopoDS_TShape*, std::string>;
+
+/// Ask after the transfer. Where a product is in several files, the first STEP file counts, else the first. Runs in
+/// the importing process only.
+ExternalFiles externalFilesOf(STEPCAFControl_Reader& reader);
+
+}  // namespace glissade

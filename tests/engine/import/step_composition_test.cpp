@@ -1,0 +1,300 @@
+#include "engine/import/step_composition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "engine/base/file.h"
+#include "engine/geometry/mesh_audit.h"
+#include "engine/geometry/primitives.h"
+#include "engine/import/import_protocol.h"
+#include "tests/engine/support/step_files.h"
+#include "tests/engine/support/temporary_folder.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+using test::replaced;
+using test::stepFile;
+using test::stepText;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::array kSplit{"split.step", "split-plate.stp", "split-pin.stp", "split-housing.stp", "split-rotor.stp"};
+
+std::vector<std::string> pathsOf(const StepProduct& product) {
+  std::vector<std::string> paths;
+  for (const StepPart& part : product.parts) paths.push_back(part.path);
+  return paths;
+}
+
+/// The product whose parts are in files of their own, in a folder of its own.
+class SplitProduct : public testing::Test {
+ protected:
+  SplitProduct() {
+    for (const char* name : kSplit) fs::copy_file(stepFile(name), folder / name);
+  }
+  Result<StepProduct> import() const { return importStep(folder / "split.step", 0.0); }
+  void remove(const std::string& name) const { fs::remove(folder / name); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(SplitProduct, IsReadWithItsFiles) {
+  const auto product = import();
+  ASSERT_TRUE(product.ok()) << toString(product.error());
+  EXPECT_TRUE(product->warnings.empty()) << toString(product->warnings.front());
+  ASSERT_THAT(pathsOf(*product), ElementsAre("plate", "pin", "pin#2", "pump/housing", "pump/rotor"));
+  EXPECT_EQ(product->parts[1].mesh, product->parts[2].mesh) << "a file is read once";
+  const auto middle = [&](std::size_t i) {
+    return Vector3(boundingBox(*product->parts[i].mesh, product->parts[i].X_FP).center());
+  };
+  EXPECT_TRUE(middle(1).isApprox(Vector3(0, 0, 0.01), 1e-3));
+  EXPECT_TRUE(middle(2).isApprox(Vector3(0, 0.2, 0.008), 1e-3));
+  EXPECT_TRUE(middle(4).isApprox(Vector3(0.3, 0, -0.03), 1e-3))
+      << "turned with its assembly: " << middle(4).transpose();
+  for (const StepPart& part : product->parts) EXPECT_TRUE(audit(*part.mesh).closed()) << part.path;
+  std::vector<std::string> names;
+  for (const StepPartFile& file : product->partFiles) {
+    names.push_back(file.name);
+    EXPECT_EQ(file.sha256, sha256(stepText(file.name)));
+  }
+  EXPECT_THAT(
+      names, testing::UnorderedElementsAre("split-plate.stp", "split-pin.stp", "split-housing.stp", "split-rotor.stp"));
+}
+
+TEST_F(SplitProduct, WhatIsMissingIsToldAndTheRestLoads) {
+  remove("split-pin.stp");
+  const auto product = import();
+  ASSERT_TRUE(product.ok()) << toString(product.error());
+  EXPECT_THAT(pathsOf(*product), ElementsAre("plate", "pump/housing", "pump/rotor"));
+  ASSERT_EQ(product->warnings.size(), 1U);
+  EXPECT_EQ(product->warnings[0].location, "part 'pin', 'pin#2'");
+  EXPECT_THAT(product->warnings[0].reason, HasSubstr("is missing, and is free space to every proof"));
+  EXPECT_THAT(product->warnings[0].reason, HasSubstr("'split-pin.stp' is not there"));
+  EXPECT_THAT(product->warnings[0].reason, HasSubstr(folder.path()));
+}
+
+TEST_F(SplitProduct, WithoutAnyOfItsFilesSaysWhichAndWhere) {
+  for (std::size_t i = 1; i < kSplit.size(); ++i) remove(kSplit[i]);
+  const auto product = import();
+  ASSERT_FALSE(product.ok());
+  EXPECT_EQ(product.error().kind, ErrorKind::MalformedInput);
+  EXPECT_EQ(product.error().file, folder / "split.step");
+  for (std::size_t i = 1; i < kSplit.size(); ++i) EXPECT_THAT(product.error().reason, HasSubstr(kSplit[i]));
+  EXPECT_THAT(product.error().reason, HasSubstr("looked for in '" + folder.path() + "'"));
+  EXPECT_FALSE(product.error().advice.empty());
+}
+
+TEST_F(SplitProduct, AFileThatCannotBeReadIsNamed) {
+  const std::string pin = stepText("split-pin.stp");
+  for (int i = 1; i < 8; ++i) {
+    folder.write("split-pin.stp", pin.substr(0, pin.size() * static_cast<std::size_t>(i) / 8));
+    const auto cut = import();
+    ASSERT_FALSE(cut.ok());
+    EXPECT_EQ(cut.error().file, folder / "split-pin.stp");
+    EXPECT_THAT(cut.error().reason, HasSubstr("cut off"));
+  }
+  folder.write("split-pin.stp", "solid a\n");
+  const auto mesh = import();
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_THAT(mesh.error().reason, HasSubstr("not a STEP file"));
+}
+
+TEST_F(SplitProduct, OfTruncatedTextNeverReachesThisProcess) {
+  const std::string good = stepText("split.step");
+  for (int i = 1; i < 12; ++i) {
+    const std::string some = good.substr(0, good.size() * static_cast<std::size_t>(i) / 12);
+    folder.write("split.step", some + "\nENDSEC;\nEND-ISO-10303-21;\n");
+    const auto product = import();
+    if (product) {
+      EXPECT_FALSE(product->parts.empty());
+    } else {
+      EXPECT_EQ(product.error().kind, ErrorKind::MalformedInput) << toString(product.error());
+    }
+  }
+}
+
+TEST_F(SplitProduct, NothingOutsideItsFolderIsRead) {
+  const TemporaryFolder elsewhere;
+  fs::rename(folder / "split-pin.stp", elsewhere / "split-pin.stp");
+  const std::string product = stepText("split.step");
+  const std::string upwards = "../" + fs::path(elsewhere.path()).filename().string() + "/split-pin.stp";
+  folder.write("split.step", replaced(product, "'split-pin.stp'", "'" + upwards + "'"));
+  const auto up = import();
+  ASSERT_TRUE(up.ok()) << toString(up.error());
+  ASSERT_EQ(up->warnings.size(), 1U);
+  EXPECT_THAT(up->warnings[0].reason, HasSubstr("is outside"));
+
+  folder.write("split.step", product);
+  fs::create_symlink(elsewhere / "split-pin.stp", folder / "split-pin.stp");
+  const auto linked = import();
+  ASSERT_TRUE(linked.ok()) << toString(linked.error());
+  EXPECT_EQ(linked->parts.size(), 3U);
+  EXPECT_THAT(linked->warnings.at(0).reason, HasSubstr("is outside"));
+}
+
+TEST_F(SplitProduct, NamesOfAnotherMachineAreLookedForBesideTheFile) {
+  const std::string product = stepText("split.step");
+  for (const std::string before : {"E:\\\\Public\\\\s1\\\\", "/home/someone/"}) {
+    folder.write("split.step", replaced(product, "'split-pin.stp'", "'" + before + "split-pin.stp'"));
+    const auto read = import();
+    ASSERT_TRUE(read.ok()) << toString(read.error());
+    EXPECT_EQ(read->parts.size(), 5U) << before;
+  }
+  fs::create_directory(folder / "parts");
+  fs::rename(folder / "split-pin.stp", folder / "parts/split-pin.stp");
+  folder.write("split.step", replaced(product, "'split-pin.stp'", "'.\\\\parts\\\\split-pin.stp'"));
+  const auto below = import();
+  ASSERT_TRUE(below.ok()) << toString(below.error());
+  EXPECT_EQ(below->parts.size(), 5U);
+}
+
+/// Files that exist by name only, and what each of them holds.
+class ComposedFiles : public testing::Test {
+ protected:
+  StepAnswer& add(const std::string& name) {
+    folder.write(name, name);
+    return answers_[folder / name];
+  }
+  static StepPart part(const std::string& path) {
+    return {path, std::make_shared<const TriangleMesh>(makeBox(Vector3(1, 1, 1))), {}, {}, 0.0, 0};
+  }
+  static StepExternal use(const std::string& path, const std::string& file) { return {path, Pose::identity(), file}; }
+  Result<StepProduct> compose(const std::string& name) {
+    return composeStepProduct({folder / name, name}, [&](const FileContent& content) -> Result<StepAnswer> {
+      ++reads_;
+      return answers_.at(content.file);
+    });
+  }
+  void expectRefused(const std::string& name, const std::string& reason) {
+    const auto product = compose(name);
+    ASSERT_FALSE(product.ok());
+    EXPECT_EQ(product.error().kind, ErrorKind::MalformedInput);
+    EXPECT_THAT(product.error().reason, HasSubstr(reason));
+  }
+
+  TemporaryFolder folder;
+  std::map<std::string, StepAnswer> answers_;
+  int reads_ = 0;
+};
+
+TEST_F(ComposedFiles, PlacesOfFilesInFilesAreComposed) {
+  const Pose shift = Pose::translation(Vector3(1, 2, 3));
+  const Pose turn{Vector3(0, 0, 1), fromRollPitchYaw(0.3, -0.2, 1.0)};
+  StepPart bolt = part("");
+  bolt.X_FP = turn;
+  StepAnswer& inner = add("sub/inner.stp");
+  inner.rootName = "a name that the user of the file knows better";
+  inner.parts = {bolt};
+  add("sub/outer.stp").externals = {{"inner", turn, "inner.stp"}};
+  add("top.stp").externals = {{"outer", shift, "sub/outer.stp"}};
+  const auto product = compose("top.stp");
+  ASSERT_TRUE(product.ok()) << toString(product.error());
+  ASSERT_EQ(product->parts.size(), 1U);
+  EXPECT_EQ(product->parts[0].path, "outer/inner");
+  const Vector3 p(0.4, -0.7, 2.0);
+  EXPECT_TRUE((product->parts[0].X_FP * p).isApprox(shift * (turn * (turn * p)), 1e-12));
+  EXPECT_EQ(product->partFiles.back().name, "sub/inner.stp") << "found beside the file that names it";
+}
+
+TEST_F(ComposedFiles, CirclesAreRefused) {
+  StepAnswer& a = add("a.stp");
+  a.parts = {part("own")};
+  a.externals = {use("a", "a.stp")};
+  expectRefused("a.stp", "holds this file itself");
+  add("b.stp").externals = {use("c", "c.stp")};
+  add("c.stp").externals = {use("b", "b.stp")};
+  expectRefused("b.stp", "holds this file itself");
+}
+
+TEST_F(ComposedFiles, EachFileIsReadOnceAndItsUsesAreBounded) {
+  constexpr int kLevels = 30;
+  for (int i = 0; i < kLevels; ++i) {
+    const std::string next = std::to_string(i + 1) + ".stp";
+    add(std::to_string(i) + ".stp").externals = {use("a", next), use("b", next)};
+  }
+  add(std::to_string(kLevels) + ".stp").parts = {part("p")};
+  expectRefused("0.stp", "more than");  // two to the power of thirty parts
+  EXPECT_EQ(reads_, kLevels + 1);
+}
+
+TEST_F(ComposedFiles, UsesOfFilesThatAreMissingAreBounded) {
+  constexpr int kLevels = 30;
+  for (int i = 0; i < kLevels; ++i) {
+    const std::string next = std::to_string(i + 1) + ".stp";
+    add(std::to_string(i) + ".stp").externals = {use("a", next), use("b", next)};
+  }
+  expectRefused("0.stp", "more than");
+}
+
+TEST_F(ComposedFiles, DepthAndNumberAreBounded) {
+  for (int i = 0; i <= import_protocol::kDeepestAssembly; ++i) {
+    add(std::to_string(i) + ".stp").externals = {use("a", std::to_string(i + 1) + ".stp")};
+  }
+  add(std::to_string(import_protocol::kDeepestAssembly + 1) + ".stp").parts = {part("p")};
+  expectRefused("0.stp", "nested too deeply");
+  StepAnswer& top = add("top.stp");
+  for (std::uint32_t i = 0; i <= import_protocol::kMostFiles; ++i) {
+    const std::string name = "n" + std::to_string(i) + ".stp";
+    add(name).parts = {part("p")};
+    top.externals.push_back(use(std::to_string(i), name));
+  }
+  expectRefused("top.stp", "names more than 1000 files");
+}
+
+TEST_F(ComposedFiles, ManyMissingFilesAreCounted) {
+  StepAnswer& top = add("top.stp");
+  top.parts = {part("own")};
+  for (int i = 0; i < 50; ++i) top.externals.push_back(use(std::to_string(i), std::to_string(i) + ".CATPart"));
+  const auto product = compose("top.stp");
+  ASSERT_TRUE(product.ok()) << toString(product.error());
+  ASSERT_EQ(product->warnings.size(), 21U);
+  EXPECT_THAT(product->warnings.back().reason, HasSubstr("30 more files"));
+}
+
+/// The box twice: as it is, and beside it mirrored, scaled, or as it is.
+std::string boxTwice(const std::string& yAxis, const std::string& scale) {
+  std::string text = stepText("box.step");
+  const std::size_t solid = text.find("ADVANCED_BREP_SHAPE_REPRESENTATION");
+  const std::string shape =
+      text.substr(text.rfind('#', solid), text.find_first_of(" =", text.rfind('#', solid)) - text.rfind('#', solid));
+  const std::size_t list = text.find("(#", solid);
+  const std::string origin = text.substr(list + 1, text.find(',', list) - list - 1);
+  const std::size_t contextAt = text.find("),#", list) + 2;
+  const std::string context = text.substr(contextAt, text.find(')', contextAt) - contextAt);
+  const std::string added =
+      "#900001=REPRESENTATION_MAP(" + origin + "," + shape + ");\n#900002=CARTESIAN_POINT('',(0.,0.,0.));\n" +
+      "#900003=DIRECTION('',(1.,0.,0.));\n#900004=DIRECTION('',(" + yAxis + "));\n#900005=DIRECTION('',(0.,0.,1.));\n" +
+      "#900006=CARTESIAN_POINT('',(0.,0.,100.));\n#900009=DIRECTION('',(0.,1.,0.));\n" +
+      "#900007=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900004,#900006," + scale + ",#900005);\n" +
+      "#900008=MAPPED_ITEM('',#900001,#900007);\n" +
+      "#900010=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900009,#900002,1.,#900005);\n" +
+      "#900011=MAPPED_ITEM('',#900001,#900010);\n#900012=SHAPE_REPRESENTATION('',(" + origin + ",#900011,#900008)," +
+      context + ");\nENDSEC;\nEND-ISO";
+  const std::size_t definition = text.find("SHAPE_DEFINITION_REPRESENTATION(");
+  const std::size_t used = text.find("," + shape + ")", definition);
+  text.replace(used, shape.size() + 2, ",#900012)");
+  return replaced(text, "ENDSEC;\nEND-ISO", added);
+}
+
+/// OpenCASCADE 7.6 would give the part as it is, and a path past it would be proved.
+TEST(StepMirror, AnInstanceThatIsMirroredOrScaledIsRefusedWithItsEntity) {
+  const TemporaryFolder folder;
+  const auto plain = importStep(folder.write("plain.step", boxTwice("0.,1.,0.", "$")), 0.0);
+  ASSERT_TRUE(plain.ok()) << toString(plain.error());
+  EXPECT_EQ(plain->parts.size(), 2U);
+  const auto mirrored = importStep(folder.write("mirrored.step", boxTwice("0.,-1.,0.", "1.")), 0.0);
+  ASSERT_FALSE(mirrored.ok());
+  EXPECT_THAT(mirrored.error().reason, HasSubstr("#900007 mirrors a part"));
+  const auto scaled = importStep(folder.write("scaled.step", boxTwice("0.,1.,0.", "2.")), 0.0);
+  ASSERT_FALSE(scaled.ok());
+  EXPECT_THAT(scaled.error().reason, HasSubstr("#900007 scales a part"));
+}
+
+}  // namespace
+}  // namespace glissade
