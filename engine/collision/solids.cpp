@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/geometry/mesh_audit.h"
-
 namespace glissade {
 namespace {
 
@@ -21,18 +19,18 @@ Solids::Solids(const Solids& other, const TriangleMesh& object) : Solids(other.o
 Solids::Solids(PlacedPtr obstacles, SolidPtr object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
   if (object_->box.isEmpty()) return;
   squaredReach_ = object_->box.min().cwiseAbs().cwiseMax(object_->box.max().cwiseAbs()).squaredNorm();
-  for (const Component& component : object_->components) {
-    Guest guest{component.point, {}};
+  for (const ConnectedSurface& surface : object_->surfaces) {
+    Guest guest{surface.point, {}};
     for (std::size_t i = 0; i < obstacles_->size(); ++i) {
       const Solid& obstacle = *(*obstacles_)[i].solid;
-      if (obstacle.interior && mayFit(component.box, obstacle.box)) guest.hosts.push_back(i);
+      if (obstacle.interior && mayFit(surface.box, obstacle.box)) guest.hosts.push_back(i);
     }
     if (!guest.hosts.empty()) guests_.push_back(std::move(guest));
   }
   for (std::size_t i = 0; object_->interior && i < obstacles_->size(); ++i) {
     const Placed& obstacle = (*obstacles_)[i];
-    for (const Component& component : obstacle.solid->components) {
-      if (mayFit(component.box, object_->box)) cores_.push_back({obstacle.X_WS * component.point, i});
+    for (const ConnectedSurface& surface : obstacle.solid->surfaces) {
+      if (mayFit(surface.box, object_->box)) cores_.push_back({obstacle.X_WS * surface.point, i});
     }
   }
 }
@@ -40,11 +38,9 @@ Solids::Solids(PlacedPtr obstacles, SolidPtr object) : obstacles_(std::move(obst
 Solids::SolidPtr Solids::prepare(const TriangleMesh& mesh) {
   Solid solid;
   solid.box = boundingBox(mesh);
-  const MeshAudit report = audit(mesh);
+  MeshAudit report = audit(mesh);
   if (report.closed()) solid.interior.emplace(mesh, report.consistentlyOriented);
-  for (const TriangleMesh& component : connectedComponents(mesh)) {
-    solid.components.push_back({component.vertices.front(), boundingBox(component)});
-  }
+  solid.surfaces = std::move(report.surfaces);
   return std::make_shared<const Solid>(std::move(solid));
 }
 

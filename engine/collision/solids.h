@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/environment/rigid_body.h"
+#include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/solid_interior.h"
 
 namespace glissade {
@@ -38,18 +39,13 @@ class Solids {
   std::optional<int> containment(const Pose& X_WB) const;
 
  private:
-  /// A connected surface: if it touches nothing, one point decides for all of it.
-  struct Component {
-    Vector3 point;
-    Box3 box;
-  };
   using PlacedPtr = std::shared_ptr<const std::vector<Placed>>;
-  /// A component that may lie in some solids.
+  /// A surface of the object that may lie in some solids.
   struct Guest {
     Vector3 point;
     std::vector<std::size_t> hosts;  ///< obstacles, the lowest first
   };
-  /// A component of an obstacle that may lie in the object.
+  /// A surface of an obstacle that may lie in the object.
   struct Core {
     Vector3 point;
     std::size_t obstacle;
@@ -63,14 +59,15 @@ class Solids {
   PlacedPtr obstacles_;
   SolidPtr object_;
   double squaredReach_ = 0.0;  ///< of the object's box from its reference point
-  std::vector<Guest> guests_;  ///< components of the object
+  std::vector<Guest> guests_;  ///< surfaces of the object
   std::vector<Core> cores_;    ///< the lowest obstacle first
 };
 
 struct Solids::Solid {
   Box3 box;                               ///< in the frame of the mesh
   std::optional<SolidInterior> interior;  ///< of a closed mesh
-  std::vector<Component> components;
+  /// If one touches nothing, its point decides for all of it.
+  std::vector<ConnectedSurface> surfaces;
 };
 
 }  // namespace glissade
