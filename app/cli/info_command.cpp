@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/environment_report.h"
@@ -36,8 +37,20 @@ Uncertainty uncertaintyOf(const RigidBody& body, const LoadedScenario& loaded) {
   return {valueOf(loaded.deflections), valueOf(loaded.coordinateSpacings)};
 }
 
-Json toJson(const RigidBody& body, const Uncertainty& uncertainty) {
-  const MeshAudit result = audit(*body.mesh);
+/// Of the meshes of a scenario, each once.
+class MeshAudits {
+ public:
+  const MeshAudit& of(const MeshPtr& mesh) {
+    const auto known = audits_.find(mesh);
+    return known != audits_.end() ? known->second : audits_.emplace(mesh, audit(*mesh)).first->second;
+  }
+
+ private:
+  std::map<MeshPtr, MeshAudit> audits_;
+};
+
+Json toJson(const RigidBody& body, const Uncertainty& uncertainty, MeshAudits& audits) {
+  const MeshAudit& result = audits.of(body.mesh);
   return {{"id", body.id},
           {"name", body.name},
           {"mobility", body.mobility == Mobility::Static ? "static" : "mobile"},
@@ -45,7 +58,7 @@ Json toJson(const RigidBody& body, const Uncertainty& uncertainty) {
           {"closed", result.closed()},
           {"open_edges", result.openEdges},
           {"degenerate_triangles", result.degenerateTriangles},
-          {"components", result.components},
+          {"components", result.surfaces.size()},
           {"deflection_m", uncertainty.deflection},
           {"coordinate_spacing_m", uncertainty.coordinateSpacing},
           {"volume_m3", result.closed() ? number(std::abs(result.volume)) : Json(nullptr)},
@@ -60,8 +73,8 @@ Json toJson(const Asset& asset) {
           {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
 }
 
-void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role) {
-  const MeshAudit result = audit(*body.mesh);
+void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role, MeshAudits& audits) {
+  const MeshAudit& result = audits.of(body.mesh);
   const Vector3 size = result.box.sizes();
   std::cout << "  " << std::left << std::setw(24) << body.name << std::setw(8) << role << std::right << std::setw(8)
             << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
@@ -80,10 +93,11 @@ void printText(const LoadedScenario& loaded) {
   std::cout << scenario.name << "\n";
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
+  MeshAudits audits;
   for (const RigidBody& body : loaded.obstacles) {
-    printBody(body, uncertaintyOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile");
+    printBody(body, uncertaintyOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile", audits);
   }
-  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object");
+  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object", audits);
   const auto& min = loaded.problem.bounds.min();
   const auto& max = loaded.problem.bounds.max();
   std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
@@ -120,9 +134,10 @@ int runInfo(const InfoOptions& options) {
   report["assets"] = Json::array();
   for (const Asset& asset : scenario.assets) report["assets"].push_back(toJson(asset));
   report["bodies"] = Json::array();
+  MeshAudits audits;
   for (const RigidBody& body : loaded->obstacles)
-    report["bodies"].push_back(toJson(body, uncertaintyOf(body, *loaded)));
-  report["object"] = toJson(loaded->object, uncertaintyOf(loaded->object, *loaded));
+    report["bodies"].push_back(toJson(body, uncertaintyOf(body, *loaded), audits));
+  report["object"] = toJson(loaded->object, uncertaintyOf(loaded->object, *loaded), audits);
   report["object"]["radius_m"] = loaded->problem.world->objectRadius();
   report["workspace"] = boxJson(loaded->problem.bounds);
   report["start"] = poseJson(loaded->problem.start);

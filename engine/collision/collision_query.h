@@ -88,7 +88,7 @@ struct ObjectVariant {
   std::vector<int> obstacles;  ///< indices; no obstacle is in two variants
 };
 
-struct PreparedObstacle;
+struct ComposedObstacle;
 struct PreparedObject;
 struct ThreadedWorld;
 class ThreadPair;
@@ -100,11 +100,10 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty.
   static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object,
                                                      CollisionBackend backend = CollisionBackend::Kernel);
-  /// A world of bodies that were prepared before: each obstacle with the object as it is taken against it. Nothing
-  /// is prepared again. The kernel answers. All were prepared by one PreparedBodies.
-  static std::shared_ptr<const CollisionWorld> compose(
-      const PreparedObject& object,
-      const std::vector<std::pair<const PreparedObstacle*, const PreparedObject*>>& obstacles);
+  /// A world of bodies that were prepared before, for this scale of the kernel. Nothing is prepared again. The kernel
+  /// answers.
+  static std::shared_ptr<const CollisionWorld> compose(double scale, const PreparedObject& object,
+                                                       std::vector<ComposedObstacle> obstacles);
   ~CollisionWorld();
   CollisionWorld(const CollisionWorld&) = delete;
   CollisionWorld& operator=(const CollisionWorld&) = delete;

@@ -1,30 +1,24 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
-#include "engine/collision/fcl_query.h"
 #include "engine/collision/grouped_query.h"
-#include "engine/collision/kernel/kernel_query.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
-#include "engine/collision/solids.h"
 #include "engine/collision/threaded_query.h"
+#include "engine/collision/world_geometry.h"
 
 namespace glissade {
 
 struct CollisionWorld::Impl {
-  CollisionBackend backend = CollisionBackend::Kernel;
-  std::shared_ptr<const std::vector<RigidBody>> obstacles;
-  Box3 obstaclesBox;
-  MeshPtr object;
+  WorldGeometry geometry;
   double objectRadius = 0.0;
   std::shared_ptr<const MotionBound> motionBound;
-  std::shared_ptr<const Solids> solids;
-  std::shared_ptr<const KernelGeometry> kernel;  ///< of the backend
-  std::shared_ptr<const FclGeometry> fcl;        ///< of the backend
   std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the three above
+  std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the geometry
+  CollisionWorldPtr whole;                       ///< that withVariants() was asked of
   std::shared_ptr<const ThreadedWorld> threads;  ///< null: there are none
 };
 
@@ -99,19 +93,9 @@ class SolidQuery final : public CollisionQuery {
   QueryCounts counts_;
 };
 
-/// With what depends on the obstacles.
-std::unique_ptr<CollisionWorld::Impl> prepared(std::vector<RigidBody> obstacles, const TriangleMesh& object,
-                                               CollisionBackend backend, std::shared_ptr<const Solids> solids) {
+std::unique_ptr<CollisionWorld::Impl> consistingOf(WorldGeometry geometry) {
   auto impl = std::make_unique<CollisionWorld::Impl>();
-  impl->backend = backend;
-  for (const RigidBody& body : obstacles) impl->obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
-  impl->solids = std::move(solids);
-  if (backend == CollisionBackend::Kernel) {
-    impl->kernel = std::make_shared<const KernelGeometry>(obstacles, object);
-  } else {
-    impl->fcl = makeFclGeometry(obstacles, object);
-  }
-  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  impl->geometry = std::move(geometry);
   return impl;
 }
 
@@ -131,50 +115,63 @@ CollisionWorld::CollisionWorld(std::unique_ptr<const Impl> impl) : impl_(std::mo
 CollisionWorld::~CollisionWorld() = default;
 
 CollisionWorldPtr CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object, CollisionBackend backend) {
-  auto solids = std::make_shared<const Solids>(obstacles, *object);
-  auto impl = prepared(std::move(obstacles), *object, backend, std::move(solids));
-  return finished(std::move(impl), std::move(object));
+  const bool large = isLarge(obstacles);
+  auto geometry = prepareGeometry(std::move(obstacles), object, backend, large, nullptr);
+  return finished(consistingOf(std::move(geometry)), std::move(object));
 }
 
-CollisionWorldPtr CollisionWorld::compose(
-    const PreparedObject& object,
-    const std::vector<std::pair<const PreparedObstacle*, const PreparedObject*>>& obstacles) {
+/// Obstacles that the object is taken alike against are one group.
+CollisionWorldPtr CollisionWorld::compose(double scale, const PreparedObject& object,
+                                          std::vector<ComposedObstacle> obstacles) {
+  if (obstacles.empty()) return build({}, object.mesh);
   const auto about = [](const PreparedObject& moving) {
     auto impl = std::make_unique<Impl>();
-    impl->object = moving.mesh;
+    impl->geometry.object = moving.mesh;
     impl->objectRadius = moving.radius;
     impl->motionBound = moving.motionBound;
     return impl;
   };
   auto impl = about(object);
   std::vector<RigidBody> bodies;
-  for (const auto& [obstacle, moving] : obstacles) {
+  std::vector<const PreparedObject*> objects;
+  std::map<const PreparedObject*, std::vector<int>> numbers;
+  for (ComposedObstacle& composed : obstacles) {
     const auto number = static_cast<int>(bodies.size());
-    bodies.push_back(obstacle->body);
-    impl->obstaclesBox.extend(obstacle->box);
-    if (moving->mesh != object.mesh) addTo(impl->variants, moving->mesh, number);
-    auto pair = about(*moving);
-    pair->obstacles = std::make_shared<const std::vector<RigidBody>>(1, obstacle->body);
-    pair->obstaclesBox = obstacle->box;
-    pair->solids = std::make_shared<const Solids>(obstacle->solid, moving->solid);
-    pair->kernel = std::make_shared<const KernelGeometry>(obstacle->scale, obstacle->tree, moving->tree);
-    impl->groups.push_back({CollisionWorldPtr(new CollisionWorld(std::move(pair))), {number}});
+    impl->geometry.obstaclesBox.extend(composed.box_W);
+    if (composed.object->mesh != object.mesh) addTo(impl->variants, composed.object->mesh, number);
+    std::vector<int>& group = numbers[composed.object];
+    if (group.empty()) objects.push_back(composed.object);
+    group.push_back(number);
+    bodies.push_back(std::move(composed.body));
   }
-  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(bodies));
-  if (impl->groups.empty()) return build({}, object.mesh);
+  for (const PreparedObject* moving : objects) {
+    auto group = about(*moving);
+    WorldGeometry& geometry = group->geometry;
+    std::vector<RigidBody> own;
+    std::vector<Solids::Placed> solids;
+    std::vector<OccurrenceGeometry::Occurrence> occurrences;
+    std::vector<Box3> boxes;
+    for (const int number : numbers[moving]) {
+      const ComposedObstacle& composed = obstacles[static_cast<std::size_t>(number)];
+      own.push_back(bodies[static_cast<std::size_t>(number)]);
+      solids.push_back({composed.obstacle->solid, own.back().X_WB, composed.box_W});
+      occurrences.push_back({composed.obstacle->tree, own.back().X_WB});
+      boxes.push_back(composed.box_W);
+      geometry.obstaclesBox.extend(composed.box_W);
+    }
+    geometry.obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(own));
+    geometry.solids = std::make_shared<const Solids>(std::move(solids), moving->solid);
+    geometry.occurrences = std::make_shared<const OccurrenceGeometry>(scale, std::move(occurrences), boxes,
+                                                                      moving->tree, moving->solid->box);
+    impl->groups.push_back({CollisionWorldPtr(new CollisionWorld(std::move(group))), numbers[moving]});
+  }
+  impl->geometry.obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(bodies));
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
-  auto impl = std::make_unique<Impl>(*impl_);
-  impl->threads.reset();
-  impl->solids = std::make_shared<const Solids>(*impl_->solids, *object);
-  if (impl_->kernel) {
-    impl->kernel = std::make_shared<const KernelGeometry>(*impl_->kernel, *object);
-  } else {
-    impl->fcl = makeFclGeometry(*impl_->obstacles, *object);
-  }
-  return finished(std::move(impl), std::move(object));
+  auto geometry = withOtherObject(impl_->geometry, object);
+  return finished(consistingOf(std::move(geometry)), std::move(object));
 }
 
 CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const {
@@ -183,25 +180,29 @@ CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const 
     threads->whole = threads->whole->withObjects(change);
     return withoutThreads()->withObjects(change)->withThreaded(std::move(threads));
   }
-  if (impl_->groups.empty()) return withObject(change(*impl_->object));
+  if (impl_->groups.empty()) return withObject(change(object()));
   auto impl = std::make_unique<Impl>(*impl_);
+  impl->whole.reset();
   for (ObjectVariant& variant : impl->variants) variant.object = change(*variant.object);
   for (ObstacleGroup& group : impl->groups) group.world = group.world->withObjects(change);
-  return finished(std::move(impl), change(*impl_->object));
+  return finished(std::move(impl), change(object()));
 }
 
 /// The obstacles that no variant is for keep the whole object.
 CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> variants) const {
+  if (impl_->whole) return impl_->whole->withVariants(std::move(variants));
   if (variants.empty()) {
-    if (!impl_->groups.empty()) return build(obstacles(), impl_->object, backend());
+    if (!impl_->groups.empty()) return build(obstacles(), impl_->geometry.object, backend());
     return impl_->threads ? withoutThreads() : shared_from_this();
   }
+  const WorldGeometry& known = impl_->geometry;
   auto impl = std::make_unique<Impl>();
-  impl->backend = impl_->backend;
-  impl->obstacles = impl_->obstacles;
-  impl->obstaclesBox = impl_->obstaclesBox;
-  std::vector<ObjectVariant> groups{{impl_->object, {}}};
-  std::vector<bool> own(impl->obstacles->size(), false);
+  impl->geometry.backend = known.backend;
+  impl->geometry.obstacles = known.obstacles;
+  impl->geometry.obstaclesBox = known.obstaclesBox;
+  const bool large = isLarge(*known.obstacles);
+  std::vector<ObjectVariant> groups{{known.object, {}}};
+  std::vector<bool> own(known.obstacles->size(), false);
   for (ObjectVariant& variant : variants) {
     std::sort(variant.obstacles.begin(), variant.obstacles.end());
     for (const int body : variant.obstacles) own[static_cast<std::size_t>(body)] = true;
@@ -212,11 +213,14 @@ CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> varian
   }
   for (const ObjectVariant& group : groups) {
     std::vector<RigidBody> bodies;
-    for (const int body : group.obstacles) bodies.push_back((*impl->obstacles)[static_cast<std::size_t>(body)]);
-    if (!bodies.empty()) impl->groups.push_back({build(std::move(bodies), group.object, backend()), group.obstacles});
+    for (const int body : group.obstacles) bodies.push_back((*known.obstacles)[static_cast<std::size_t>(body)]);
+    if (bodies.empty()) continue;
+    auto geometry = prepareGeometry(std::move(bodies), group.object, known.backend, large, &known);
+    impl->groups.push_back({finished(consistingOf(std::move(geometry)), group.object), group.obstacles});
   }
   impl->variants = std::move(variants);
-  return finished(std::move(impl), impl_->object);
+  impl->whole = impl_->threads ? withoutThreads() : shared_from_this();
+  return finished(std::move(impl), known.object);
 }
 
 CollisionWorldPtr CollisionWorld::withThreads(std::vector<ThreadPair> pairs, CollisionWorldPtr whole) const {
@@ -235,25 +239,27 @@ CollisionWorldPtr CollisionWorld::withThreaded(std::shared_ptr<const ThreadedWor
 CollisionWorldPtr CollisionWorld::withoutThreads() const { return withThreaded(nullptr); }
 
 CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, MeshPtr object) const {
-  if (!impl_->solids) return build(std::move(obstacles), std::move(object), impl_->backend);
-  const auto isSame = [](const RigidBody& a, const RigidBody& b) { return a.mesh == b.mesh && a.X_WB == b.X_WB; };
-  const std::vector<RigidBody>& before = *impl_->obstacles;
-  const bool sameObject = object == impl_->object;
-  if (!std::equal(before.begin(), before.end(), obstacles.begin(), obstacles.end(), isSame)) {
-    auto solids =
-        std::make_shared<const Solids>(*impl_->solids, before, obstacles, sameObject ? nullptr : object.get());
-    auto impl = prepared(std::move(obstacles), *object, impl_->backend, std::move(solids));
-    return finished(std::move(impl), std::move(object));
+  if (impl_->whole) return impl_->whole->updated(std::move(obstacles), std::move(object));
+  const WorldGeometry& known = impl_->geometry;
+  if (!known.solids) return build(std::move(obstacles), std::move(object), known.backend);
+  const bool sameObject = object == known.object;
+  auto impl = std::make_unique<Impl>();
+  if (!std::equal(known.obstacles->begin(), known.obstacles->end(), obstacles.begin(), obstacles.end(), isSamePlaced)) {
+    const bool large = isLarge(obstacles);
+    impl->geometry = prepareGeometry(std::move(obstacles), object, known.backend, large, &known);
+  } else {
+    // Names, colours and mobility may have changed.
+    impl->geometry = sameObject ? known : withOtherObject(known, object);
+    impl->geometry.obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
   }
-  // Names, colours and mobility may have changed.
-  auto impl = std::make_unique<Impl>(sameObject ? *impl_ : *withObject(object)->impl_);
-  impl->threads.reset();
-  impl->obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  if (!sameObject) return finished(std::move(impl), std::move(object));
+  impl->objectRadius = impl_->objectRadius;
+  impl->motionBound = impl_->motionBound;
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
-  const CollisionWorldPtr whole = build(*impl_->obstacles, impl_->object, backend);
+  const CollisionWorldPtr whole = build(obstacles(), impl_->geometry.object, backend);
   const CollisionWorldPtr other = impl_->variants.empty() ? whole : whole->withVariants(impl_->variants);
   if (!impl_->threads) return other;
   auto threads = std::make_shared<ThreadedWorld>(*impl_->threads);
@@ -265,15 +271,15 @@ CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
 CollisionWorldPtr CollisionWorld::finished(std::unique_ptr<Impl> impl, MeshPtr object) {
   impl->objectRadius = radiusAboutOrigin(*object);
   impl->motionBound = std::make_shared<const MotionBound>(*object);
-  impl->object = std::move(object);
+  impl->geometry.object = std::move(object);
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
-const std::vector<RigidBody>& CollisionWorld::obstacles() const { return *impl_->obstacles; }
-const TriangleMesh& CollisionWorld::object() const { return *impl_->object; }
+const std::vector<RigidBody>& CollisionWorld::obstacles() const { return *impl_->geometry.obstacles; }
+const TriangleMesh& CollisionWorld::object() const { return *impl_->geometry.object; }
 double CollisionWorld::objectRadius() const { return impl_->objectRadius; }
-const Box3& CollisionWorld::obstaclesBox() const { return impl_->obstaclesBox; }
-CollisionBackend CollisionWorld::backend() const { return impl_->backend; }
+const Box3& CollisionWorld::obstaclesBox() const { return impl_->geometry.obstaclesBox; }
+CollisionBackend CollisionWorld::backend() const { return impl_->geometry.backend; }
 const std::vector<ObjectVariant>& CollisionWorld::variants() const { return impl_->variants; }
 
 const std::vector<ThreadPair>& CollisionWorld::threads() const {
@@ -284,13 +290,16 @@ const std::vector<ThreadPair>& CollisionWorld::threads() const {
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   if (impl_->threads) return std::make_unique<ThreadedQuery>(withoutThreads()->makeQuery(), impl_->threads);
   if (!impl_->groups.empty()) return std::make_unique<GroupedQuery>(impl_->groups, impl_->motionBound);
+  const WorldGeometry& geometry = impl_->geometry;
   std::unique_ptr<SurfaceQuery> surfaces;
-  if (impl_->kernel) {
-    surfaces = std::make_unique<KernelQuery>(impl_->kernel);
+  if (geometry.kernel) {
+    surfaces = std::make_unique<KernelQuery>(geometry.kernel);
+  } else if (geometry.occurrences) {
+    surfaces = std::make_unique<OccurrenceQuery>(geometry.occurrences);
   } else {
-    surfaces = std::make_unique<FclSurfaceQuery>(impl_->fcl);
+    surfaces = std::make_unique<FclSurfaceQuery>(geometry.fcl);
   }
-  return std::make_unique<SolidQuery>(std::move(surfaces), impl_->solids, impl_->motionBound);
+  return std::make_unique<SolidQuery>(std::move(surfaces), geometry.solids, impl_->motionBound);
 }
 
 }  // namespace glissade

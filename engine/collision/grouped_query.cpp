@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/collision/motion_union.h"
+
 namespace glissade {
 namespace {
 
@@ -100,21 +102,11 @@ bool GroupedQuery::clearAbove(const Pose& X_WB, double bound) {
 MotionCheck GroupedQuery::checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                       const StopToken& stop) {
   ++counts_.motion;
-  MotionCheck united;
-  united.status = CertificateStatus::Certified;
-  united.certified = 1.0;
+  MotionCheck united = certifiedMotion();
   for (Part& part : parts_) {
     if (!mayReach(part, from, to, required)) continue;
-    const MotionCheck check = part.query->checkMotion(from, to, required, seek, stop);
-    united.configurations += check.configurations;
-    united.certified = std::min(united.certified, check.certified);
-    if (check.status == CertificateStatus::Violated) {
-      united.at = united.status == CertificateStatus::Violated ? std::min(united.at, check.at) : check.at;
-      united.status = CertificateStatus::Violated;
-      if (seek == SeekViolation::Any) return united;
-    } else if (check.status == CertificateStatus::Undecided && united.status == CertificateStatus::Certified) {
-      united.status = CertificateStatus::Undecided;
-    }
+    unite(united, part.query->checkMotion(from, to, required, seek, stop));
+    if (united.status == CertificateStatus::Violated && seek == SeekViolation::Any) break;
   }
   return united;
 }

@@ -9,11 +9,8 @@
 
 namespace glissade {
 
-/// A body in its place, as the kernel wants an obstacle. Immutable.
+/// A mesh, as the kernel wants an obstacle; all bodies with this mesh share it. Immutable.
 struct PreparedObstacle {
-  RigidBody body;
-  Box3 box;  ///< world frame
-  double scale = 1.0;
   std::shared_ptr<const BoxTree> tree;
   Solids::SolidPtr solid;
 };
@@ -27,9 +24,17 @@ struct PreparedObject {
   Solids::SolidPtr solid;
 };
 
-/// Bodies of a product, for worlds of any choice of them: each is prepared once, when it is first needed, as an
-/// obstacle, and each mesh that it is taken to be; each mesh once as an object. A world then costs microseconds a body.
-/// Worlds keep what they need. May be asked by several threads at a time.
+/// An obstacle of a world, and the object as it is taken against it.
+struct ComposedObstacle {
+  RigidBody body;
+  Box3 box_W;
+  const PreparedObstacle* obstacle;
+  const PreparedObject* object;
+};
+
+/// Bodies of a product, for worlds of any choice of them: each mesh is prepared once, when it is first needed, as an
+/// obstacle, and once as an object. A world then costs microseconds a body. Worlds keep what they need. May be asked
+/// by several threads at a time.
 class PreparedBodies {
  public:
   explicit PreparedBodies(std::vector<RigidBody> bodies);
@@ -47,14 +52,14 @@ class PreparedBodies {
   const Box3& boxOf(std::size_t body) const { return boxes_[body]; }
 
  private:
-  const PreparedObstacle& obstacle(std::size_t body, const MeshPtr& mesh);
+  const PreparedObstacle& obstacle(const MeshPtr& mesh);
   const PreparedObject& object(const MeshPtr& mesh);
 
   std::vector<RigidBody> bodies_;
   std::vector<Box3> boxes_;
   double scale_;
   std::mutex mutex_;  ///< of what follows
-  std::map<std::pair<std::size_t, MeshPtr>, PreparedObstacle> obstacles_;
+  std::map<MeshPtr, PreparedObstacle> obstacles_;
   std::map<MeshPtr, PreparedObject> objects_;
 };
 

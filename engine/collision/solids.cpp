@@ -1,9 +1,6 @@
 #include "engine/collision/solids.h"
 
 #include <algorithm>
-#include <map>
-
-#include "engine/geometry/mesh_audit.h"
 
 namespace glissade {
 namespace {
@@ -14,61 +11,36 @@ bool mayFit(const Box3& inner, const Box3& outer) { return inner.sizes().maxCoef
 
 }  // namespace
 
-Solids::Solids(const std::vector<RigidBody>& obstacles, const TriangleMesh& object)
-    : Solids(makeSolids(obstacles), prepare(object)) {}
+Solids::Solids(std::vector<Placed> obstacles, SolidPtr object)
+    : Solids(std::make_shared<const std::vector<Placed>>(std::move(obstacles)), std::move(object)) {}
 
 Solids::Solids(const Solids& other, const TriangleMesh& object) : Solids(other.obstacles_, prepare(object)) {}
 
-Solids::Solids(const Solids& other, const std::vector<RigidBody>& before, const std::vector<RigidBody>& obstacles,
-               const TriangleMesh* object)
-    : Solids(makeSolids(obstacles, before, *other.obstacles_), object != nullptr ? prepare(*object) : other.object_) {}
-
-Solids::Solids(const SolidPtr& obstacle, SolidPtr object)
-    : Solids(std::make_shared<const std::vector<SolidPtr>>(1, obstacle), std::move(object)) {}
-
-Solids::Solids(SolidsPtr obstacles, SolidPtr object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
+Solids::Solids(PlacedPtr obstacles, SolidPtr object) : obstacles_(std::move(obstacles)), object_(std::move(object)) {
   if (object_->box.isEmpty()) return;
   squaredReach_ = object_->box.min().cwiseAbs().cwiseMax(object_->box.max().cwiseAbs()).squaredNorm();
-  for (const Component& component : object_->components) {
-    Guest guest{component.point, {}};
+  for (const ConnectedSurface& surface : object_->surfaces) {
+    Guest guest{surface.point, {}};
     for (std::size_t i = 0; i < obstacles_->size(); ++i) {
-      const Solid& obstacle = *(*obstacles_)[i];
-      if (obstacle.interior && mayFit(component.box, obstacle.box)) guest.hosts.push_back(i);
+      const Solid& obstacle = *(*obstacles_)[i].solid;
+      if (obstacle.interior && mayFit(surface.box, obstacle.box)) guest.hosts.push_back(i);
     }
     if (!guest.hosts.empty()) guests_.push_back(std::move(guest));
   }
   for (std::size_t i = 0; object_->interior && i < obstacles_->size(); ++i) {
-    for (const Component& component : (*obstacles_)[i]->components) {
-      if (mayFit(component.box, object_->box)) cores_.push_back({component.point, i});
+    const Placed& obstacle = (*obstacles_)[i];
+    for (const ConnectedSurface& surface : obstacle.solid->surfaces) {
+      if (mayFit(surface.box, object_->box)) cores_.push_back({obstacle.X_WS * surface.point, i});
     }
   }
-}
-
-Solids::SolidsPtr Solids::makeSolids(const std::vector<RigidBody>& bodies) { return makeSolids(bodies, {}, {}); }
-
-Solids::SolidsPtr Solids::makeSolids(const std::vector<RigidBody>& bodies, const std::vector<RigidBody>& before,
-                                     const std::vector<SolidPtr>& known) {
-  std::multimap<const TriangleMesh*, std::size_t> byMesh;
-  for (std::size_t i = 0; i < before.size(); ++i) byMesh.emplace(before[i].mesh.get(), i);
-  auto solids = std::make_shared<std::vector<SolidPtr>>();
-  solids->reserve(bodies.size());
-  for (const RigidBody& body : bodies) {
-    const auto [first, last] = byMesh.equal_range(body.mesh.get());
-    const auto same =
-        std::find_if(first, last, [&](const auto& entry) { return before[entry.second].X_WB == body.X_WB; });
-    solids->push_back(same != last ? known[same->second] : prepare(transformed(*body.mesh, body.X_WB)));
-  }
-  return solids;
 }
 
 Solids::SolidPtr Solids::prepare(const TriangleMesh& mesh) {
   Solid solid;
   solid.box = boundingBox(mesh);
-  const MeshAudit report = audit(mesh);
+  MeshAudit report = audit(mesh);
   if (report.closed()) solid.interior.emplace(mesh, report.consistentlyOriented);
-  for (const TriangleMesh& component : connectedComponents(mesh)) {
-    solid.components.push_back({component.vertices.front(), boundingBox(component)});
-  }
+  solid.surfaces = std::move(report.surfaces);
   return std::make_shared<const Solid>(std::move(solid));
 }
 
@@ -83,7 +55,9 @@ std::size_t Solids::aroundObject(const Pose& X_WB, std::size_t limit) const {
     const Vector3 point = X_WB * guest.point;
     for (const std::size_t host : guest.hosts) {
       if (host >= limit) break;
-      if ((*obstacles_)[host]->interior->contains(point)) limit = host;
+      const Placed& placed = (*obstacles_)[host];
+      if (!placed.box_W.contains(point)) continue;
+      if (placed.solid->interior->contains(inverse(placed.X_WS) * point)) limit = host;
     }
   }
   return limit;

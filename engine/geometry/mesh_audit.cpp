@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
 namespace glissade {
 namespace {
@@ -34,49 +33,67 @@ Components connectedVertices(const TriangleMesh& mesh) {
   return components;
 }
 
-/// An edge between two vertices as a triangle uses it.
+/// An edge as a triangle uses it, seen from its lower vertex.
 struct EdgeUse {
-  std::pair<std::uint32_t, std::uint32_t> edge;  ///< the lower vertex first
-  bool forward = false;                          ///< from the lower to the higher
+  std::uint32_t higher = 0;  ///< the other vertex
+  bool forward = false;      ///< from the lower to the higher
 };
 
-/// Uses of the same edge are neighbours.
-std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh) {
+/// The uses of all edges, by their lower vertex.
+struct EdgeUses {
   std::vector<EdgeUse> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i];
-      const std::uint32_t to = triangle[(i + 1) % 3];
-      uses.push_back({std::minmax(from, to), from < to});
+  std::vector<std::size_t> begins;  ///< of each vertex; one more at the end
+
+  explicit EdgeUses(const TriangleMesh& mesh) : uses(3 * mesh.triangles.size()), begins(mesh.vertices.size() + 1, 0) {
+    visit(mesh, [&](std::uint32_t lower, const EdgeUse&) { ++begins[lower + 1]; });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<std::size_t> next = begins;
+    visit(mesh, [&](std::uint32_t lower, const EdgeUse& use) { uses[next[lower]++] = use; });
+  }
+
+ private:
+  template <class Take>
+  static void visit(const TriangleMesh& mesh, const Take& take) {
+    for (const auto& triangle : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = triangle[i];
+        const std::uint32_t to = triangle[(i + 1) % 3];
+        take(std::min(from, to), {std::max(from, to), from < to});
+      }
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) { return a.edge < b.edge; });
-  return uses;
-}
+};
 
 void auditEdges(const TriangleMesh& mesh, MeshAudit& result) {
-  const std::vector<EdgeUse> uses = edgeUses(mesh);
-  for (auto first = uses.begin(); first != uses.end();) {
-    const auto other = [&](const EdgeUse& use) { return use.edge != first->edge; };
-    const auto last = std::find_if(first, uses.end(), other);
-    const auto forward = std::count_if(first, last, [](const EdgeUse& use) { return use.forward; });
-    if ((last - first) % 2 != 0) ++result.openEdges;
-    if (2 * forward != last - first) result.consistentlyOriented = false;
-    first = last;
+  EdgeUses edges(mesh);
+  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    const auto end = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex + 1]);
+    auto first = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex]);
+    std::sort(first, end, [](const EdgeUse& a, const EdgeUse& b) { return a.higher < b.higher; });
+    while (first != end) {
+      const auto last = std::find_if(first, end, [&](const EdgeUse& use) { return use.higher != first->higher; });
+      const auto forward = std::count_if(first, last, [](const EdgeUse& use) { return use.forward; });
+      if ((last - first) % 2 != 0) ++result.openEdges;
+      if (2 * forward != last - first) result.consistentlyOriented = false;
+      first = last;
+    }
   }
 }
 
-std::size_t componentCount(const TriangleMesh& mesh) {
+std::vector<ConnectedSurface> connectedSurfaces(const TriangleMesh& mesh) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   Components components = connectedVertices(mesh);
-  std::vector<bool> counted(mesh.vertices.size(), false);
-  std::size_t count = 0;
+  std::vector<std::uint32_t> surfaceOf(mesh.vertices.size(), kNone);  // by the vertex that stands for it
+  std::vector<ConnectedSurface> surfaces;
   for (const TriangleIndices& triangle : mesh.triangles) {
-    const std::uint32_t component = components.find(triangle[0]);
-    if (!counted[component]) ++count;
-    counted[component] = true;
+    std::uint32_t& surface = surfaceOf[components.find(triangle[0])];
+    if (surface == kNone) {
+      surface = static_cast<std::uint32_t>(surfaces.size());
+      surfaces.push_back({mesh.vertices[triangle[0]], Box3()});
+    }
+    for (const std::uint32_t corner : triangle) surfaces[surface].box.extend(mesh.vertices[corner]);
   }
-  return count;
+  return surfaces;
 }
 
 double solidAngle(const Vector3& a, const Vector3& b, const Vector3& c) {
@@ -95,7 +112,7 @@ MeshAudit audit(const TriangleMesh& input) {
   MeshAudit result;
   result.triangles = input.triangles.size();
   result.degenerateTriangles = input.triangles.size() - mesh.triangles.size();
-  result.components = componentCount(mesh);
+  result.surfaces = connectedSurfaces(mesh);
   result.box = boundingBox(input);
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vector3& pa = mesh.vertices[a];
@@ -106,34 +123,6 @@ MeshAudit audit(const TriangleMesh& input) {
   }
   auditEdges(mesh, result);
   return result;
-}
-
-std::vector<TriangleMesh> connectedComponents(const TriangleMesh& input) {
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  const TriangleMesh mesh = welded(input);
-  Components components = connectedVertices(mesh);
-  std::vector<std::uint32_t> partOf(mesh.vertices.size(), kNone);  // by the vertex that stands for it
-  std::vector<std::uint32_t> placeOf(mesh.vertices.size(), kNone);
-  std::vector<TriangleMesh> parts;
-  for (const TriangleIndices& triangle : mesh.triangles) {
-    std::uint32_t& part = partOf[components.find(triangle[0])];
-    if (part == kNone) {
-      part = static_cast<std::uint32_t>(parts.size());
-      parts.emplace_back();
-    }
-    TriangleMesh& target = parts[part];
-    TriangleIndices moved;
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& place = placeOf[triangle[i]];
-      if (place == kNone) {
-        place = static_cast<std::uint32_t>(target.vertices.size());
-        target.vertices.push_back(mesh.vertices[triangle[i]]);
-      }
-      moved[i] = place;
-    }
-    target.triangles.push_back(moved);
-  }
-  return parts;
 }
 
 double windingNumber(const TriangleMesh& mesh, const Vector3& p) {

@@ -7,26 +7,28 @@
 
 namespace glissade {
 
+/// Triangles that hang together by shared vertices (equal positions count as one). A surface that does not touch a
+/// solid is inside it if and only if any one of its points is.
+struct ConnectedSurface {
+  Vector3 point;  ///< one of its vertices
+  Box3 box;
+};
+
 /// What a mesh is worth as a solid. Vertices with equal positions count as one.
 struct MeshAudit {
   std::size_t triangles = 0;
   std::size_t degenerateTriangles = 0;  ///< zero area
-  std::size_t components = 0;           ///< connected by shared vertices
   std::size_t openEdges = 0;            ///< edges with one triangle, or an uneven number
   bool consistentlyOriented = true;     ///< each edge is used once in each direction
   double volume = 0.0;                  ///< signed, cubic metres; meaningful where closed
   Box3 box;
+  std::vector<ConnectedSurface> surfaces;  ///< of triangles that are not degenerate, in the order of the first ones
 
   /// A closed surface bounds a solid, and being inside it is a collision.
   bool closed() const { return openEdges == 0 && triangles > 0; }
 };
 
 MeshAudit audit(const TriangleMesh& mesh);
-
-/// The parts of a mesh that hang together by shared vertices (equal positions count as one), in the
-/// order of their first triangle. A part that does not touch a solid is inside it if and only if
-/// any one of its points is.
-std::vector<TriangleMesh> connectedComponents(const TriangleMesh& mesh);
 
 /// Generalised winding number of the mesh about p (Jacobson et al. 2013; solid angles by van
 /// Oosterom and Strackee 1983): +-1 inside a closed surface, 0 outside.

@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t kMostInALeaf = 4;
 /// Rays meet boxes that are this share of their sizes wider, because triangles are hit with some rounding.
 constexpr double kRayMargin = 1e-9;
+/// A triangle's distance may round to less than that of its box, by much less than this.
+constexpr double kRoundedDown = 1.0 - 1e-12;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
@@ -61,7 +63,7 @@ bool mayHit(const Vector3& origin, const Vector3& direction, const Box3& box, do
   return from <= most;
 }
 
-Vector3 nearestOnSegment(const Vector3& a, const Vector3& b, const Vector3& p) {
+inline Vector3 nearestOnSegment(const Vector3& a, const Vector3& b, const Vector3& p) {
   const Vector3 along = b - a;
   const double squared = along.squaredNorm();
   const double t = squared > 0.0 ? std::clamp((p - a).dot(along) / squared, 0.0, 1.0) : 0.0;
@@ -82,9 +84,15 @@ Vector3 nearestPoint(const Triangle& triangle, const Vector3& p) {
     if (u >= 0.0 && v >= 0.0 && w >= 0.0) return p - normal * (normal.dot(p - a) / squared);
   }
   Vector3 nearest = nearestOnSegment(a, b, p);
-  for (const Vector3& other : {nearestOnSegment(b, c, p), nearestOnSegment(c, a, p)}) {
-    if ((other - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = other;
-  }
+  double least = (nearest - p).squaredNorm();
+  const auto take = [&](const Vector3& other) {
+    const double distance = (other - p).squaredNorm();
+    if (distance >= least) return;
+    nearest = other;
+    least = distance;
+  };
+  take(nearestOnSegment(b, c, p));
+  take(nearestOnSegment(c, a, p));
   return nearest;
 }
 
@@ -128,27 +136,35 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
   build(middle, last);
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit) const {
+TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit, double enough) const {
+  struct Open {
+    std::uint32_t node;
+    double squared;  ///< distance of its box
+  };
   double least = limit * limit;
+  const double enoughSquared = enough * enough;
   std::uint32_t found = 0;
-  std::vector<std::uint32_t> open;
-  if (!nodes_.empty()) open.push_back(0);
-  while (!open.empty()) {
-    const std::uint32_t index = open.back();
-    open.pop_back();
-    const Node& node = nodes_[index];
-    if (node.box.squaredExteriorDistance(p) >= least) continue;
+  std::array<Open, 64> open;  // halving leaves no more levels than an index has bits
+  std::size_t count = 0;
+  if (!nodes_.empty()) open[count++] = {0, nodes_[0].box.squaredExteriorDistance(p)};
+  while (count > 0) {
+    const Open next = open[--count];
+    const Node& node = nodes_[next.node];
+    if (next.squared >= least) continue;
     if (node.count == 0) {
-      const bool nextIsNearer =
-          nodes_[index + 1].box.squaredExteriorDistance(p) < nodes_[node.first].box.squaredExteriorDistance(p);
-      open.push_back(nextIsNearer ? node.first : index + 1);
-      open.push_back(nextIsNearer ? index + 1 : node.first);
+      const Open one{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};
+      const Open other{node.first, nodes_[node.first].box.squaredExteriorDistance(p)};
+      const bool oneIsNearer = one.squared < other.squared;
+      open[count++] = oneIsNearer ? other : one;
+      open[count++] = oneIsNearer ? one : other;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (kRoundedDown * boxes_[order_[i]].squaredExteriorDistance(p) >= least) continue;
       const double squared = (nearestPoint(triangles_[order_[i]], p) - p).squaredNorm();
       if (squared >= least) continue;
       least = squared;
       found = order_[i];
+      if (least <= enoughSquared) return {std::sqrt(least), found};
     }
   }
   return {std::sqrt(least), found};

@@ -26,8 +26,9 @@ class TriangleTree {
     double distance = 0.0;
     std::uint32_t triangle = 0;  ///< meaningless where there is none nearer than the limit
   };
-  /// The triangle nearest to `p`; `limit` as the distance where there is none nearer.
-  Nearest nearest(const Vector3& p, double limit) const;
+  /// The triangle nearest to `p`; `limit` as the distance where there is none nearer. Where one is at most `enough`
+  /// away, that may be another one, which is at most `enough` away too.
+  Nearest nearest(const Vector3& p, double limit, double enough = 0.0) const;
 
   /// The least t > `after` at which origin + t * direction lies on a triangle, borders included as far as
   /// rounding allows; infinity where there is none.

@@ -12,6 +12,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 /// Share of the common box's diagonal between two samples.
 constexpr double kSpacing = 0.05;
+constexpr double kAboveRounding = 1.0 + 1e-9;
 /// In diagonals: nearer hits of a ray inwards are of the face that it begins at.
 constexpr double kSameSurface = 1e-6;
 
@@ -48,32 +49,41 @@ class DepthSearch {
   DepthSearch(const TriangleTree& body, const SolidDepth& solid, double floor)
       : body_(body), solid_(solid), deepest_{floor, 0} {}
 
-  void search(const Triangle& piece, double spacing) {
+  /// `near`: a point that is at most `distance` from the body's surface.
+  void search(const Triangle& piece, double spacing, const Vector3& near = Vector3::Zero(),
+              double distance = kUnbounded) {
     const Vector3 middle = (piece[0] + piece[1] + piece[2]) / 3.0;
     double radius = 0.0;
     for (const Vector3& corner : piece) radius = std::max(radius, (corner - middle).norm());
     const bool inside = solid_.contains(middle);
-    const TriangleTree::Nearest nearest = body_.nearest(middle, inside ? kUnbounded : radius);
+    const double most = inside ? boundAt(middle, near, distance) : radius;
+    const double uninteresting = std::max(0.0, deepest_.depth - radius) / kAboveRounding;
+    const TriangleTree::Nearest nearest = body_.nearest(middle, most, uninteresting);
     if (nearest.distance + radius <= deepest_.depth || (!inside && nearest.distance >= radius)) return;
     if (inside) take(nearest);
     if (radius <= spacing) {
       for (const Vector3& corner : piece) {
-        if (solid_.contains(corner)) take(body_.nearest(corner, kUnbounded));
+        if (solid_.contains(corner)) take(body_.nearest(corner, boundAt(corner, middle, nearest.distance)));
       }
       return;
     }
     const Vector3 ab = 0.5 * (piece[0] + piece[1]);
     const Vector3 bc = 0.5 * (piece[1] + piece[2]);
     const Vector3 ca = 0.5 * (piece[2] + piece[0]);
-    search({piece[0], ab, ca}, spacing);
-    search({ab, piece[1], bc}, spacing);
-    search({ca, bc, piece[2]}, spacing);
-    search({ab, bc, ca}, spacing);
+    search({piece[0], ab, ca}, spacing, middle, nearest.distance);
+    search({ab, piece[1], bc}, spacing, middle, nearest.distance);
+    search({ca, bc, piece[2]}, spacing, middle, nearest.distance);
+    search({ab, bc, ca}, spacing, middle, nearest.distance);
   }
 
   std::optional<OverlapDepth> deepest() const { return found_ ? std::optional(deepest_) : std::nullopt; }
 
  private:
+  /// More than the distance of `p` from the surface.
+  static double boundAt(const Vector3& p, const Vector3& near, double distance) {
+    return kAboveRounding * (distance + (p - near).norm());
+  }
+
   void take(const TriangleTree::Nearest& nearest) {
     if (nearest.distance <= deepest_.depth) return;
     deepest_ = {nearest.distance, nearest.triangle};

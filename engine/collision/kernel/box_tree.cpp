@@ -4,11 +4,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <thread>
+
+#include "engine/base/thread_team.h"
 
 namespace glissade {
 namespace {
 
 constexpr std::size_t kBins = 16;
+/// Trees with more triangles are large.
+constexpr std::size_t kMostFittedWithCare = 200'000;
 
 /// Smallest float not below the value.
 float roundedUp(double value) {
@@ -77,68 +82,111 @@ void tryAxis(const OrientedBox& box, const std::vector<Extent>& extents, int axi
   }
 }
 
-}  // namespace
-
 /// A run of triangles with its box, while the tree is built.
-struct BoxTree::Part {
+struct Part {
   std::size_t first = 0;
   std::size_t last = 0;
   OrientedBox box;
 
-  Part(const std::vector<OwnedTriangle>& triangles, std::size_t from, std::size_t to) : first(from), last(to) {
-    std::vector<const Triangle*> corners;
-    corners.reserve(to - from);
-    for (std::size_t i = from; i < to; ++i) corners.push_back(&triangles[i].corners);
-    box = fitBox(corners);
-  }
   std::size_t size() const { return last - first; }
 };
 
-BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf)
-    : triangles(std::move(all)), mostInALeaf_(mostInALeaf) {
-  if (empty()) return;
-  Box3 box;
-  for (const OwnedTriangle& triangle : triangles) {
-    for (const Vector3& corner : triangle.corners) box.extend(corner);
-  }
-  centre = box.center();
-  for (const OwnedTriangle& triangle : triangles) {
-    for (const Vector3& corner : triangle.corners) reach = std::max(reach, (corner - centre).norm());
-  }
-  fillNode(addNode(), {Part(triangles, 0, triangles.size())});
+/// Builds a tree, or a part of it, over a run of triangles, which it puts into the order of the leaves. Several may
+/// work at the same time on runs of their own.
+class TreeBuilder {
+ public:
+  TreeBuilder(std::vector<OwnedTriangle>& triangles, const Vector3& centre, std::size_t mostInALeaf)
+      : triangles_(triangles),
+        centre_(centre),
+        mostInALeaf_(mostInALeaf),
+        withCare_(triangles.size() <= kMostFittedWithCare) {}
+
+  bool withCare() const { return withCare_; }
+  Part partOf(std::size_t first, std::size_t last) const;
+  std::vector<Part> divided(const Part& whole) const;
+  void build(const Part& whole) { fillNode(made_.addNode(), {whole}); }
+  /// The same in several threads. The whole is no leaf.
+  void buildInThreads(const Part& whole);
+
+  BoxTreeNodes takeNodes() && { return std::move(made_); }
+
+ private:
+  void fillNode(std::uint32_t node, const std::vector<Part>& parts);
+  void setBoxes(std::uint32_t node, const std::vector<Part>& parts);
+  void setBox(BoxTree::Box box, const Part& part);
+  std::int32_t addLeaf(const Part& part);
+
+  std::vector<OwnedTriangle>& triangles_;
+  const Vector3& centre_;
+  std::size_t mostInALeaf_;
+  bool withCare_;
+  BoxTreeNodes made_;
+};
+
+Part TreeBuilder::partOf(std::size_t first, std::size_t last) const {
+  std::vector<const Triangle*> corners;
+  corners.reserve(last - first);
+  for (std::size_t i = first; i < last; ++i) corners.push_back(&triangles_[i].corners);
+  return {first, last, withCare_ ? fitBox(corners) : fitBoxQuickly(corners)};
 }
 
-std::uint32_t BoxTree::addNode() {
-  nodes.emplace_back();
-  counts.push_back(0);
-  child.resize(child.size() + lanes::kWidth, -1);
-  radius.resize(child.size(), 0.0F);
-  lowestBody.resize(child.size(), 0);
-  return static_cast<std::uint32_t>(nodes.size() - 1);
-}
-
-void BoxTree::fillNode(std::uint32_t node, std::vector<Part> parts) {
-  counts[node] = static_cast<std::uint32_t>(parts.size());
-  const std::size_t first = std::size_t{node} * lanes::kWidth;
-  for (std::size_t lane = 0; lane < lanes::kWidth; ++lane) {
-    // Lanes without a box repeat the last one: their arithmetic stays finite, their answers are not read.
-    setBox(static_cast<Box>(first + lane), parts[std::min(lane, parts.size() - 1)]);
-  }
+void TreeBuilder::fillNode(std::uint32_t node, const std::vector<Part>& parts) {
+  setBoxes(node, parts);
   for (std::size_t lane = 0; lane < parts.size(); ++lane) {
-    const Part& part = parts[lane];
-    const std::size_t box = first + lane;
-    if (part.size() <= mostInALeaf_) {
-      child[box] = addLeaf(part);
+    const std::size_t box = node * lanes::kWidth + lane;
+    if (parts[lane].size() <= mostInALeaf_) {
+      made_.child[box] = addLeaf(parts[lane]);
       continue;
     }
-    const std::uint32_t below = addNode();
-    child[box] = static_cast<std::int32_t>(below);
-    fillNode(below, divided(part));
+    const std::uint32_t below = made_.addNode();
+    made_.child[box] = static_cast<std::int32_t>(below);
+    fillNode(below, divided(parts[lane]));
+  }
+}
+
+void TreeBuilder::buildInThreads(const Part& whole) {
+  setBoxes(made_.addNode(), {whole});
+  const std::uint32_t top = made_.addNode();
+  made_.child[0] = static_cast<std::int32_t>(top);
+  const std::vector<Part> parts = divided(whole);
+  setBoxes(top, parts);
+  std::vector<BoxTreeNodes> below(parts.size());
+  ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1U);
+  team.run(parts.size(), [&](std::size_t lane) {
+    if (parts[lane].size() <= mostInALeaf_) return;
+    TreeBuilder builder(triangles_, centre_, mostInALeaf_);
+    builder.fillNode(builder.made_.addNode(), builder.divided(parts[lane]));
+    below[lane] = std::move(builder).takeNodes();
+  });
+  for (std::size_t lane = 0; lane < parts.size(); ++lane) {
+    const bool leaf = parts[lane].size() <= mostInALeaf_;
+    const auto next = static_cast<std::int32_t>(made_.nodes.size());
+    made_.child[top * lanes::kWidth + lane] = leaf ? addLeaf(parts[lane]) : next;
+    made_.append(below[lane]);
+    below[lane] = {};
+  }
+}
+
+/// Lanes without a box repeat the last one: their arithmetic stays finite, their answers are not read.
+void TreeBuilder::setBoxes(std::uint32_t node, const std::vector<Part>& parts) {
+  made_.counts[node] = static_cast<std::uint32_t>(parts.size());
+  const auto first = static_cast<BoxTree::Box>(node * lanes::kWidth);
+  for (std::size_t lane = 0; lane < parts.size(); ++lane) setBox(first + static_cast<BoxTree::Box>(lane), parts[lane]);
+  lanes::BoxLanes& boxes = made_.nodes[node];
+  const std::size_t last = parts.size() - 1;
+  for (std::size_t lane = parts.size(); lane < lanes::kWidth; ++lane) {
+    for (int i = 0; i < 3; ++i) {
+      boxes.centre[i][lane] = boxes.centre[i][last];
+      boxes.half[i][lane] = boxes.half[i][last];
+      for (int k = 0; k < 3; ++k) boxes.axis[k][i][lane] = boxes.axis[k][i][last];
+    }
+    made_.radius[first + lane] = made_.radius[first + last];
+    made_.lowestBody[first + lane] = made_.lowestBody[first + last];
   }
 }
 
 /// Cuts the part with the largest surface again and again until there are eight.
-std::vector<BoxTree::Part> BoxTree::divided(const Part& whole) {
+std::vector<Part> TreeBuilder::divided(const Part& whole) const {
   std::vector<Part> parts{whole};
   while (parts.size() < lanes::kWidth) {
     auto widest = parts.end();
@@ -149,10 +197,10 @@ std::vector<BoxTree::Part> BoxTree::divided(const Part& whole) {
     if (widest == parts.end()) break;
     const Part part = *widest;
     std::vector<Extent> extents;
-    for (std::size_t i = part.first; i < part.last; ++i) extents.push_back(extentIn(part.box, triangles[i].corners));
+    for (std::size_t i = part.first; i < part.last; ++i) extents.push_back(extentIn(part.box, triangles_[i].corners));
     Cut cut;
     for (int axis = 0; axis < 3; ++axis) tryAxis(part.box, extents, axis, cut);
-    const auto begin = triangles.begin() + static_cast<std::ptrdiff_t>(part.first);
+    const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(part.first);
     auto middle = begin + static_cast<std::ptrdiff_t>(part.size() / 2);
     if (cut.axis >= 0) {
       middle = std::stable_partition(begin, begin + static_cast<std::ptrdiff_t>(part.size()),
@@ -161,21 +209,21 @@ std::vector<BoxTree::Part> BoxTree::divided(const Part& whole) {
                                        return 0.5 * (extent.low[cut.axis] + extent.high[cut.axis]) < cut.at;
                                      });
     }
-    auto split = static_cast<std::size_t>(middle - triangles.begin());
+    auto split = static_cast<std::size_t>(middle - triangles_.begin());
     if (split == part.first || split == part.last) split = part.first + part.size() / 2;
-    *widest = Part(triangles, part.first, split);
-    parts.emplace_back(triangles, split, part.last);
+    *widest = partOf(part.first, split);
+    parts.push_back(partOf(split, part.last));
   }
   return parts;
 }
 
-void BoxTree::setBox(Box box, const Part& part) {
-  lanes::BoxLanes& node = nodes[nodeAround(box)];
-  const std::size_t lane = laneOf(box);
+void TreeBuilder::setBox(BoxTree::Box box, const Part& part) {
+  lanes::BoxLanes& node = made_.nodes[BoxTree::nodeAround(box)];
+  const std::size_t lane = BoxTree::laneOf(box);
   Vector3 middle;
   Eigen::Matrix3d axes;
   for (int i = 0; i < 3; ++i) {
-    node.centre[i][lane] = static_cast<float>(part.box.centre[i] - centre[i]);
+    node.centre[i][lane] = static_cast<float>(part.box.centre[i] - centre_[i]);
     middle[i] = node.centre[i][lane];
     for (int k = 0; k < 3; ++k) {
       node.axis[k][i][lane] = static_cast<float>(part.box.axes(i, k));
@@ -187,33 +235,78 @@ void BoxTree::setBox(Box box, const Part& part) {
   double farthest = 0.0;
   int lowest = std::numeric_limits<int>::max();
   for (std::size_t i = part.first; i < part.last; ++i) {
-    lowest = std::min(lowest, triangles[i].body);
-    for (const Vector3& corner : triangles[i].corners) {
-      const Vector3 p = (corner - centre) - middle;
+    lowest = std::min(lowest, triangles_[i].body);
+    for (const Vector3& corner : triangles_[i].corners) {
+      const Vector3 p = (corner - centre_) - middle;
       half = half.cwiseMax((axes.transpose() * p).cwiseAbs());
       farthest = std::max(farthest, p.norm());
     }
   }
   for (int k = 0; k < 3; ++k) node.half[k][lane] = roundedUp(half[k]);
-  radius[box] = roundedUp(farthest);
-  lowestBody[box] = lowest;
+  made_.radius[box] = roundedUp(farthest);
+  made_.lowestBody[box] = lowest;
 }
 
-std::int32_t BoxTree::addLeaf(const Part& part) {
-  Leaf leaf;
+std::int32_t TreeBuilder::addLeaf(const Part& part) {
+  BoxTreeNodes::Leaf leaf;
   leaf.first = static_cast<std::uint32_t>(part.first);
   leaf.count = static_cast<std::uint32_t>(part.size());
   for (int i = 0; i < 3; ++i) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       for (std::size_t k = 0; k < lanes::kLeafTriangles; ++k) {
-        const Triangle& triangle = triangles[part.first + std::min(k, part.size() - 1)].corners;
+        const Triangle& triangle = triangles_[part.first + std::min(k, part.size() - 1)].corners;
         leaf.lanes.coordinate[i][corner * lanes::kLeafTriangles + k] =
-            static_cast<float>(triangle[corner][i] - centre[i]);
+            static_cast<float>(triangle[corner][i] - centre_[i]);
       }
     }
   }
-  leaves.push_back(leaf);
-  return -static_cast<std::int32_t>(leaves.size());
+  made_.leaves.push_back(leaf);
+  return -static_cast<std::int32_t>(made_.leaves.size());
+}
+
+}  // namespace
+
+std::uint32_t BoxTreeNodes::addNode() {
+  nodes.emplace_back();
+  counts.push_back(0);
+  child.resize(child.size() + lanes::kWidth, -1);
+  radius.resize(child.size(), 0.0F);
+  lowestBody.resize(child.size(), 0);
+  return static_cast<std::uint32_t>(nodes.size() - 1);
+}
+
+void BoxTreeNodes::append(const BoxTreeNodes& part) {
+  const auto nodesBefore = static_cast<std::int32_t>(nodes.size());
+  const auto leavesBefore = static_cast<std::int32_t>(leaves.size());
+  for (const std::int32_t below : part.child) {
+    child.push_back(below < 0 ? below - leavesBefore : below + nodesBefore);
+  }
+  const auto addAll = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  addAll(nodes, part.nodes);
+  addAll(counts, part.counts);
+  addAll(leaves, part.leaves);
+  addAll(radius, part.radius);
+  addAll(lowestBody, part.lowestBody);
+}
+
+BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf) : triangles(std::move(all)) {
+  if (empty()) return;
+  Box3 box;
+  for (const OwnedTriangle& triangle : triangles) {
+    for (const Vector3& corner : triangle.corners) box.extend(corner);
+  }
+  centre = box.center();
+  for (const OwnedTriangle& triangle : triangles) {
+    for (const Vector3& corner : triangle.corners) reach = std::max(reach, (corner - centre).norm());
+  }
+  TreeBuilder builder(triangles, centre, mostInALeaf);
+  const Part whole = builder.partOf(0, triangles.size());
+  if (builder.withCare()) {
+    builder.build(whole);
+  } else {
+    builder.buildInThreads(whole);
+  }
+  static_cast<BoxTreeNodes&>(*this) = std::move(builder).takeNodes();
 }
 
 }  // namespace glissade

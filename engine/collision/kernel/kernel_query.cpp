@@ -19,6 +19,12 @@ constexpr std::size_t kMostInALeafOfObject = 2;
 /// A motion that meets something is mostly found to at one of these, far apart first.
 constexpr std::array<double, 9> kTriedFirst{0.0, 1.0, 0.5, 0.25, 0.75, 0.125, 0.625, 0.375, 0.875};
 
+Box3 boxAround(const std::vector<RigidBody>& bodies) {
+  Box3 box;
+  for (const RigidBody& body : bodies) box.extend(boundingBox(*body.mesh, body.X_WB));
+  return box;
+}
+
 void addTriangles(const TriangleMesh& mesh, double scale, int body, std::vector<OwnedTriangle>& triangles) {
   for (const auto& [a, b, c] : mesh.triangles) {
     triangles.push_back({{scale * mesh.vertices[a], scale * mesh.vertices[b], scale * mesh.vertices[c]}, body});
@@ -33,9 +39,10 @@ std::vector<OwnedTriangle> trianglesOf(const std::vector<RigidBody>& obstacles, 
   return triangles;
 }
 
-std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& object, double scale) {
+std::vector<OwnedTriangle> trianglesOf(const TriangleMesh& mesh, double scale) {
   std::vector<OwnedTriangle> triangles;
-  addTriangles(object, scale, 0, triangles);
+  triangles.reserve(mesh.triangles.size());
+  addTriangles(mesh, scale, 0, triangles);
   return triangles;
 }
 
@@ -47,15 +54,13 @@ float widenedBound(double value) {
 
 }  // namespace
 
-double kernelScale(const std::vector<RigidBody>& obstacles) {
-  Box3 box;
-  for (const RigidBody& body : obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+double kernelScale(const Box3& box) {
   const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
   return size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
-std::shared_ptr<const BoxTree> kernelObstacle(const RigidBody& body, double scale) {
-  return std::make_shared<const BoxTree>(trianglesOf(std::vector<RigidBody>{body}, scale), kMostInALeafOfObstacles);
+std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale) {
+  return std::make_shared<const BoxTree>(trianglesOf(mesh, scale), kMostInALeafOfObstacles);
 }
 
 std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale) {
@@ -63,7 +68,7 @@ std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double sca
 }
 
 KernelGeometry::KernelGeometry(const std::vector<RigidBody>& obstacleBodies, const TriangleMesh& objectMesh)
-    : scale(kernelScale(obstacleBodies)),
+    : scale(kernelScale(boxAround(obstacleBodies))),
       obstacles(std::make_shared<const BoxTree>(trianglesOf(obstacleBodies, scale), kMostInALeafOfObstacles)),
       object(kernelObject(objectMesh, scale)) {}
 
@@ -77,20 +82,26 @@ KernelGeometry::KernelGeometry(double commonScale, std::shared_ptr<const BoxTree
 KernelQuery::KernelQuery(std::shared_ptr<const KernelGeometry> geometry, const lanes::LaneFunctions& functions)
     : geometry_(std::move(geometry)), traversal_(*geometry_->obstacles, *geometry_->object, functions) {}
 
+void KernelQuery::setObstacles(const BoxTree& obstacles) {
+  if (&obstacles == &traversal_.obstacles()) return;
+  traversal_.setObstacles(obstacles);
+  recentCount_ = 0;
+}
+
 bool KernelQuery::moveTo(const Pose& X_WB, double bound) {
-  if (geometry_->obstacles->empty() || geometry_->object->empty()) return false;
+  if (traversal_.obstacles().empty() || geometry_->object->empty()) return false;
   traversal_.placed.moveTo(scaled(X_WB));
   return traversal_.placed.sphereGap() <= bound;
 }
 
 /// Two leaves meet in an obstacle below `bodiesBelow`: which is the lowest.
 bool KernelQuery::leavesMeet(const BoxPair& leaves, int bodiesBelow, int& body) {
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
   bool found = false;
   for (unsigned mask = traversal_.mayMeet(leaves); mask != 0; mask &= mask - 1) {
     const auto bit = static_cast<std::uint32_t>(__builtin_ctz(mask));
-    const OwnedTriangle& obstacle = traversal_.obstacles.triangles[firstObstacle + bit % lanes::kLeafTriangles];
+    const OwnedTriangle& obstacle = traversal_.obstacles().triangles[firstObstacle + bit % lanes::kLeafTriangles];
     if (obstacle.body >= bodiesBelow) continue;
     if (!trianglesMeet(obstacle.corners, traversal_.placed.triangle(firstObject + bit / lanes::kLeafTriangles))) {
       continue;
@@ -139,7 +150,7 @@ std::optional<int> KernelQuery::touchingBody(const Pose& X_WB) {
   while (!stack_.empty()) {
     const BoxPair pair = stack_.back();
     stack_.pop_back();
-    if (traversal_.obstacles.lowestBody[pair.obstacle] >= lowest) continue;
+    if (traversal_.obstacles().lowestBody[pair.obstacle] >= lowest) continue;
     if (traversal_.bothLeaves(pair)) {
       leavesMeet(pair, lowest, lowest);
       continue;
@@ -233,7 +244,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
       triangleDistance(traversal_.obstacleTriangle(best.pair.obstacle), traversal_.placed.triangle(best.pair.object));
   // Surfaces that do not touch are apart, by however little.
   result.distance = std::max(std::sqrt(distance.squared) / scale, std::numeric_limits<double>::min());
-  result.body = traversal_.obstacles.triangles[best.pair.obstacle].body;
+  result.body = traversal_.obstacles().triangles[best.pair.obstacle].body;
   result.p_WPo = distance.onA / scale;
   result.p_WPn = distance.onB / scale;
   return result;
@@ -244,7 +255,7 @@ NearestObstacle KernelQuery::nearest(const Pose& X_WB, double enough) {
 bool KernelQuery::leavesWithin(const BoxPair& leaves, double bound) {
   unsigned mask = traversal_.within(leaves, widenedBound(bound));
   if (mask == 0) return false;
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
   triangles_.clear();
   for (; mask != 0; mask &= mask - 1) {
@@ -302,7 +313,7 @@ bool KernelQuery::isWithin(const Pose& X_WB, double metres) {
 
 std::optional<MotionCheck> KernelQuery::checkMotion(const Pose& from, const Pose& to, double required,
                                                     SeekViolation seek, const StopToken& stop) {
-  if (geometry_->obstacles->empty() || geometry_->object->empty())
+  if (traversal_.obstacles().empty() || geometry_->object->empty())
     return MotionCheck{CertificateStatus::Certified, 1.0, 1.0, 0};
   std::uint64_t tried = 0;
   if (seek == SeekViolation::Any) {

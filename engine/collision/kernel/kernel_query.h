@@ -25,9 +25,9 @@ struct KernelGeometry {
 };
 
 /// One over the size of the obstacles, as a power of two.
-double kernelScale(const std::vector<RigidBody>& obstacles);
-/// The tree of one obstacle, which has the number 0.
-std::shared_ptr<const BoxTree> kernelObstacle(const RigidBody& body, double scale);
+double kernelScale(const Box3& obstacles);
+/// The tree of an obstacle in the frame of its mesh. The body has the number 0.
+std::shared_ptr<const BoxTree> kernelObstacle(const TriangleMesh& mesh, double scale);
 std::shared_ptr<const BoxTree> kernelObject(const TriangleMesh& mesh, double scale);
 
 /// Our own kernel: wide hierarchies searched on vector units in single precision, which only ever rule
@@ -37,6 +37,9 @@ class KernelQuery final : public SurfaceQuery {
  public:
   explicit KernelQuery(std::shared_ptr<const KernelGeometry> geometry,
                        const lanes::LaneFunctions& functions = lanes::best());
+
+  /// Asks another tree in place of the obstacles'; of the same scale. It has to outlive the query.
+  void setObstacles(const BoxTree& obstacles);
 
   bool touches(const Pose& X_WB) override;
   std::optional<int> touchingBody(const Pose& X_WB) override;

@@ -104,7 +104,7 @@ bool MotionSearch::examine(const Interval& interval, const Doubts& doubts) {
 }
 
 double MotionSearch::sizeOf(const BoxPair& pair) const {
-  return std::max(traversal_.obstacles.radius[pair.obstacle], traversal_.object.radius[pair.object]);
+  return std::max(traversal_.obstacles().radius[pair.obstacle], traversal_.object.radius[pair.object]);
 }
 
 bool MotionSearch::examine(Opened opened, double half) {
@@ -129,7 +129,7 @@ bool MotionSearch::examine(Opened opened, double half) {
 MotionSearch::Finding MotionSearch::examine(const BoxPair& leaves, double half) {
   const double way = traversal_.wayOf(leaves.object);
   const bool planes = sizeOf(leaves) >= kWorthAPlane * way;
-  const std::uint32_t firstObstacle = traversal_.obstacles.leafOf(leaves.obstacle).first;
+  const std::uint32_t firstObstacle = traversal_.obstacles().leafOf(leaves.obstacle).first;
   const std::uint32_t firstObject = traversal_.object.leafOf(leaves.object).first;
   const float reach = above(required_ + static_cast<double>(traversal_.bendOf(leaves.object)));
   for (unsigned mask = traversal_.mayMeetInSweep(leaves, reach); mask != 0; mask &= mask - 1) {

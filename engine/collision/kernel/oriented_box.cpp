@@ -28,27 +28,41 @@ std::optional<OrientedBox> boxAlong(const Eigen::Matrix3d& axes, const std::vect
 
 /// First those that reach farthest along the coordinate axes and the diagonals of a cube.
 std::vector<const Triangle*> outermostFirst(std::vector<const Triangle*> triangles) {
-  const std::array<Vector3, 7> directions{Vector3(1, 0, 0),  Vector3(0, 1, 0),  Vector3(0, 0, 1), Vector3(1, 1, 1),
-                                          Vector3(1, 1, -1), Vector3(1, -1, 1), Vector3(-1, 1, 1)};
-  if (triangles.size() <= 2 * directions.size()) return triangles;
-  auto front = triangles.begin();
-  for (const Vector3& direction : directions) {
-    for (const double sign : {-1.0, 1.0}) {
-      const Vector3 along = sign * direction;
-      const auto reach = [&](const Triangle* t) {
-        return std::max({along.dot((*t)[0]), along.dot((*t)[1]), along.dot((*t)[2])});
-      };
-      auto farthest = front;
-      double most = reach(*front);
-      for (auto at = std::next(front); at != triangles.end(); ++at) {
-        const double here = reach(*at);
-        if (here > most) {
-          most = here;
-          farthest = at;
-        }
-      }
-      std::iter_swap(front++, farthest);
+  constexpr std::size_t kDirections = 7;
+  if (triangles.size() <= 2 * kDirections) return triangles;
+  const auto alongEach = [](const Vector3& p) {
+    return std::array<double, kDirections>{p.x(),
+                                           p.y(),
+                                           p.z(),
+                                           p.x() + p.y() + p.z(),
+                                           p.x() + p.y() - p.z(),
+                                           p.x() - p.y() + p.z(),
+                                           p.y() + p.z() - p.x()};
+  };
+  struct Outermost {
+    double reach = -std::numeric_limits<double>::infinity();
+    std::size_t triangle = 0;
+  };
+  std::array<Outermost, 2 * kDirections> outermost;
+  const auto take = [](Outermost& known, double reach, std::size_t triangle) {
+    if (reach > known.reach) known = {reach, triangle};
+  };
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto a = alongEach((*triangles[i])[0]);
+    const auto b = alongEach((*triangles[i])[1]);
+    const auto c = alongEach((*triangles[i])[2]);
+    for (std::size_t k = 0; k < kDirections; ++k) {
+      take(outermost[2 * k], std::max(std::max(a[k], b[k]), c[k]), i);
+      take(outermost[2 * k + 1], -std::min(std::min(a[k], b[k]), c[k]), i);
     }
+  }
+  std::array<std::size_t, 2 * kDirections> found;
+  std::transform(outermost.begin(), outermost.end(), found.begin(), [](const Outermost& o) { return o.triangle; });
+  // In ascending order nothing is swapped away before it is its turn.
+  std::sort(found.begin(), found.end());
+  const auto last = std::unique(found.begin(), found.end());
+  for (auto at = found.begin(); at != last; ++at) {
+    std::swap(triangles[static_cast<std::size_t>(at - found.begin())], triangles[*at]);
   }
   return triangles;
 }
@@ -78,32 +92,53 @@ std::optional<Eigen::Matrix3d> axesAlong(const Triangle& triangle, std::size_t e
   return axes;
 }
 
-/// Some with the largest areas.
-std::vector<const Triangle*> leadingTriangles(std::vector<const Triangle*> triangles) {
-  constexpr std::size_t kMost = 8;
-  if (triangles.size() <= kMost) return triangles;
-  const auto area = [](const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm(); };
-  std::partial_sort(triangles.begin(), triangles.begin() + kMost, triangles.end(),
-                    [&](const Triangle* a, const Triangle* b) { return area(*a) > area(*b); });
-  triangles.resize(kMost);
-  return triangles;
+/// Some with the largest areas, the largest first.
+std::vector<const Triangle*> leadingTriangles(const std::vector<const Triangle*>& triangles, std::size_t most) {
+  if (triangles.size() <= most) return triangles;
+  struct Sized {
+    double squaredArea;
+    const Triangle* triangle;
+  };
+  std::vector<Sized> sized;
+  sized.reserve(triangles.size());
+  for (const Triangle* t : triangles) {
+    sized.push_back({((*t)[1] - (*t)[0]).cross((*t)[2] - (*t)[0]).squaredNorm(), t});
+  }
+  const auto last = sized.begin() + static_cast<std::ptrdiff_t>(most);
+  std::partial_sort(sized.begin(), last, sized.end(),
+                    [](const Sized& a, const Sized& b) { return a.squaredArea > b.squaredArea; });
+  std::vector<const Triangle*> leading;
+  std::transform(sized.begin(), last, std::back_inserter(leading), [](const Sized& s) { return s.triangle; });
+  return leading;
 }
 
-}  // namespace
-
-OrientedBox fitBox(const std::vector<const Triangle*>& triangles) {
-  const std::vector<const Triangle*> ordered = outermostFirst(triangles);
+/// The smallest of the boxes along the coordinate axes, the principal axes, and the edges of some large triangles.
+OrientedBox smallestBox(const std::vector<const Triangle*>& triangles, const std::vector<const Triangle*>& ordered,
+                        std::size_t mostLeading) {
   OrientedBox best = *boxAlong(Eigen::Matrix3d::Identity(), ordered);
   const auto tryAxes = [&](const Eigen::Matrix3d& axes) {
     if (const auto box = boxAlong(axes, ordered, 0.999 * best.surface())) best = *box;
   };
   tryAxes(principalAxes(triangles));
-  for (const Triangle* triangle : leadingTriangles(triangles)) {
+  for (const Triangle* triangle : leadingTriangles(triangles, mostLeading)) {
     for (std::size_t edge = 0; edge < 3; ++edge) {
       if (const auto axes = axesAlong(*triangle, edge)) tryAxes(*axes);
     }
   }
   return best;
+}
+
+}  // namespace
+
+OrientedBox fitBox(const std::vector<const Triangle*>& triangles) {
+  constexpr std::size_t kLeading = 8;
+  return smallestBox(triangles, outermostFirst(triangles), kLeading);
+}
+
+OrientedBox fitBoxQuickly(const std::vector<const Triangle*>& triangles) {
+  constexpr std::size_t kMostFitted = 512;
+  if (triangles.size() > kMostFitted) return *boxAlong(Eigen::Matrix3d::Identity(), triangles);
+  return smallestBox(triangles, triangles, 1);
 }
 
 }  // namespace glissade

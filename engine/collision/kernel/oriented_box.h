@@ -20,4 +20,7 @@ struct OrientedBox {
 /// principal axes, and the longest edge of the largest triangle with its normal.
 OrientedBox fitBox(const std::vector<const Triangle*>& triangles);
 
+/// Of fewer candidates: for many triangles along the coordinate axes only. A third of the time, for large meshes.
+OrientedBox fitBoxQuickly(const std::vector<const Triangle*>& triangles);
+
 }  // namespace glissade

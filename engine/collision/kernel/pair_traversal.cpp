@@ -6,7 +6,7 @@
 namespace glissade {
 
 unsigned PairTraversal::within(const Opened& opened, float reach, float* separation) {
-  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
   const unsigned near = opened.obstacle
                             ? functions_.boxesWithin(obstacle, moved, BoxTree::laneOf(opened.first.object),
@@ -18,7 +18,7 @@ unsigned PairTraversal::within(const Opened& opened, float reach, float* separat
 
 unsigned PairTraversal::withinSweep(const Opened& opened, float reach) {
   const std::uint32_t index = BoxTree::nodeAround(opened.first.object);
-  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(index);
   const lanes::SweepLanes& sweep = placed.sweepOf(index);
   const float slack = placed.slack() + placed.sweepSlack();
@@ -31,7 +31,7 @@ unsigned PairTraversal::withinSweep(const Opened& opened, float reach) {
 }
 
 void PairTraversal::distances(const Opened& opened, float* squared) {
-  const lanes::BoxLanes& obstacle = obstacles.nodes[BoxTree::nodeAround(opened.first.obstacle)];
+  const lanes::BoxLanes& obstacle = obstacles_->nodes[BoxTree::nodeAround(opened.first.obstacle)];
   const lanes::BoxLanes& moved = placed.node(BoxTree::nodeAround(opened.first.object));
   if (opened.obstacle) {
     functions_.boxDistances(obstacle, moved, BoxTree::laneOf(opened.first.object), placed.slack(), squared);
@@ -43,22 +43,22 @@ void PairTraversal::distances(const Opened& opened, float* squared) {
 /// Bits of the triangles that two leaves have.
 unsigned PairTraversal::columnsOf(const BoxPair& leaves) const {
   const unsigned rows = (1U << (lanes::kLeafTriangles * object.leafOf(leaves.object).count)) - 1U;
-  return rows & (((1U << obstacles.leafOf(leaves.obstacle).count) - 1U) * 0x1111U);
+  return rows & (((1U << obstacles_->leafOf(leaves.obstacle).count) - 1U) * 0x1111U);
 }
 
 unsigned PairTraversal::mayMeet(const BoxPair& leaves) {
   lanes::TriangleLanes moved;
   placed.leaf(leaves.object, moved);
-  return functions_.trianglesMayMeet(obstacles.leafOf(leaves.obstacle).lanes, moved, object.leafOf(leaves.object).count,
-                                     placed.slack()) &
+  return functions_.trianglesMayMeet(obstacles_->leafOf(leaves.obstacle).lanes, moved,
+                                     object.leafOf(leaves.object).count, placed.slack()) &
          columnsOf(leaves);
 }
 
 unsigned PairTraversal::within(const BoxPair& leaves, float reach) {
   lanes::TriangleLanes moved;
   placed.leaf(leaves.object, moved);
-  return functions_.trianglesWithin(obstacles.leafOf(leaves.obstacle).lanes, moved, object.leafOf(leaves.object).count,
-                                    placed.slack(), reach) &
+  return functions_.trianglesWithin(obstacles_->leafOf(leaves.obstacle).lanes, moved,
+                                    object.leafOf(leaves.object).count, placed.slack(), reach) &
          columnsOf(leaves);
 }
 
@@ -67,14 +67,14 @@ unsigned PairTraversal::mayMeetInSweep(const BoxPair& leaves, float reach) {
   lanes::TriangleLanes ways;
   placed.leaf(leaves.object, moved);
   placed.sweepTriangles(moved, ways);
-  return functions_.trianglesMayMeetInSweep(obstacles.leafOf(leaves.obstacle).lanes, moved, ways,
+  return functions_.trianglesMayMeetInSweep(obstacles_->leafOf(leaves.obstacle).lanes, moved, ways,
                                             object.leafOf(leaves.object).count, placed.slack() + placed.sweepSlack(),
                                             reach) &
          columnsOf(leaves);
 }
 
 PairTraversal::LeafDistances PairTraversal::triangleDistances(const BoxPair& leaves) {
-  const BoxTree::Leaf& obstacle = obstacles.leafOf(leaves.obstacle);
+  const BoxTree::Leaf& obstacle = obstacles_->leafOf(leaves.obstacle);
   const BoxTree::Leaf& moved = object.leafOf(leaves.object);
   lanes::TriangleLanes lanesOfMoved;
   placed.leaf(leaves.object, lanesOfMoved);

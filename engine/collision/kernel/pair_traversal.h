@@ -25,9 +25,16 @@ struct TrianglePair {
 class PairTraversal {
  public:
   PairTraversal(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions)
-      : obstacles(obstacles), object(object), placed(obstacles, object, functions), functions_(functions) {}
+      : object(object), placed(obstacles, object, functions), obstacles_(&obstacles), functions_(functions) {}
 
-  bool bothLeaves(const BoxPair& pair) const { return obstacles.isLeaf(pair.obstacle) && object.isLeaf(pair.object); }
+  const BoxTree& obstacles() const { return *obstacles_; }
+  /// Another tree in place of the obstacles'. The object has to be moved then.
+  void setObstacles(const BoxTree& obstacles) {
+    obstacles_ = &obstacles;
+    placed.setObstacles(obstacles);
+  }
+
+  bool bothLeaves(const BoxPair& pair) const { return obstacles_->isLeaf(pair.obstacle) && object.isLeaf(pair.object); }
 
   /// The up to eight pairs below one that is opened.
   struct Opened {
@@ -40,12 +47,13 @@ class PairTraversal {
     }
   };
   Opened open(const BoxPair& pair) const {
-    const bool obstacle = !obstacles.isLeaf(pair.obstacle) &&
-                          (object.isLeaf(pair.object) || obstacles.radius[pair.obstacle] >= object.radius[pair.object]);
+    const bool obstacle =
+        !obstacles_->isLeaf(pair.obstacle) &&
+        (object.isLeaf(pair.object) || obstacles_->radius[pair.obstacle] >= object.radius[pair.object]);
     if (obstacle) {
-      const std::uint32_t node = obstacles.nodeOf(pair.obstacle);
+      const std::uint32_t node = obstacles_->nodeOf(pair.obstacle);
       return {
-          {static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, (1U << obstacles.counts[node]) - 1U};
+          {static_cast<BoxTree::Box>(node * lanes::kWidth), pair.object}, true, (1U << obstacles_->counts[node]) - 1U};
     }
     const std::uint32_t node = object.nodeOf(pair.object);
     return {{pair.obstacle, static_cast<BoxTree::Box>(node * lanes::kWidth)}, false, (1U << object.counts[node]) - 1U};
@@ -88,15 +96,15 @@ class PairTraversal {
   /// Squared distances of up to four pairs of triangles, as triangleDistance finds them.
   std::array<double, 4> exactDistances(std::span<const TrianglePair> pairs);
 
-  const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles.triangles[index].corners; }
+  const Triangle& obstacleTriangle(std::uint32_t index) const { return obstacles_->triangles[index].corners; }
 
-  const BoxTree& obstacles;
   const BoxTree& object;
   PlacedObject placed;
 
  private:
   unsigned columnsOf(const BoxPair& leaves) const;
 
+  const BoxTree* obstacles_;
   const lanes::LaneFunctions& functions_;
 };
 

@@ -16,7 +16,7 @@ constexpr double kHalfUlp = std::numeric_limits<float>::epsilon() / 2.0;
 }  // namespace
 
 PlacedObject::PlacedObject(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions)
-    : obstacles_(obstacles),
+    : obstacles_(&obstacles),
       object_(object),
       functions_(functions),
       placedAt_(object.nodes.size(), 0),
@@ -26,7 +26,7 @@ void PlacedObject::moveTo(const Pose& X_WB) {
   X_WB_ = X_WB;
   swept_ = false;
   const Eigen::Matrix3d rotation = X_WB.orientation.toRotationMatrix();
-  const Vector3 translation = rotation * object_.centre + (X_WB.position - obstacles_.centre);
+  const Vector3 translation = rotation * object_.centre + (X_WB.position - obstacles_->centre);
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) X_.rotation[i][k] = static_cast<float>(rotation(i, k));
     X_.translation[i] = static_cast<float>(translation[i]);
@@ -34,8 +34,8 @@ void PlacedObject::moveTo(const Pose& X_WB) {
   const double distance = translation.norm();
   // A quaternion that is not quite of unit length stretches.
   const double stretch = 4.0 * std::abs(X_WB.orientation.squaredNorm() - 1.0) * object_.reach;
-  slack_ = static_cast<float>(kRoundings * kHalfUlp * (distance + obstacles_.reach + object_.reach) + stretch);
-  sphereGap_ = (distance - obstacles_.reach - object_.reach - stretch) * (1.0 - 1e-12);
+  slack_ = static_cast<float>(kRoundings * kHalfUlp * (distance + obstacles_->reach + object_.reach) + stretch);
+  sphereGap_ = (distance - obstacles_->reach - object_.reach - stretch) * (1.0 - 1e-12);
   if (++current_ == 0) {
     std::fill(placedAt_.begin(), placedAt_.end(), 0);
     current_ = 1;
@@ -47,7 +47,7 @@ void PlacedObject::sweep(const Velocity& velocity, double half) {
   sweeps_.resize(placed_.size());
   const double angle = half * velocity.rotation;
   const Vector3 turn = angle * (X_WB_.orientation * velocity.axis_B);
-  const Vector3 pivot = X_WB_.position - obstacles_.centre;
+  const Vector3 pivot = X_WB_.position - obstacles_->centre;
   const Vector3 way = half * velocity.translation_W;
   const Eigen::Matrix3d across{{0.0, -turn.z(), turn.y()}, {turn.z(), 0.0, -turn.x()}, {-turn.y(), turn.x(), 0.0}};
   for (int i = 0; i < 3; ++i) {

@@ -14,6 +14,8 @@ class PlacedObject {
  public:
   PlacedObject(const BoxTree& obstacles, const BoxTree& object, const lanes::LaneFunctions& functions);
 
+  /// Another tree of obstacles. The object has to be moved then.
+  void setObstacles(const BoxTree& obstacles) { obstacles_ = &obstacles; }
   void moveTo(const Pose& X_WB);
   /// Besides, lets it go on from there, at that velocity, for time `half` to both sides.
   void sweep(const Velocity& velocity, double half);
@@ -39,7 +41,7 @@ class PlacedObject {
  private:
   void place(std::uint32_t index);
 
-  const BoxTree& obstacles_;
+  const BoxTree* obstacles_;
   const BoxTree& object_;
   const lanes::LaneFunctions& functions_;
   Pose X_WB_;

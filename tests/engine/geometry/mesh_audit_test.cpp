@@ -27,22 +27,23 @@ TEST(MeshAudit, CountsComponentsAndDegenerateTriangles) {
   append(two, transformed(makeBox(Vector3::Ones()), Pose::translation({5, 0, 0})));
   two.triangles.push_back({0, 0, 1});
   const MeshAudit result = audit(two);
-  EXPECT_EQ(result.components, 2U);
+  EXPECT_EQ(result.surfaces.size(), 2U);
   EXPECT_EQ(result.degenerateTriangles, 1U);
 }
 
-TEST(MeshAudit, PartsHaveTheirOwnVerticesOnly) {
+TEST(MeshAudit, SurfacesAreListedInTheOrderOfTheirFirstTriangles) {
   TriangleMesh many;
   for (int i = 0; i < 2000; ++i) {
     append(many, transformed(makeBox(Vector3::Constant(0.5)), Pose::translation({double(i), 0, 0})));
   }
-  const std::vector<TriangleMesh> parts = connectedComponents(many);
-  ASSERT_EQ(parts.size(), 2000U);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    ASSERT_EQ(parts[i].vertices.size(), 8U);
-    ASSERT_EQ(parts[i].triangles.size(), 12U);
-    ASSERT_TRUE(audit(parts[i]).closed());
-    ASSERT_NEAR(boundingBox(parts[i]).center().x(), static_cast<double>(i), 1e-12);
+  const MeshAudit result = audit(many);
+  EXPECT_TRUE(result.closed());
+  ASSERT_EQ(result.surfaces.size(), 2000U);
+  for (std::size_t i = 0; i < result.surfaces.size(); ++i) {
+    const ConnectedSurface& surface = result.surfaces[i];
+    ASSERT_NEAR((surface.box.center() - Vector3(double(i), 0, 0)).norm(), 0.0, 1e-12);
+    ASSERT_NEAR((surface.box.sizes() - Vector3::Constant(0.5)).norm(), 0.0, 1e-12);
+    ASSERT_NEAR((surface.point - surface.box.center()).cwiseAbs().minCoeff(), 0.25, 1e-12);
   }
 }
 
@@ -56,7 +57,7 @@ TEST(MeshAudit, SplitVerticesCountAsOne) {
     soup.triangles.push_back({base, base + 1, base + 2});
   }
   EXPECT_TRUE(audit(soup).closed());
-  EXPECT_EQ(audit(soup).components, 1U);
+  EXPECT_EQ(audit(soup).surfaces.size(), 1U);
   EXPECT_EQ(welded(soup).vertices.size(), 8U);
   for (Vector3& vertex : soup.vertices) vertex.z() += 0.5;
   soup.vertices.front().z() = soup.vertices.front().z() == 0.0 ? -0.0 : soup.vertices.front().z();

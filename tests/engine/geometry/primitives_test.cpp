@@ -16,7 +16,7 @@ void expectSolid(const TriangleMesh& mesh) {
   EXPECT_TRUE(result.closed());
   EXPECT_TRUE(result.consistentlyOriented);
   EXPECT_EQ(result.degenerateTriangles, 0U);
-  EXPECT_EQ(result.components, 1U);
+  EXPECT_EQ(result.surfaces.size(), 1U);
   EXPECT_GT(result.volume, 0.0) << "triangles must face outwards";
 }
 

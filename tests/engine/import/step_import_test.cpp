@@ -57,7 +57,7 @@ TEST(StepImport, SolidsAreClosedAndTheirOutsideIsOutside) {
     const MeshAudit result = audit(*part.mesh);
     EXPECT_TRUE(result.closed());
     EXPECT_TRUE(result.consistentlyOriented);
-    EXPECT_EQ(result.components, 1U);
+    EXPECT_EQ(result.surfaces.size(), 1U);
     EXPECT_EQ(part.facesWithoutMesh, 0U);
     EXPECT_GT(result.volume, 0.0);
     if (volume == 0.0) continue;  // not known

@@ -55,7 +55,7 @@ TEST(Urdf, ReadsShapesJointsAndColours) {
   EXPECT_EQ(*wall.colour, (std::array<double, 3>{0, 0, 1}));
 
   const UrdfLink& ball = (*model)[0];
-  EXPECT_EQ(audit(ball.mesh).components, 2U);  // both collision shapes
+  EXPECT_EQ(audit(ball.mesh).surfaces.size(), 2U);  // both collision shapes
   EXPECT_GE(boundingBox(ball.mesh).max().x(), 1.0);
   EXPECT_EQ(ball.X_RL.position, Vector3(0, 5, 0));
   EXPECT_FALSE(ball.colour.has_value());

@@ -66,7 +66,7 @@ TEST(StepParts, AnAssemblyInTheFileMovesAsOne) {
   const LoadedScenario loaded =
       loadedFrom(scenarioOf({moving(kUnit + ":pump"), still(kUnit), mobile(kUnit + ":pin#2")}));
   EXPECT_EQ(loaded.object.name, "pump");
-  EXPECT_EQ(audit(*loaded.object.mesh).components, 2U);
+  EXPECT_EQ(audit(*loaded.object.mesh).surfaces.size(), 2U);
   EXPECT_THAT(idsOf(loaded), ElementsAre("plate", "pin", "pin#2"));
   EXPECT_EQ(loaded.obstacles[2].mobility, Mobility::Mobile);
   EXPECT_EQ(loaded.obstacles[1].mobility, Mobility::Static);
@@ -77,7 +77,7 @@ TEST(StepParts, AFileOfOnePartIsTakenAsAMesh) {
   EXPECT_EQ(loaded.object.id, "box");
   EXPECT_THAT(idsOf(loaded), ElementsAre("cylinder"));
   const LoadedScenario whole = loadedFrom(scenarioOf({moving(kUnit), still(stepFile("box.step"))}));
-  EXPECT_EQ(audit(*whole.object.mesh).components, 5U) << "the whole file moves as one";
+  EXPECT_EQ(audit(*whole.object.mesh).surfaces.size(), 5U) << "the whole file moves as one";
 }
 
 TEST(StepParts, OfAProductWhatWasLostInReadingIsAWarning) {
