@@ -133,7 +133,7 @@ Part TreeBuilder::partOf(std::size_t first, std::size_t last) const {
 void TreeBuilder::fillNode(std::uint32_t node, const std::vector<Part>& parts) {
   setBoxes(node, parts);
   for (std::size_t lane = 0; lane < parts.size(); ++lane) {
-    const std::size_t box = node * lanes::kWidth + lane;
+    const std::size_t box = std::size_t{node} * lanes::kWidth + lane;
     if (parts[lane].size() <= mostInALeaf_) {
       made_.child[box] = addLeaf(parts[lane]);
       continue;
@@ -161,7 +161,7 @@ void TreeBuilder::buildInThreads(const Part& whole) {
   for (std::size_t lane = 0; lane < parts.size(); ++lane) {
     const bool leaf = parts[lane].size() <= mostInALeaf_;
     const auto next = static_cast<std::int32_t>(made_.nodes.size());
-    made_.child[top * lanes::kWidth + lane] = leaf ? addLeaf(parts[lane]) : next;
+    made_.child[std::size_t{top} * lanes::kWidth + lane] = leaf ? addLeaf(parts[lane]) : next;
     made_.append(below[lane]);
     below[lane] = {};
   }
