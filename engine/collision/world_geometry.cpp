@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace glissade {
 namespace {
@@ -40,6 +41,7 @@ class ObstaclePreparation {
     return placed;
   }
 
+  /// An object whose mesh is an obstacle's shares the tree of that.
   std::shared_ptr<const OccurrenceGeometry> occurrences(const MeshPtr& object, const Solids& solids,
                                                         const Box3& obstaclesBox) const {
     const double scale = scaleOfLarge(obstaclesBox);
@@ -57,7 +59,11 @@ class ObstaclePreparation {
       placed.push_back({tree, obstacles_[i].X_WB});
       boxes.push_back(solids.obstacles()[i].box_W);
     }
-    return std::make_shared<const OccurrenceGeometry>(scale, std::move(placed), boxes, kernelObject(*object, scale),
+    const auto shared = trees.find(object.get());
+    TreePtr moving = shared != trees.end() ? shared->second : nullptr;
+    const bool isKnown = known != nullptr && known_->object == object && knownByMesh_.count(object.get()) == 0;
+    if (!moving) moving = isKnown ? known->object : kernelObject(*object, scale);
+    return std::make_shared<const OccurrenceGeometry>(scale, std::move(placed), boxes, std::move(moving),
                                                       solids.object()->box);
   }
 
@@ -89,12 +95,12 @@ class ObstaclePreparation {
   std::map<const TriangleMesh*, std::size_t> knownByMesh_;  ///< the first obstacle that has the mesh
 };
 
-/// Of the object, where it is an occurrence of a mesh that an obstacle has; else null.
-Solids::SolidPtr solidAmong(const std::vector<RigidBody>& obstacles, const std::vector<Solids::Placed>& solids,
-                            const MeshPtr& object) {
+/// The first obstacle with this mesh; nothing where there is none.
+std::optional<std::size_t> obstacleWith(const MeshPtr& mesh, const std::vector<RigidBody>& obstacles) {
   const auto same =
-      std::find_if(obstacles.begin(), obstacles.end(), [&](const RigidBody& body) { return body.mesh == object; });
-  return same != obstacles.end() ? solids[static_cast<std::size_t>(same - obstacles.begin())].solid : nullptr;
+      std::find_if(obstacles.begin(), obstacles.end(), [&](const RigidBody& body) { return body.mesh == mesh; });
+  if (same == obstacles.end()) return std::nullopt;
+  return static_cast<std::size_t>(same - obstacles.begin());
 }
 
 }  // namespace
@@ -115,7 +121,8 @@ WorldGeometry prepareGeometry(std::vector<RigidBody> obstacles, const MeshPtr& o
   geometry.object = object;
   std::vector<Solids::Placed> solids = preparation.placedSolids();
   for (const Solids::Placed& placed : solids) geometry.obstaclesBox.extend(placed.box_W);
-  Solids::SolidPtr moving = solidAmong(obstacles, solids, object);
+  Solids::SolidPtr moving;
+  if (const auto same = obstacleWith(object, obstacles)) moving = solids[*same].solid;
   if (!moving && known != nullptr && known->solids && known->object == object) moving = known->solids->object();
   if (!moving) moving = Solids::prepare(*object);
   geometry.solids = std::make_shared<const Solids>(std::move(solids), std::move(moving));
@@ -138,7 +145,9 @@ WorldGeometry withOtherObject(const WorldGeometry& geometry, const MeshPtr& obje
     other.kernel = std::make_shared<const KernelGeometry>(*geometry.kernel, *object);
   } else if (geometry.occurrences) {
     auto occurrences = std::make_shared<OccurrenceGeometry>(*geometry.occurrences);
-    occurrences->setObject(kernelObject(*object, occurrences->scale), other.solids->object()->box);
+    const auto same = obstacleWith(object, *geometry.obstacles);
+    auto tree = same ? occurrences->occurrences[*same].tree : kernelObject(*object, occurrences->scale);
+    occurrences->setObject(std::move(tree), other.solids->object()->box);
     other.occurrences = std::move(occurrences);
   } else {
     other.fcl = makeFclGeometry(*geometry.obstacles, *object);

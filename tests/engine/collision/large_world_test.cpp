@@ -159,7 +159,7 @@ TEST(LargeWorld, AnUpdatedOneAnswersAsOneThatIsBuiltAnew) {
     EXPECT_EQ(updated->obstaclesBox().min(), anew->obstaclesBox().min());
     const auto mine = updated->makeQuery();
     const auto other = anew->makeQuery();
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 50; ++i) {
       Pose q = randomPose(stream, 0.6);
       q.position.x() += i % 21;
       ASSERT_EQ(mine->collidingBody(q), other->collidingBody(q)) << edit;
