@@ -8,6 +8,7 @@
 #include "engine/collision/kernel/kernel_query.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
+#include "engine/collision/screw_profile.h"
 #include "engine/collision/solids.h"
 #include "engine/collision/threaded_query.h"
 
@@ -33,9 +34,12 @@ namespace {
 /// Surfaces by one of the backends, containment by our own test of solids.
 class SolidQuery final : public CollisionQuery {
  public:
-  SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, std::shared_ptr<const Solids> solids,
-             std::shared_ptr<const MotionBound> motionBound)
-      : surfaces_(std::move(surfaces)), solids_(std::move(solids)), motionBound_(std::move(motionBound)) {}
+  SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, const CollisionWorld::Impl& world)
+      : surfaces_(std::move(surfaces)),
+        solids_(world.solids),
+        motionBound_(world.motionBound),
+        obstacles_(world.obstacles),
+        object_(world.object) {}
 
   bool collides(const Pose& X_WB) override {
     ++counts_.collision;
@@ -82,10 +86,27 @@ class SolidQuery final : public CollisionQuery {
     return *check;
   }
 
+  /// What touches nothing is inside of nothing all the way if it is so at the beginning.
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override {
+    ++counts_.motion;
+    if (solids_->containment(from)) return 0.0;
+    std::vector<Triangle> fixed;
+    for (const RigidBody& body : *obstacles_) addTriangles(*body.mesh, body.X_WB, fixed);
+    std::vector<Triangle> moving;
+    addTriangles(*object_, from, moving);
+    return screwDistance(moving, fixed, screw, advance, enough);
+  }
+
   const MotionBound& motionBound() const override { return *motionBound_; }
   const QueryCounts& counts() const override { return counts_; }
 
  private:
+  static void addTriangles(const TriangleMesh& mesh, const Pose& X_WM, std::vector<Triangle>& triangles) {
+    std::vector<Vector3> placed;
+    for (const Vector3& vertex : mesh.vertices) placed.push_back(X_WM * vertex);
+    for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({placed[a], placed[b], placed[c]});
+  }
+
   bool inCollision(const Pose& X_WB) { return surfaces_->touches(X_WB) || solids_->containment(X_WB); }
 
   std::optional<int> bodyInCollision(const Pose& X_WB) {
@@ -96,6 +117,8 @@ class SolidQuery final : public CollisionQuery {
   std::unique_ptr<SurfaceQuery> surfaces_;
   std::shared_ptr<const Solids> solids_;
   std::shared_ptr<const MotionBound> motionBound_;
+  std::shared_ptr<const std::vector<RigidBody>> obstacles_;
+  MeshPtr object_;
   QueryCounts counts_;
 };
 
@@ -290,7 +313,7 @@ std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   } else {
     surfaces = std::make_unique<FclSurfaceQuery>(impl_->fcl);
   }
-  return std::make_unique<SolidQuery>(std::move(surfaces), impl_->solids, impl_->motionBound);
+  return std::make_unique<SolidQuery>(std::move(surfaces), *impl_);
 }
 
 }  // namespace glissade

@@ -13,6 +13,7 @@
 
 #include "engine/collision/fcl_scale.h"
 #include "engine/collision/judged_course.h"
+#include "engine/collision/judged_helix.h"
 #include "engine/collision/judged_sweep.h"
 #include "engine/collision/judged_thinning.h"
 #include "engine/collision/judged_threads.h"
@@ -28,6 +29,8 @@ using Model = fcl::BVHModel<fcl::OBBRSSd>;
 /// coordinate that enters: some 16 roundings.
 constexpr double kRelativeError = 1e-9;
 constexpr double kCoordinateError = 4e-15;
+/// Distances that are asked for on a screw motion of many turns.
+constexpr std::size_t kDistancesOfHelix = 32;
 /// Where that comes to more than this share of the clearance, it is undecided.
 constexpr double kErrorShare = 0.05;
 /// Clearances are proved down to this share of the smallest distance met.
@@ -224,6 +227,25 @@ struct IndependentCheck::Group {
     return std::max(0.0, glissade::turnedDistance(moving, fixed, advance, off) * (1.0 - kRelativeError) - error);
   }
 
+  /// Lower bound on the distance on all of a screw motion from there, whatever its turns; at most `enough`.
+  double helixDistance(const fcl::Transform3d& X_WB, const JudgedHelix& helix, double wanted, double enough) const {
+    std::vector<Corners> moving;
+    for (const auto& [a, b, c] : object.triangles) {
+      moving.push_back({X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c]});
+    }
+    std::vector<Corners> fixed;
+    for (const ObstaclePtr& obstacle : obstacles) {
+      const Model& surface = obstacle->surface;
+      for (int i = 0; i < surface.num_tris; ++i) {
+        const fcl::Triangle& triangle = surface.tri_indices[i];
+        fixed.push_back({surface.vertices[triangle[0]], surface.vertices[triangle[1]], surface.vertices[triangle[2]]});
+      }
+    }
+    const double error = errorAt(X_WB.translation()) + errorAt(X_WB.translation() + helix.advance * helix.axis);
+    const double least = glissade::helixDistance(moving, fixed, helix, wanted + 2.0 * error, enough);
+    return std::max(0.0, least * (1.0 - kRelativeError) - error);
+  }
+
   /// The body that the object is inside of, or around; -1 where there is none.
   int container(const fcl::Transform3d& X_WB) const {
     const fcl::Transform3d X_BW = X_WB.inverse();
@@ -383,9 +405,64 @@ std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(c
 
 IndependentCheck::~IndependentCheck() = default;
 
+/// Screw motions of more than a turn are judged as one: all of their edges have the clearance that is shown for the
+/// whole, and the smallest distance that was met at some of its configurations. Where that does not show what is
+/// demanded, the edges are judged one by one.
+std::vector<std::optional<MotionCertificate>> IndependentCheck::judgeHelices(const std::vector<Pose>& path,
+                                                                             const std::vector<EdgeDemand>& demands,
+                                                                             const StopToken& stop) const {
+  std::vector<std::optional<MotionCertificate>> known(demands.size());
+  if (threads_ || path.size() < 2) return known;  // threads have a rule of their own
+  std::vector<Pose> scaledPath;
+  for (const Pose& q : path) scaledPath.push_back(scaledPose(q, geometry_->scale));
+  for (const JudgedHelix& helix : helicesOf(scaledPath, geometry_->object)) {
+    double demanded = 0.0;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) demanded = std::max(demanded, demands[i].clearance);
+    const MotionCertificate judged = judgeHelix(*geometry_, scaledPath, helix, geometry_->scale * demanded, stop);
+    if (judged.status != CertificateStatus::Certified) continue;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) {
+      known[i] = inMetres(judged, geometry_->scale);
+      known[i]->tolerance = demands[i].clearance;
+    }
+  }
+  return known;
+}
+
+MotionCertificate IndependentCheck::judgeHelix(const Geometry& geometry, const std::vector<Pose>& path,
+                                               const JudgedHelix& helix, double required, const StopToken& stop) {
+  MotionCertificate result;
+  result.minClearance = std::numeric_limits<double>::infinity();
+  const Pose& from = path[helix.first];
+  const Pose& to = path[helix.last + 1];
+  const auto placed = [](const Pose& q) { return JudgedCourse(q, q).at(0.0); };
+  if (!geometry.resolves(from, to, required) || geometry.container(placed(from)) >= 0) return result;
+  const std::vector<bool> all(geometry.groups.size(), true);
+  const std::size_t count = helix.last - helix.first + 1;
+  const std::size_t step = std::max<std::size_t>(1, count / kDistancesOfHelix);
+  for (std::size_t i = 0; i <= count; i += step) {
+    if (stop.stopRequested()) return result;
+    ++result.distanceQueries;
+    const NearestObstacle nearest = geometry.nearest(placed(path[helix.first + i]), all);
+    if (nearest.distance >= result.minClearance) continue;
+    result.minClearance = nearest.distance;
+    result.nearest = nearest;
+  }
+  double shown = result.minClearance;
+  for (const auto& group : geometry.groups) {
+    if (shown <= helix.off || stop.stopRequested()) return result;
+    shown = std::min(shown, group->helixDistance(placed(from), helix, required + helix.off, shown));
+  }
+  result.provedClearance = shown - helix.off;
+  if (result.provedClearance < required) return result;
+  result.certified = 1.0;
+  result.status = CertificateStatus::Certified;
+  return result;
+}
+
 MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                                           const StopToken& stop) const {
   MotionCertificate result;
+  const auto helices = judgeHelices(path, demands, stop);
   const auto turned = threads_ ? threads_->judge(path) : std::vector<JudgedThreads::Edge>();
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = path[std::min(i + 1, path.size() - 1)];
@@ -393,7 +470,9 @@ MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const s
     const Geometry& geometry = free ? *whole_ : *geometry_;
     const double scale = geometry.scale;
     MotionCertificate edge;
-    if (i < turned.size() && turned[i].forbiddenBy >= 0) {
+    if (helices[i]) {
+      edge = *helices[i];
+    } else if (i < turned.size() && turned[i].forbiddenBy >= 0) {
       edge.status = CertificateStatus::Violated;
       edge.againstThread = true;
       edge.nearest.body = turned[i].forbiddenBy;

@@ -8,6 +8,7 @@
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
 #include "engine/geometry/primitives.h"
+#include "engine/geometry/t_junctions.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
@@ -140,13 +141,19 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   const auto imported = importMesh(*content, stop_);
   if (!imported) return imported.error();
   warnings_.insert(warnings_.end(), imported->warnings.begin(), imported->warnings.end());
-  LoadedGeometry geometry = single(welded(interpreted(imported->mesh, asset.unit, asset.up)));
+  TriangleMesh mesh = welded(interpreted(imported->mesh, asset.unit, asset.up));
+  const std::size_t removed = imported->mesh.triangles.size() - mesh.triangles.size();
+  if (auto closed = closedAtTJunctions(mesh)) {
+    warnOfTJunctions(*closed, content->file);
+    mesh = std::move(closed->mesh);
+  }
+  LoadedGeometry geometry = single(std::move(mesh));
   GeometryPart& part = geometry.parts.front();
   if (part.mesh->empty()) {
     return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
                       "Export the part again."};
   }
-  warnOfRemovedTriangles(imported->mesh.triangles.size() - part.mesh->triangles.size(), content->file);
+  warnOfRemovedTriangles(removed, content->file);
   part.coordinateSpacing = asset.unit * imported->coordinateSpacing;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
@@ -161,6 +168,15 @@ void GeometryLoader::warnOfRemovedTriangles(std::size_t count, const std::string
   warnings_.push_back({ErrorKind::MalformedInput, file, "",
                        "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
                        "They have no area, so that no surface is missing."});
+}
+
+/// People may want to know that their surface was changed, and by how little.
+void GeometryLoader::warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file) {
+  warnings_.push_back(
+      {ErrorKind::MalformedInput, file, "",
+       "was closed along " + std::to_string(closed.edges) +
+           " edges on which vertices of neighbouring faces lie (T-junctions)",
+       "The surface has moved by at most " + toText(std::ceil(1e8 * closed.moved) / 1e2) + " micrometres."});
 }
 
 Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {

@@ -9,6 +9,8 @@
 
 namespace glissade {
 
+struct ClosedAtTJunctions;  ///< geometry/t_junctions.h
+
 /// The id of the asset that a geometry is read from; null for primitives.
 const std::string* assetOf(const Geometry& geometry);
 
@@ -42,6 +44,7 @@ class GeometryLoader {
   Result<LoadedGeometry> readStep(const Asset& asset);
   Result<LoadedGeometry> partOf(const StepGeometry& step);
   void warnOfRemovedTriangles(std::size_t count, const std::string& file);
+  void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file);
   Outcome checkOwnUnit(const Asset& asset, const std::string& kind) const;
 
   const Scenario& scenario_;
