@@ -4,7 +4,7 @@
 #include <iostream>
 #include <string>
 
-#include "engine/base/file_save.h"
+#include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "samples/nut-and-bolt/shapes.h"
 
@@ -32,8 +32,9 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string folder = argv[1];
-  for (const auto& [name, mesh] : {std::pair("bolt.obj", nut_and_bolt::bolt()), std::pair("nut.obj", nut_and_bolt::nut())}) {
-    if (const auto saved = saveFile(folder + "/" + name, objText(mesh)); !saved) {
+  for (const auto& [name, mesh] :
+       {std::pair("bolt.obj", nut_and_bolt::bolt()), std::pair("nut.obj", nut_and_bolt::nut())}) {
+    if (const auto saved = writeFileAtomically(folder + "/" + name, objText(mesh)); !saved) {
       std::cerr << toString(saved.error()) << "\n";
       return 1;
     }

@@ -87,8 +87,8 @@ inline std::pair<std::uint32_t, std::uint32_t> addThread(Rings& rings, const Sha
   std::uint32_t first = 0;
   std::uint32_t last = 0;
   for (int layer = 0; layer <= turns * kSteps; ++layer) {
-    const std::uint32_t ring = rings.add(std::abs(shape.pitch) * layer / kSteps,
-                                         [&](int i) { return radiusAt(layer - hand * i, play); });
+    const std::uint32_t ring =
+        rings.add(std::abs(shape.pitch) * layer / kSteps, [&](int i) { return radiusAt(layer - hand * i, play); });
     if (layer == 0) {
       first = ring;
     } else if (upwards) {

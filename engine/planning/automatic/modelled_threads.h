@@ -3,19 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/planning/automatic/screw_fit.h"
 #include "engine/planning/screw_ways.h"
+#include "engine/product/modelled_thread.h"
 
 namespace glissade {
-
-/// A thread that is modelled in the meshes of the object and of an obstacle, found where they are engaged.
-struct ModelledThread {
-  ScrewAxis screw;
-  double objectLow = 0.0;    ///< extent of the object's thread along the axis, from the axis' point, where it was found
-  double objectHigh = 0.0;   ///< likewise
-  double obstacleLow = 0.0;  ///< of the obstacle's thread
-  double obstacleHigh = 0.0;  ///< likewise
-};
 
 /// The threads that the object is in at this configuration: surfaces of both that are near each other and that the same
 /// screw motion moves along themselves. Each is listed with the axis of the obstacle, of the object, and the middle of

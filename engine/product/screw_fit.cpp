@@ -1,4 +1,4 @@
-#include "engine/planning/automatic/screw_fit.h"
+#include "engine/product/screw_fit.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/planning/automatic/screw_refinement.h"
+#include "engine/product/screw_refinement.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
