@@ -19,7 +19,7 @@ constexpr double kStrongest = 3.0;
 constexpr double kDeviation = 1e-3;
 /// Half of the angle that a triangle may have, seen from the axis, for a profile.
 constexpr double kHalfAngle = 0.5;
-constexpr int kMostSplits = 6;
+constexpr int kMostSplits = 12;
 constexpr double kCircleRounding = 1e-9;
 constexpr double kUpwards = 1.0 + 1e-9;
 
@@ -78,10 +78,11 @@ struct Lathe {
     const double root = std::sqrt(farthest / nearest);
     const double angleOff = 2.0 * half * (root - 1.0) / (root + 1.0) + 2.0 * (std::tan(half) - half);
     const double radiusOff = *std::max_element(radii.begin(), radii.end()) * (1.0 - std::cos(half));
-    profile.error = std::hypot(radiusOff, angleOff * std::abs(period()) / kCircle) * kUpwards;
+    // A chord is on the inner side of its ends' circle: half of it to either side of the middle.
+    profile.error = std::hypot(0.5 * radiusOff, angleOff * std::abs(period()) / kCircle) * kUpwards;
     profile.known = true;
     for (std::size_t i = 0; i < 3; ++i) {
-      profile.corners[i] = {radii[i], (heights[i] - helix.lead * angles[i] / kCircle) / stretch};
+      profile.corners[i] = {radii[i] - 0.5 * radiusOff, (heights[i] - helix.lead * angles[i] / kCircle) / stretch};
     }
     const double whole = std::floor(profile.corners[0].y() / period());
     for (Eigen::Vector2d& corner : profile.corners) corner.y() -= whole * period();
@@ -142,16 +143,18 @@ class HelixPairs {
     return std::max(boxes, inProfile(moving, fixed, most) - moving.error - fixed.error);
   }
 
-  /// The same, where the triangles are divided until `wanted` is shown.
-  double closeBound(const Corners& moving, const Corners& fixed, int splits) const {
-    const double whole = bound(lathe_.profileOf(moving), lathe_.profileOf(fixed), kNoEnd);
+  /// The same, where the triangle whose profile is known less well is divided until `wanted` is shown.
+  double closeBound(const Corners& moving, const Profile& one, const Corners& fixed, const Profile& other,
+                    int splits) const {
+    const double whole = bound(one, other, kNoEnd);
     if (whole >= wanted_ || splits == 0) return whole;
     double least = kNoEnd;
-    for (const Corners& part : quarters(moving)) {
-      for (const Corners& other : quarters(fixed)) {
-        least = std::min(least, closeBound(part, other, splits - 1));
-        if (least < wanted_) return least;
-      }
+    const bool splitsMoving = !one.known || (other.known && one.error >= other.error);
+    for (const Corners& part : quarters(splitsMoving ? moving : fixed)) {
+      const Profile profile = lathe_.profileOf(part);
+      least = std::min(least, splitsMoving ? closeBound(part, profile, fixed, other, splits - 1)
+                                           : closeBound(moving, one, part, profile, splits - 1));
+      if (least < wanted_) return least;
     }
     return least;
   }
@@ -298,7 +301,7 @@ double helixDistance(const std::vector<Corners>& moving, const std::vector<Corne
     for (std::size_t k = 0; k < others.size(); ++k) {
       double bound = pairs.bound(profiles[i], others[k], least);
       if (bound >= least) continue;
-      if (bound < wanted) bound = pairs.closeBound(moving[i], fixed[k], kMostSplits);
+      if (bound < wanted) bound = pairs.closeBound(moving[i], profiles[i], fixed[k], others[k], kMostSplits);
       least = std::min(least, bound);
       if (least < wanted) return std::max(0.0, least);
     }

@@ -285,10 +285,27 @@ class FitFinder {
       fits_.allowed.push_back(fit);
       return;
     }
+    const double refused = fit.allowance;
+    if (lowerUntilFree(fit, usual, ends)) return;
+    fit.allowance = refused;
     refuse(fit,
            "fit so that the object would have to be taken " + millimetres(fit.allowance) +
                " thinner, which its local thickness or its shape does not give: it counts as a clash",
            "Mend the parts.");
+  }
+
+  /// The deviation of free surfaces is an estimate. Where the object has no place for it, less of it is taken, down to
+  /// the overlap as measured and the gap.
+  bool lowerUntilFree(Fit fit, double usual, const std::vector<Pose>& ends) {
+    constexpr double kShare = 0.25;
+    const double least = fit.overlap + gap_;
+    for (double allowance = kShare * usual; fit.allowance > least; allowance *= kShare) {
+      fit.allowance = std::max(least, allowance);
+      if (!isFree(fit, ends)) continue;
+      fits_.allowed.push_back(fit);
+      return true;
+    }
+    return false;
   }
 
   /// Of the thinned object against its obstacle alone; null where the object cannot be thinned so.

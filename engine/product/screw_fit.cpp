@@ -14,8 +14,8 @@ constexpr int kRounds = 20;
 /// Sines within which patches count fully, of the first round, by which share they shrink, and of the last.
 constexpr double kFirstSine = 0.3;
 constexpr double kSineShare = 0.8;
-constexpr double kLastSine = 0.02;
-constexpr double kAlongItself = 0.05;
+constexpr double kLastSine = 0.04;
+constexpr double kAlongItself = 0.1;
 constexpr double kLeastMovedShare = 0.5;
 /// Mean square of the normals' parts along the axis: below it the patches could be moved straight along it.
 constexpr double kLeastSlope = 1e-3;

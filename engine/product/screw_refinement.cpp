@@ -14,8 +14,10 @@ namespace {
 constexpr int kBins = 100;
 constexpr double kFullBin = 0.04;
 constexpr int kAxisRounds = 5;
-/// Pitches that are tried, to both sides.
-constexpr double kPitchRange = 0.04;
+/// The pitch is this many times the fitted one, at most, or less by as much: coarse facets say little of it.
+constexpr double kMostFactor = 3.0;
+/// Turns by which a vertex's phase changes from one pitch that is tried to the next.
+constexpr double kTurnsApart = 0.15;
 constexpr int kHarmonics = 6;
 constexpr int kMostTried = 4000;
 constexpr int kNarrowings = 40;
@@ -96,12 +98,12 @@ class ScrewRefinement {
   }
 
   /// How few helices the rings' points lie on: the larger the fewer.
-  double coherence(double pitch) const {
+  double coherence(double turnsForMetre) const {
     double sum = 0.0;
     for (const Ring& ring : rings_) {
       std::array<std::complex<double>, kHarmonics> means{};
       for (const Cylindrical& p : ring.points) {
-        const std::complex<double> phase = std::polar(1.0, 2.0 * std::numbers::pi * p.height / pitch - p.angle);
+        const std::complex<double> phase = std::polar(1.0, 2.0 * std::numbers::pi * p.height * turnsForMetre - p.angle);
         std::complex<double> power = phase;
         for (std::complex<double>& mean : means) {
           mean += power;
@@ -122,23 +124,25 @@ class ScrewRefinement {
         high = std::max(high, p.height);
       }
     }
-    const double turns = std::max(1.0, (high - low) / std::abs(screw_.pitch));
-    const int tried = std::min(kMostTried, static_cast<int>(std::ceil(kPitchRange * turns * kHarmonics / 0.15)));
-    double best = screw_.pitch;
+    // In turns for a metre: the vertices' phases change evenly with it.
+    const double rate = 1.0 / screw_.pitch;
+    const double turns = std::max(1.0, (high - low) * std::abs(rate));
+    const double range = kMostFactor - 1.0 / kMostFactor;
+    const int tried = std::min(kMostTried, static_cast<int>(std::ceil(range * turns * kHarmonics / kTurnsApart)));
+    double best = rate;
     double most = coherence(best);
-    for (int i = -tried; i <= tried; ++i) {
-      const double pitch = screw_.pitch * (1.0 + kPitchRange * i / tried);
-      const double found = coherence(pitch);
-      if (found > most) most = found, best = pitch;
-    }
-    double step = kPitchRange / tried * std::abs(best);
+    const auto look = [&](double other) {
+      const double found = coherence(other);
+      if (found > most) most = found, best = other;
+    };
+    for (int i = 0; i <= tried; ++i) look(rate * (1.0 / kMostFactor + range * i / tried));
+    double step = range / tried * std::abs(rate);
     for (int i = 0; i < kNarrowings; ++i, step *= 0.6) {
-      for (const double pitch : {best - step, best + step}) {
-        const double found = coherence(pitch);
-        if (found > most) most = found, best = pitch;
-      }
+      const double middle = best;
+      look(middle - step);
+      look(middle + step);
     }
-    screw_.pitch = best;
+    screw_.pitch = 1.0 / best;
   }
 
   struct Ring {
