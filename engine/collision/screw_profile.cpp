@@ -206,7 +206,7 @@ class ScrewProfile {
            int divisions) {
     ProfileShape shape = shapeOf(triangle, frame);
     const bool faces = gapOf(shape.radius, facing) == 0.0;
-    const bool coarse = shape.corners.empty() ? shape.radius.low >= frame.core : shape.error > mostError;
+    const bool coarse = shape.corners.empty() ? shape.radius.high > frame.core : shape.error > mostError;
     if (!faces || !coarse || divisions == 0) {
       elements_.push_back(std::move(shape));
       return;

@@ -13,7 +13,7 @@ namespace {
 /// Bins of the distances from the axis; those count that have this share of the vertices, or more.
 constexpr int kBins = 100;
 constexpr double kFullBin = 0.04;
-constexpr int kAxisRounds = 5;
+constexpr int kAxisRounds = 20;
 /// The pitch is this many times the fitted one, at most, or less by as much: coarse facets say little of it.
 constexpr double kMostFactor = 3.0;
 /// Turns by which a vertex's phase changes from one pitch that is tried to the next.

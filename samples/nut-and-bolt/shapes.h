@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ namespace glissade::nut_and_bolt {
 /// Of an M10 thread, metres.
 inline constexpr double kPitch = 0.0015;
 /// Vertices of a turn, and layers of vertices of a pitch: edges follow the helix.
-inline constexpr int kSteps = 16;
+inline constexpr int kSteps = 32;
 
 /// Which threads, metres.
 struct Shape {
@@ -21,14 +21,15 @@ struct Shape {
   int nutTurns = 3;
 };
 
-/// Distance from the axis of a thread's surface: a trapezoid with flanks of 65 degrees to the axis, by sixteenths of a
+/// Distance from the axis of a thread's surface: a trapezoid with flanks of 65 degrees to the axis, by quarters of a
 /// pitch: root, flank, crest, flank.
 inline double radiusAt(int step, double play) {
   constexpr double kRoot = 0.0042;
   constexpr double kCrest = 0.005;
-  constexpr std::array<double, kSteps> kShare{0, 0, 0, 0, 0, .25, .5, .75, 1, 1, 1, 1, 1, .75, .5, .25};
-  const int index = (step % kSteps + kSteps) % kSteps;
-  return kRoot + play + kShare[static_cast<std::size_t>(index)] * (kCrest - kRoot);
+  const int inPitch = (step % kSteps + kSteps) % kSteps;
+  const double quarters = 4.0 * inPitch / kSteps;
+  const double share = quarters < 2.0 ? quarters - 1.0 : 4.0 - quarters;
+  return kRoot + play + std::clamp(share, 0.0, 1.0) * (kCrest - kRoot);
 }
 
 /// Rings of vertices about z, joined by triangles: a surface of its own for each, outwards where rings go up.
