@@ -48,6 +48,8 @@ struct MotionCheck {
   std::uint64_t configurations = 0;  ///< looked at
 };
 
+struct ScrewAxis;  ///< geometry/screw_axis.h
+
 struct QueryCounts {
   std::uint64_t collision = 0;
   std::uint64_t distance = 0;  ///< exact ones, and up to a bound
@@ -76,6 +78,10 @@ class CollisionQuery {
   /// Whether the straight motion keeps the required clearance (> 0): proved, or where it is violated.
   virtual MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                                   const StopToken& stop) = 0;
+
+  /// Lower bound on the distance while the object moves from there by the screw motion, by any part of the advance
+  /// (metres, any number of turns); never above `enough`. 0: nothing is shown. It takes seconds among many triangles.
+  virtual double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) = 0;
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;

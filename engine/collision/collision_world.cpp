@@ -7,6 +7,8 @@
 #include "engine/collision/grouped_query.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
+#include "engine/collision/screw_profile.h"
+#include "engine/collision/solids.h"
 #include "engine/collision/threaded_query.h"
 #include "engine/collision/world_geometry.h"
 
@@ -27,9 +29,13 @@ namespace {
 /// Surfaces by one of the backends, containment by our own test of solids.
 class SolidQuery final : public CollisionQuery {
  public:
-  SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, std::shared_ptr<const Solids> solids,
+  SolidQuery(std::unique_ptr<SurfaceQuery> surfaces, const WorldGeometry& geometry,
              std::shared_ptr<const MotionBound> motionBound)
-      : surfaces_(std::move(surfaces)), solids_(std::move(solids)), motionBound_(std::move(motionBound)) {}
+      : surfaces_(std::move(surfaces)),
+        solids_(geometry.solids),
+        motionBound_(std::move(motionBound)),
+        obstacles_(geometry.obstacles),
+        object_(geometry.object) {}
 
   bool collides(const Pose& X_WB) override {
     ++counts_.collision;
@@ -76,10 +82,27 @@ class SolidQuery final : public CollisionQuery {
     return *check;
   }
 
+  /// What touches nothing is inside of nothing all the way if it is so at the beginning.
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override {
+    ++counts_.motion;
+    if (solids_->containment(from)) return 0.0;
+    std::vector<Triangle> fixed;
+    for (const RigidBody& body : *obstacles_) addTriangles(*body.mesh, body.X_WB, fixed);
+    std::vector<Triangle> moving;
+    addTriangles(*object_, from, moving);
+    return screwDistance(moving, fixed, screw, advance, enough);
+  }
+
   const MotionBound& motionBound() const override { return *motionBound_; }
   const QueryCounts& counts() const override { return counts_; }
 
  private:
+  static void addTriangles(const TriangleMesh& mesh, const Pose& X_WM, std::vector<Triangle>& triangles) {
+    std::vector<Vector3> placed;
+    for (const Vector3& vertex : mesh.vertices) placed.push_back(X_WM * vertex);
+    for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({placed[a], placed[b], placed[c]});
+  }
+
   bool inCollision(const Pose& X_WB) { return surfaces_->touches(X_WB) || solids_->containment(X_WB); }
 
   std::optional<int> bodyInCollision(const Pose& X_WB) {
@@ -90,6 +113,8 @@ class SolidQuery final : public CollisionQuery {
   std::unique_ptr<SurfaceQuery> surfaces_;
   std::shared_ptr<const Solids> solids_;
   std::shared_ptr<const MotionBound> motionBound_;
+  std::shared_ptr<const std::vector<RigidBody>> obstacles_;
+  MeshPtr object_;
   QueryCounts counts_;
 };
 
@@ -299,7 +324,7 @@ std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   } else {
     surfaces = std::make_unique<FclSurfaceQuery>(geometry.fcl);
   }
-  return std::make_unique<SolidQuery>(std::move(surfaces), geometry.solids, impl_->motionBound);
+  return std::make_unique<SolidQuery>(std::move(surfaces), geometry, impl_->motionBound);
 }
 
 }  // namespace glissade

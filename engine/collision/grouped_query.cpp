@@ -111,4 +111,12 @@ MotionCheck GroupedQuery::checkMotion(const Pose& from, const Pose& to, double r
   return united;
 }
 
+double GroupedQuery::screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) {
+  ++counts_.motion;
+  for (Part& part : parts_) {
+    if (enough > 0.0) enough = part.query->screwClearance(from, screw, advance, enough);
+  }
+  return enough;
+}
+
 }  // namespace glissade

@@ -1,10 +1,5 @@
 #include "engine/collision/independent_check.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,37 +7,21 @@
 #include <utility>
 
 #include "engine/collision/fcl_scale.h"
-#include "engine/collision/judged_course.h"
-#include "engine/collision/judged_sweep.h"
+#include "engine/collision/judged_geometry.h"
 #include "engine/collision/judged_thinning.h"
 #include "engine/collision/judged_threads.h"
-#include "engine/collision/judged_turn.h"
-#include "engine/collision/ray_containment.h"
 
 namespace glissade {
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-/// FCL's distances between triangles are good to this share of them, and to this share of the largest
-/// coordinate that enters: some 16 roundings.
-constexpr double kRelativeError = 1e-9;
-constexpr double kCoordinateError = 4e-15;
-/// Where that comes to more than this share of the clearance, it is undecided.
-constexpr double kErrorShare = 0.05;
+/// Distances that are asked for on a screw motion of many turns.
+constexpr std::size_t kDistancesOfHelix = 32;
 /// Clearances are proved down to this share of the smallest distance met.
 constexpr double kCloseShare = 0.5;
 /// Distances asked for on one edge before it is given up as undecided.
 constexpr std::uint64_t kMostDistances = 400'000;
 /// An interval of time that was halved this often is as short as numbers allow.
 constexpr int kMostHalvings = 48;
-
-void addTriangles(Model& model, const TriangleMesh& mesh) {
-  std::vector<fcl::Vector3d> points(mesh.vertices.begin(), mesh.vertices.end());
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
-  model.addSubModel(points, triangles);
-}
 
 TriangleMesh inWorld(const RigidBody& body, double scale) {
   TriangleMesh mesh = *body.mesh;
@@ -71,239 +50,6 @@ struct Span {
 };
 
 }  // namespace
-
-struct IndependentCheck::Obstacle {
-  RaySolid solid;
-  Model surface;
-  Box3 box;  ///< scaled, world frame
-  double farthest;
-
-  explicit Obstacle(const TriangleMesh& placed)
-      : solid(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {
-    surface.beginModel();
-    addTriangles(surface, placed);
-    surface.endModel();
-  }
-};
-
-/// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
-/// that are asked for too.
-struct IndependentCheck::Group {
-  TriangleMesh object;
-  RaySolid objectSolid;
-  Model objectSurface;
-  Vector3 middle;  ///< of the object
-  double radius;   ///< about it
-  std::vector<ObstaclePtr> obstacles;
-  std::vector<int> numbers;  ///< of the obstacles
-  double coordinates;        ///< the largest of the obstacles and of the object in its own frame, together
-
-  Group(const TriangleMesh& mesh, double scale)
-      : object(scaled(mesh, Vector3::Constant(scale))),
-        objectSolid(object),
-        middle(boundingBox(object).center()),
-        radius(0.0),
-        coordinates(largestCoordinate(object)) {
-    objectSurface.beginModel();
-    addTriangles(objectSurface, object);
-    objectSurface.endModel();
-    for (const Vector3& vertex : object.vertices) radius = std::max(radius, (vertex - middle).norm());
-  }
-
-  void add(const ObstaclePtr& obstacle, int number) {
-    farthest_ = std::max(farthest_, obstacle->farthest);
-    obstacles.push_back(obstacle);
-    numbers.push_back(number);
-  }
-
-  void finish() { coordinates += farthest_; }
-
-  /// Of distances where the object is placed here.
-  double errorAt(const Vector3& position) const {
-    return kCoordinateError * (coordinates + position.cwiseAbs().maxCoeff());
-  }
-
-  /// No point of the object is nearer to the obstacle; rounding is left to errorAt().
-  double leastDistance(const Obstacle& obstacle, const fcl::Transform3d& X_WB) const {
-    return obstacle.box.exteriorDistance(Vector3(X_WB * middle)) * (1.0 - kRelativeError) -
-           radius * (1.0 + kRelativeError);
-  }
-
-  /// Of those that are nearer than `enough`; farther where there is none.
-  NearestObstacle nearest(const fcl::Transform3d& X_WB, double enough) const {
-    NearestObstacle found;
-    found.distance = std::numeric_limits<double>::infinity();
-    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
-    const double error = errorAt(X_WB.translation());
-    double least = enough;
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      const Obstacle& obstacle = *obstacles[i];
-      if (leastDistance(obstacle, X_WB) > least + error) continue;
-      fcl::CollisionResultd touch;
-      if (fcl::collide(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::CollisionRequestd(), touch) > 0) {
-        found.distance = 0.0;
-        found.body = numbers[i];
-        return found;
-      }
-      fcl::DistanceResultd gap;
-      fcl::distance(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
-      const double distance = std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
-      if (distance >= found.distance) continue;
-      found.distance = distance;
-      found.body = numbers[i];
-      found.p_WPo = gap.nearest_points[0];
-      found.p_WPn = gap.nearest_points[1];
-      least = std::min(least, distance);
-    }
-    return found;
-  }
-
-  /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
-  /// touches no prism's boundary is inside the prism, or nowhere. Obstacles whose boxes are farther than `enough` are
-  /// not looked at more closely.
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
-    TriangleMesh placed = object;
-    for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
-    Box3 box = boundingBox(placed);
-    box.extend(Box3(box.min() + way, box.max() + way));
-    const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
-    double least = std::numeric_limits<double>::infinity();
-    std::unique_ptr<Model> swept;
-    for (const ObstaclePtr& obstacle : obstacles) {
-      const double apart = std::max(0.0, obstacle->box.exteriorDistance(box) * (1.0 - kRelativeError) - error);
-      if (apart > enough) {
-        least = std::min(least, apart);
-        continue;
-      }
-      if (!swept) {
-        swept = std::make_unique<Model>();
-        swept->beginModel();
-        addTriangles(*swept, sweptBy(placed, way));
-        swept->endModel();
-      }
-      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, error));
-      if (least == 0.0) return 0.0;
-    }
-    return least;
-  }
-
-  static double sweptDistance(const Obstacle& obstacle, const Model& swept, const TriangleMesh& placed,
-                              const Vector3& way, double error) {
-    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
-    fcl::CollisionResultd touch;
-    if (fcl::collide(&obstacle.surface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
-    for (const Vector3& point : obstacle.solid.partPoints()) {
-      for (const auto& [a, b, c] : placed.triangles) {
-        if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
-      }
-    }
-    fcl::DistanceResultd gap;
-    fcl::distance(&obstacle.surface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
-    return std::max(0.0, gap.min_distance * (1.0 - kRelativeError) - error);
-  }
-
-  /// Lower bound on the distance while the object turns about the axis from there by any angle, advances along it and
-  /// is off that by so much.
-  double turnedDistance(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, double advance,
-                        double off) const {
-    std::vector<TurnedTriangle> moving;
-    for (const auto& [a, b, c] : object.triangles) {
-      moving.push_back(
-          turned(X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c], point, axis));
-    }
-    std::vector<TurnedTriangle> fixed;
-    for (const ObstaclePtr& obstacle : obstacles) {
-      const Model& surface = obstacle->surface;
-      for (int i = 0; i < surface.num_tris; ++i) {
-        const fcl::Triangle& triangle = surface.tri_indices[i];
-        const auto corner = [&](int k) { return surface.vertices[triangle[k]]; };
-        fixed.push_back(turned(corner(0), corner(1), corner(2), point, axis));
-      }
-    }
-    const double error = errorAt(X_WB.translation()) + errorAt(X_WB.translation() + advance * axis);
-    return std::max(0.0, glissade::turnedDistance(moving, fixed, advance, off) * (1.0 - kRelativeError) - error);
-  }
-
-  /// The body that the object is inside of, or around; -1 where there is none.
-  int container(const fcl::Transform3d& X_WB) const {
-    const fcl::Transform3d X_BW = X_WB.inverse();
-    for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      const RaySolid& obstacle = obstacles[i]->solid;
-      for (const Vector3& p : objectSolid.partPoints()) {
-        if (obstacle.contains(X_WB * p)) return numbers[i];
-      }
-      for (const Vector3& p : obstacle.partPoints()) {
-        if (objectSolid.contains(X_BW * p)) return numbers[i];
-      }
-    }
-    return -1;
-  }
-
- private:
-  double farthest_ = 0.0;
-};
-
-/// The groups, all in the same scale.
-struct IndependentCheck::Geometry {
-  double scale = 1.0;
-  bool hasFits = false;
-  TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
-  std::vector<std::unique_ptr<Group>> groups;
-
-  double errorAt(const Vector3& position) const {
-    double error = 0.0;
-    for (const auto& group : groups) error = std::max(error, group->errorAt(position));
-    return error;
-  }
-  /// Whether distances along the straight motion are exact enough to be compared with this clearance.
-  bool resolves(const Pose& from, const Pose& to, double clearance) const {
-    return std::max(errorAt(from.position), errorAt(to.position)) <= kErrorShare * clearance;
-  }
-
-  /// Of those of the groups that are asked.
-  NearestObstacle nearest(const fcl::Transform3d& X_WB, const std::vector<bool>& asked) const {
-    NearestObstacle nearest;
-    nearest.distance = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (!asked[i]) continue;
-      const NearestObstacle found = groups[i]->nearest(X_WB, nearest.distance);
-      if (found.distance < nearest.distance) nearest = found;
-    }
-    return nearest;
-  }
-
-  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough,
-                       const std::vector<bool>& asked) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      if (asked[i]) least = std::min(least, groups[i]->sweptDistance(X_WB, way, enough));
-    }
-    return least;
-  }
-
-  /// Proves what it can of a turn in a thread, whatever its angle is: those of the groups are no longer asked that keep
-  /// the clearance. Returns the least that was proved.
-  double proveTurn(const ThreadRule& thread, const JudgedCourse& course, const Pose& from, const Pose& to,
-                   double required, std::vector<bool>& asked) const {
-    const Vector3 point = scale * thread.point_W;
-    const double advance = (to.position - from.position).dot(thread.axis_W);
-    const double off = course.offTurn(point, thread.axis_W, to, object);
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      const double proved = groups[i]->turnedDistance(course.at(0.0), point, thread.axis_W, advance, off);
-      asked[i] = proved < required;
-      if (!asked[i]) least = std::min(least, proved);
-    }
-    return least;
-  }
-
-  int container(const fcl::Transform3d& X_WB) const {
-    for (const auto& group : groups) {
-      if (const int body = group->container(X_WB); body >= 0) return body;
-    }
-    return -1;
-  }
-};
 
 IndependentCheck::ObstaclePtr IndependentCheck::prepare(const RigidBody& body, double scale) {
   return std::make_shared<const Obstacle>(inWorld(body, scale));
@@ -383,9 +129,64 @@ std::unique_ptr<const IndependentCheck::Geometry> IndependentCheck::geometryOf(c
 
 IndependentCheck::~IndependentCheck() = default;
 
+/// Screw motions of more than a turn are judged as one: all of their edges have the clearance that is shown for the
+/// whole, and the smallest distance that was met at some of its configurations. Where that does not show what is
+/// demanded, the edges are judged one by one.
+std::vector<std::optional<MotionCertificate>> IndependentCheck::judgeHelices(const std::vector<Pose>& path,
+                                                                             const std::vector<EdgeDemand>& demands,
+                                                                             const StopToken& stop) const {
+  std::vector<std::optional<MotionCertificate>> known(demands.size());
+  if (threads_ || path.size() < 2) return known;  // threads have a rule of their own
+  std::vector<Pose> scaledPath;
+  for (const Pose& q : path) scaledPath.push_back(scaledPose(q, geometry_->scale));
+  for (const JudgedHelix& helix : helicesOf(scaledPath, geometry_->object)) {
+    double demanded = 0.0;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) demanded = std::max(demanded, demands[i].clearance);
+    const MotionCertificate judged = judgeHelix(*geometry_, scaledPath, helix, geometry_->scale * demanded, stop);
+    if (judged.status != CertificateStatus::Certified) continue;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) {
+      known[i] = inMetres(judged, geometry_->scale);
+      known[i]->tolerance = demands[i].clearance;
+    }
+  }
+  return known;
+}
+
+MotionCertificate IndependentCheck::judgeHelix(const Geometry& geometry, const std::vector<Pose>& path,
+                                               const JudgedHelix& helix, double required, const StopToken& stop) {
+  MotionCertificate result;
+  result.minClearance = std::numeric_limits<double>::infinity();
+  const Pose& from = path[helix.first];
+  const Pose& to = path[helix.last + 1];
+  const auto placed = [](const Pose& q) { return JudgedCourse(q, q).at(0.0); };
+  if (!geometry.resolves(from, to, required) || geometry.container(placed(from)) >= 0) return result;
+  const std::vector<bool> all(geometry.groups.size(), true);
+  const std::size_t count = helix.last - helix.first + 1;
+  const std::size_t step = std::max<std::size_t>(1, count / kDistancesOfHelix);
+  for (std::size_t i = 0; i <= count; i += step) {
+    if (stop.stopRequested()) return result;
+    ++result.distanceQueries;
+    const NearestObstacle nearest = geometry.nearest(placed(path[helix.first + i]), all);
+    if (nearest.distance >= result.minClearance) continue;
+    result.minClearance = nearest.distance;
+    result.nearest = nearest;
+  }
+  double shown = result.minClearance;
+  for (const auto& group : geometry.groups) {
+    if (shown <= helix.off || stop.stopRequested()) return result;
+    shown = std::min(shown, group->helixDistance(placed(from), helix, required + helix.off, shown));
+  }
+  result.provedClearance = shown - helix.off;
+  if (result.provedClearance < required) return result;
+  result.certified = 1.0;
+  result.status = CertificateStatus::Certified;
+  return result;
+}
+
 MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                                           const StopToken& stop) const {
   MotionCertificate result;
+  const auto helices = judgeHelices(path, demands, stop);
   const auto turned = threads_ ? threads_->judge(path) : std::vector<JudgedThreads::Edge>();
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const Pose& to = path[std::min(i + 1, path.size() - 1)];
@@ -393,7 +194,9 @@ MotionCertificate IndependentCheck::check(const std::vector<Pose>& path, const s
     const Geometry& geometry = free ? *whole_ : *geometry_;
     const double scale = geometry.scale;
     MotionCertificate edge;
-    if (i < turned.size() && turned[i].forbiddenBy >= 0) {
+    if (helices[i]) {
+      edge = *helices[i];
+    } else if (i < turned.size() && turned[i].forbiddenBy >= 0) {
       edge.status = CertificateStatus::Violated;
       edge.againstThread = true;
       edge.nearest.body = turned[i].forbiddenBy;
@@ -441,7 +244,7 @@ MotionCertificate IndependentCheck::checkEdge(const Geometry& geometry, const Po
     return result;
   }
   const double turn = course.turn(geometry.object);
-  const bool sweeps = geometry.hasFits && turn <= kErrorShare * required;
+  const bool sweeps = geometry.hasFits && turn <= judged::kErrorShare * required;
   if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
   std::vector<bool> asked(geometry.groups.size(), true);
   const auto meet = [&](double t) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 namespace glissade {
 
 class JudgedThreads;
+struct JudgedHelix;
 
 /// The judge of paths: certifies a path with nothing of what planners use but the meshes. It has a
 /// course of its own (rotation vectors), its own speed bound (every vertex), its own argument (halving
@@ -51,7 +53,9 @@ class IndependentCheck {
   ~IndependentCheck();
 
   /// Every edge against its demand, up to the first that does not keep it. Clearances are bounded
-  /// closely. An edge that turns by half a circle is undecided: its sense is a matter of rounding.
+  /// closely, but of screw motions of more than a turn, which are judged as one: their edges have the clearance and the
+  /// smallest distance of the whole motion. An edge that turns by half a circle is undecided: its sense is a matter of
+  /// rounding.
   MotionCertificate check(const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                           const StopToken& stop = {}) const;
 
@@ -63,6 +67,11 @@ class IndependentCheck {
   struct Geometry;
   static std::unique_ptr<const Geometry> geometryOf(const std::vector<Against>& obstacles, const TriangleMesh& object,
                                                     double scale);
+  std::vector<std::optional<MotionCertificate>> judgeHelices(const std::vector<Pose>& path,
+                                                             const std::vector<EdgeDemand>& demands,
+                                                             const StopToken& stop) const;
+  static MotionCertificate judgeHelix(const Geometry& geometry, const std::vector<Pose>& path, const JudgedHelix& helix,
+                                      double required, const StopToken& stop);
   static MotionCertificate checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
                                      const ThreadRule* thread, const StopToken& stop);
 

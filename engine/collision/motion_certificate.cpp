@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/collision/coordinate_rounding.h"
+#include "engine/collision/screw_run.h"
 #include "engine/geometry/se3_metric.h"
 
 namespace glissade {
@@ -17,6 +18,8 @@ constexpr double kSlimmestMargin = 1e-3;
 /// distance met there.
 constexpr double kEdgeShare = 0.5;
 constexpr double kPathShare = 0.9;
+/// By which the bound of what a path is off its screw motion is raised above its rounding.
+constexpr double kScrewRounding = 1e-9;
 /// More queries than this on one motion and it is given up as undecided: ten times what a slide of
 /// ten metres at a gap of a millimetre takes.
 constexpr std::uint64_t kMostQueries = 200'000;
@@ -93,10 +96,12 @@ class PathCertifier {
  public:
   PathCertifier(CollisionQuery& query, const std::vector<Pose>& path, const std::vector<EdgeDemand>& demands,
                 const StopToken& stop)
-      : query_(query), path_(path), demands_(demands), stop_(stop) {}
+      : query_(query), path_(path), demands_(demands), stop_(stop), screwed_(demands.size(), 0.0) {
+    for (const ScrewRun& run : screwRunsOf(path, query.motionBound().objectRadius())) proveScrew(run);
+  }
 
   MotionCertificate run() {
-    const auto refused = firstRefusedEdge(query_, path_, demands_, stop_);
+    const auto refused = refusedEdge();
     std::vector<MotionCertificate> edges = metAtEnds(refused ? refused->edge + 1 : demands_.size());
     if (refused) {
       refuse(*refused, edges.back());
@@ -111,6 +116,31 @@ class PathCertifier {
 
  private:
   const Pose& endOf(std::size_t edge) const { return endOfEdge(path_, edge); }
+
+  /// Screw motions of many turns are proved as one. Their edges are not looked at again where that shows enough.
+  void proveScrew(const ScrewRun& run) {
+    const Pose& from = path_[run.first];
+    const Pose& to = endOf(run.last);
+    const double apart = query_.nearestObstacle(from).distance;
+    const double off = run.off * (1.0 + kScrewRounding);
+    if (apart <= off || stop_.stopRequested()) return;
+    const double shown = query_.screwClearance(from, run.screw, run.advance, apart) - off;
+    for (std::size_t edge = run.first; edge <= run.last; ++edge) {
+      const double demanded = demands_[edge].clearance;
+      if (shown >= demanded && resolvesClearance(from, to, query_.motionBound().objectRadius(), demanded)) {
+        screwed_[edge] = shown;
+      }
+    }
+  }
+
+  std::optional<RefusedEdge> refusedEdge() {
+    for (std::size_t i = 0; i < demands_.size(); ++i) {
+      if (screwed_[i] > 0.0) continue;
+      const MotionCheck found = check(i, demands_[i].clearance);
+      if (found.status != CertificateStatus::Certified) return RefusedEdge{i, found};
+    }
+    return std::nullopt;
+  }
 
   MotionCheck check(std::size_t edge, double clearance) {
     return query_.checkMotion(path_[edge], endOf(edge), clearance, SeekViolation::Any, stop_);
@@ -128,6 +158,7 @@ class PathCertifier {
       edge.status = CertificateStatus::Certified;
       edge.certified = 1.0;
       edge.tolerance = edge.provedClearance = demands_[i].clearance;
+      edge.provedClearance = std::max(edge.provedClearance, screwed_[i]);
       edge.nearest = nearerAtEnd ? atEnd : atStart;
       edge.minClearance = edge.nearest.distance;
       edge.at = nearerAtEnd ? 1.0 : 0.0;
@@ -157,6 +188,7 @@ class PathCertifier {
   /// Raises what is proved of an edge that keeps its demand to near the smallest distance met. What the motion
   /// check finds below that is met next, so that every turn halves what is left.
   void raise(std::size_t edge, MotionCertificate& result) {
+    if (screwed_[edge] > 0.0) return;
     for (double bound = kEdgeShare * result.minClearance; bound > result.provedClearance && !stop_.stopRequested();
          bound = kEdgeShare * std::min(bound, result.minClearance)) {
       const MotionCheck found = check(edge, bound);
@@ -171,7 +203,7 @@ class PathCertifier {
     double least = std::numeric_limits<double>::infinity();
     for (const MotionCertificate& edge : edges) least = std::min(least, edge.minClearance);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-      while (kPathShare * least > edges[i].provedClearance && !stop_.stopRequested()) {
+      while (screwed_[i] <= 0.0 && kPathShare * least > edges[i].provedClearance && !stop_.stopRequested()) {
         const double bound = kPathShare * least;
         const MotionCheck found = check(i, bound);
         if (found.status == CertificateStatus::Certified) edges[i].provedClearance = bound;
@@ -186,6 +218,7 @@ class PathCertifier {
   const std::vector<Pose>& path_;
   const std::vector<EdgeDemand>& demands_;
   const StopToken& stop_;
+  std::vector<double> screwed_;  ///< clearance of each edge that was proved as a part of a screw motion; 0: was not
 };
 
 /// The samples of a motion, 0 (known to be free) to `count`.

@@ -60,7 +60,8 @@ std::optional<RefusedEdge> firstRefusedEdge(CollisionQuery& query, const std::ve
 
 /// Certifies every edge of a path; stops at the first that is not certified and reports it. Of a certified path
 /// the clearance of every edge is proved down to half of the smallest distance met on it, that of the whole path
-/// down to nine tenths; less after a stop.
+/// down to nine tenths; less after a stop, and of screw motions of more than a turn, which are proved as one
+/// (CollisionQuery::screwClearance).
 /// A path of one configuration is certified if that configuration is clear.
 MotionCertificate certifyPath(CollisionQuery& query, const std::vector<Pose>& path, double requiredClearance,
                               const StopToken& stop = {});

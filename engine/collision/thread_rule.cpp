@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/geometry/screw_axis.h"
+
 namespace glissade {
 namespace {
 
@@ -80,9 +82,7 @@ double distanceFromZ(const Vector3& a, const Vector3& b) {
 }  // namespace
 
 Pose screwed(const ThreadRule& rule, const Pose& from, double advance) {
-  const Quaternion turn(Eigen::AngleAxisd(advance / rule.pitch * kFullTurn, rule.axis_W));
-  const Vector3 arm = from.position - rule.point_W;
-  return {rule.point_W + turn * arm + advance * rule.axis_W, (turn * from.orientation).normalized()};
+  return screwed(ScrewAxis{rule.point_W, rule.axis_W, rule.pitch}, from, advance);
 }
 
 ThreadPair::ThreadPair(const ThreadRule& rule, const TriangleMesh& object, const RigidBody& obstacle)

@@ -101,4 +101,7 @@ double ThreadedQuery::firstForbidden(const Pose& from, const Pose& to) {
   return 1.0;
 }
 
+/// Its threads have a rule of their own, which other screw motions do not keep.
+double ThreadedQuery::screwClearance(const Pose&, const ScrewAxis&, double, double) { return 0.0; }
+
 }  // namespace glissade

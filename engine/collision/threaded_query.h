@@ -29,6 +29,7 @@ class ThreadedQuery final : public CollisionQuery {
   bool clearAbove(const Pose& X_WB, double bound) override;
   MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                           const StopToken& stop) override;
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override;
 
   const MotionBound& motionBound() const override { return screwed_->motionBound(); }
   const QueryCounts& counts() const override { return counts_; }

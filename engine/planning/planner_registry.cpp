@@ -100,7 +100,9 @@ namespace {
 PlannerEntry turningThreads(PlannerEntry entry) {
   entry.make = [make = std::move(entry.make)](const Problem& problem, std::uint64_t seed) -> std::unique_ptr<Planner> {
     if (problem.world->threads().empty()) return make(problem, seed);
-    return std::make_unique<ThreadedPlanner>(problem, [make, seed](const Problem& rest) { return make(rest, seed); });
+    return std::make_unique<ThreadedPlanner>(
+        problem, [make, seed](const Problem& rest) { return make(rest, seed); },
+        std::make_unique<MarkedThreadWays>(problem.world));
   };
   return entry;
 }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/collision/thread_rule.h"
 #include "engine/planning/path_certificate.h"
-#include "engine/planning/screw_motion.h"
 
 namespace glissade {
 /// Collects what the other planner has grown before the run's host looks at it.
@@ -27,8 +25,11 @@ class ThreadedPlanner::Host final : public PlannerHost {
   ThreadedPlanner& planner_;
 };
 
-ThreadedPlanner::ThreadedPlanner(Problem problem, Make make)
-    : problem_(std::move(problem)), make_(std::move(make)), query_(problem_.world->makeQuery()) {
+ThreadedPlanner::ThreadedPlanner(Problem problem, Make make, std::unique_ptr<const ScrewWays> ways)
+    : problem_(std::move(problem)),
+      make_(std::move(make)),
+      ways_(std::move(ways)),
+      query_(problem_.world->makeQuery()) {
   addChain({problem_.start}, TreeSide::Start);
 }
 
@@ -45,7 +46,7 @@ bool ThreadedPlanner::prepare(PlannerHost& host) {
   const double required = host.parameters()[ParameterId::RequiredClearance];
   const Pose* goal = std::get_if<Pose>(&problem_.goal);
   if (goal != nullptr) {
-    out_ = screwBetween(*problem_.world, *query_, problem_.start, *goal, required, host.stopToken());
+    out_ = ways_->between(*query_, problem_.start, *goal, required, host.stopToken());
     if (!out_.empty()) {
       deliver(host, {});
       return false;
@@ -73,7 +74,7 @@ bool ThreadedPlanner::prepare(PlannerHost& host) {
 /// The shortest way, of which the goal "out" is straight ahead if that is so of any.
 bool ThreadedPlanner::findWays(const Pose& end, PlannerHost& host, std::vector<Pose>& way) {
   const double required = host.parameters()[ParameterId::RequiredClearance];
-  ScrewSearch search = findScrewWays(*problem_.world, *query_, end, required, host.stopToken());
+  ScrewSearch search = ways_->out(*query_, end, required, host.stopToken());
   counts_.queries = query_->counts();
   if (!search.engaged || host.stopToken().stopRequested()) return true;
   if (search.ways.empty()) {

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "engine/planning/planner.h"
+#include "engine/planning/screw_ways.h"
 
 namespace glissade {
 
@@ -12,8 +13,8 @@ namespace glissade {
 class ThreadedPlanner final : public Planner {
  public:
   using Make = std::function<std::unique_ptr<Planner>(const Problem&)>;
-  /// `make` makes the planner of the rest. Precondition: the problem's world has threads.
-  ThreadedPlanner(Problem problem, Make make);
+  /// `make` makes the planner of the rest, `ways` finds the screw motions.
+  ThreadedPlanner(Problem problem, Make make, std::unique_ptr<const ScrewWays> ways);
 
   bool solve(PlannerHost& host) override;
 
@@ -36,6 +37,7 @@ class ThreadedPlanner final : public Planner {
 
   Problem problem_;
   Make make_;
+  std::unique_ptr<const ScrewWays> ways_;
   std::unique_ptr<CollisionQuery> query_;
   bool prepared_ = false;
   std::vector<Pose> out_;  ///< from the start, to where the rest begins; empty: it begins there

@@ -12,6 +12,7 @@
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_rules.h"
 #include "engine/product/loose_nut.h"
+#include "engine/product/modelled_thread.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
@@ -201,11 +202,28 @@ class FitFinder {
     } else if (found.contact.kind == ContactKind::Clearance) {
       fit.allowance = 0.0;
       fits_.allowed.push_back(fit);
-    } else if (!decision.given) {
+    } else if (!decision.given && !isClearInThread(fit, found)) {
       raiseUntilFree(fit, found.at);
-    } else if (fit.allowance > 0.0) {
+    } else if (decision.given && fit.allowance > 0.0) {
       fits_.allowed.push_back(fit);
     }
+  }
+
+  /// The object moves clear in a thread that is modelled: it is taken as it is.
+  bool isClearInThread(const Fit& fit, const FoundContact& found) {
+    if (fit.kind != ContactKind::Contact) return false;
+    Fit whole = fit;
+    whole.allowance = 0.0;
+    const RigidBody& other = question_.obstacles[fit.obstacle];
+    return isFree(whole, found.at) &&
+           !findModelledThreads(*question_.object.mesh, found.measuredAt, other, found.contact.gap).empty();
+  }
+
+  /// Taken so, and alone with its obstacle.
+  bool isFree(const Fit& fit, const std::vector<Pose>& ends) {
+    const auto query = queryOf(fit);
+    return query &&
+           std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
@@ -263,22 +281,37 @@ class FitFinder {
     const double usual = fit.allowance;
     for (const Raise& raise : kRaises) {
       fit.allowance = raise.factor * usual + raise.addition;
-      const auto query = queryOf(fit);
-      const bool free = query && std::all_of(ends.begin(), ends.end(),
-                                             [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
-      if (!free) continue;
+      if (!isFree(fit, ends)) continue;
       fits_.allowed.push_back(fit);
       return;
     }
+    const double refused = fit.allowance;
+    if (lowerUntilFree(fit, usual, ends)) return;
+    fit.allowance = refused;
     refuse(fit,
            "fit so that the object would have to be taken " + millimetres(fit.allowance) +
                " thinner, which its local thickness or its shape does not give: it counts as a clash",
            "Mend the parts.");
   }
 
+  /// The deviation of free surfaces is an estimate. Where the object has no place for it, less of it is taken, down to
+  /// the overlap as measured and the gap.
+  bool lowerUntilFree(Fit fit, double usual, const std::vector<Pose>& ends) {
+    constexpr double kShare = 0.25;
+    const double least = fit.overlap + gap_;
+    for (double allowance = kShare * usual; fit.allowance > least; allowance *= kShare) {
+      fit.allowance = std::max(least, allowance);
+      if (!isFree(fit, ends)) continue;
+      fits_.allowed.push_back(fit);
+      return true;
+    }
+    return false;
+  }
+
   /// Of the thinned object against its obstacle alone; null where the object cannot be thinned so.
   std::unique_ptr<CollisionQuery> queryOf(const Fit& fit) {
     MeshPtr& thinned = thinned_[fit.allowance];
+    if (fit.allowance <= 0.0) thinned = question_.object.mesh;
     if (!thinned) {
       auto mesh = thinnable()->thinned(fit.allowance);
       if (!mesh) return nullptr;

@@ -8,6 +8,7 @@
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
 #include "engine/geometry/primitives.h"
+#include "engine/geometry/t_junctions.h"
 #include "engine/import/hole_closing.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/mesh_import.h"
@@ -58,6 +59,15 @@ void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings
   warnings.push_back({ErrorKind::MalformedInput, file, "",
                       "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
                       "They have no area, so that no surface is missing."});
+}
+
+/// People may want to know that their surface was changed, and by how little.
+void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file, Warnings& warnings) {
+  warnings.push_back(
+      {ErrorKind::MalformedInput, file, "",
+       "was closed along " + std::to_string(closed.edges) +
+           " edges on which vertices of neighbouring faces lie (T-junctions)",
+       "The surface has moved by at most " + toText(std::ceil(1e8 * closed.moved) / 1e2) + " micrometres."});
 }
 
 /// With its planar holes closed, and said.
@@ -187,6 +197,10 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   }
   Warnings warnings = imported->warnings;
   warnOfRemovedTriangles(imported->mesh.triangles.size() - mesh.triangles.size(), content->file, warnings);
+  if (auto closed = closedAtTJunctions(mesh)) {
+    warnOfTJunctions(*closed, content->file, warnings);
+    mesh = std::move(closed->mesh);
+  }
   if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
   LoadedGeometry geometry = single(std::move(mesh));
   geometry.warnings = std::move(warnings);

@@ -210,8 +210,14 @@ class PlanReader {
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
-    if (const auto pitch = at.find("pitch_m")) allowance.pitch = pitch->coordinate();
-    if (const auto turns = at.find("turns")) allowance.turns = turns->coordinate();
+    if (const auto pitch = at.find("pitch_m")) {
+      allowance.pitch = pitch->coordinate();
+      if (allowance.pitch == 0.0) pitch->fail("is no pitch");
+    }
+    if (const auto turns = at.find("turns")) {
+      allowance.turns = readLength(*turns);
+      if (allowance.pitch == 0.0) turns->fail("is without a pitch");
+    }
     return allowance;
   }
 

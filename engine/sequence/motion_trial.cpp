@@ -23,11 +23,15 @@ MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fit
       turned_(fits, worlds_),
       searched_(product, fits, worlds_, seed) {}
 
-/// A search is refused by those that block the straight lines and those that the group fits.
+/// A search is refused by those that block the straight lines and those that the group fits. What a thread holds is not
+/// searched.
 RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
                                       const StopToken& stop) {
   if (effort == 0) return tryDirectly(group, present, stop);
-  RemovalAnswer answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
+  RemovalAnswer answer = Refused{};
+  if (!turned_.isHeld(group, present)) {
+    answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
+  }
   auto* refused = std::get_if<Refused>(&answer);
   if (refused == nullptr || refused->stopped) return answer;
   const RemovalAnswer direct = tryDirectly(group, present, stop);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace glissade {
@@ -44,17 +45,20 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
   const int nearest = certificate.nearest.body;
   if (nearest >= 0) step.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;
+  std::set<std::pair<std::size_t, std::size_t>>
+      threads;  // where both bodies are thinned, pitch and turns are said once
   for (const BodyFit& each : removed.fits) {
     const RigidBody& body = product.bodies[each.body];
     const RigidBody& other = product.bodies[each.fit.obstacle];
-    const std::string text =
-        each.yields ? inWords(each.fit, other.name, body.name) : inWords(each.fit, body.name, other.name);
-    StepAllowance allowance{other.id, each.fit.kind, each.fit.overlap, each.fit.allowance, text};
+    Fit fit = each.fit;
+    if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
+    const std::string text = each.yields ? inWords(fit, other.name, body.name) : inWords(fit, body.name, other.name);
+    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, text};
     if (each.body != group.front()) allowance.moving = body.id;
     allowance.yields = each.yields;
-    if (each.fit.thread) {
-      allowance.pitch = each.fit.thread->rule.pitch;
-      allowance.turns = turnsIn(each.fit.thread->rule, body, other, removed.path.points);
+    if (fit.thread) {
+      allowance.pitch = fit.thread->rule.pitch;
+      allowance.turns = turnsIn(fit.thread->rule, body, other, removed.path.points);
       allowance.text += turnsInWords(allowance.turns);
     }
     step.allowances.push_back(std::move(allowance));

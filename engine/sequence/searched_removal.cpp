@@ -36,7 +36,7 @@ std::unique_ptr<Planner> plannerOf(const Problem& problem, std::uint64_t seed) {
     return std::make_unique<AutomaticPlanner>(rest, seed, 1);
   };
   if (problem.world->threads().empty()) return make(problem);
-  return std::make_unique<ThreadedPlanner>(problem, make);
+  return std::make_unique<ThreadedPlanner>(problem, make, std::make_unique<MarkedThreadWays>(problem.world));
 }
 
 }  // namespace

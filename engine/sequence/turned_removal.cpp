@@ -1,5 +1,6 @@
 #include "engine/sequence/turned_removal.h"
 
+#include <algorithm>
 #include <set>
 
 #include "engine/planning/path_certificate.h"
@@ -7,8 +8,31 @@
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
-RemovalAnswer TurnedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) const {
+
+std::optional<TurnedRemoval::Known> TurnedRemoval::known(const BodyGroup& group, const BodySet& present) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = refused_.find(group);
+  if (found == refused_.end()) return std::nullopt;
+  const std::vector<std::size_t>& blocking = found->second.blockedBy;
+  const bool holds = std::all_of(blocking.begin(), blocking.end(), [&](std::size_t body) { return present[body]; });
+  return holds ? std::optional(found->second) : std::nullopt;
+}
+
+/// Who is refused by nobody is asked again.
+void TurnedRemoval::remember(const BodyGroup& group, const Known& refusal) {
+  if (refusal.blockedBy.empty()) return;
+  const std::lock_guard lock(mutex_);
+  refused_[group] = refusal;
+}
+
+bool TurnedRemoval::isHeld(const BodyGroup& group, const BodySet& present) const {
+  const auto refusal = known(group, present);
+  return refusal && refusal->held && fits_.isInThread(group, present);
+}
+
+RemovalAnswer TurnedRemoval::tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop) {
   if (!fits_.isInThread(group, present)) return Refused{};
+  if (const auto refusal = known(group, present)) return Refused{refusal->blockedBy};
   const MotionWorld motion = worlds_.world(group, present);
   const MovingObject& object = worlds_.object(group);
   const auto query = motion.world->makeQuery();
@@ -30,7 +54,9 @@ RemovalAnswer TurnedRemoval::tryRemoval(const BodyGroup& group, const BodySet& p
     const int nearest = path.certificate.nearest.body;
     if (nearest >= 0) blocking.insert(static_cast<std::size_t>(nearest));
   }
-  return Refused{{blocking.begin(), blocking.end()}, stop.stopRequested()};
+  Refused refused{{blocking.begin(), blocking.end()}, stop.stopRequested()};
+  if (!refused.stopped) remember(group, {refused.blockedBy, search.engaged && search.ways.empty()});
+  return refused;
 }
 
 }  // namespace glissade

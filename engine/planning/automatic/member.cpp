@@ -5,11 +5,14 @@
 #include "engine/base/tolerances.h"
 #include "engine/planning/automatic/contact_slide_sampler.h"
 #include "engine/planning/automatic/direct_motions.h"
+#include "engine/planning/automatic/direct_then_trees.h"
+#include "engine/planning/automatic/modelled_threads.h"
 #include "engine/planning/automatic/rrt_connect.h"
 #include "engine/planning/automatic/shrink_repair.h"
 #include "engine/planning/contact/interactive_contact_birrt.h"
 #include "engine/planning/fine/multi_layer_planner.h"
 #include "engine/planning/ompl/ompl_planner.h"
+#include "engine/planning/threaded_planner.h"
 
 namespace glissade {
 namespace {
@@ -93,10 +96,15 @@ Member turningRrt(const Problem& problem) {
 }
 
 /// Two trees that are not trapped for long.
-Member dynamicDomain(const Problem& problem) {
+RrtConnect::Options twoTrees(const Problem& problem) {
   RrtConnect::Options options = turning(problem, 0.02, 0.1);
   options.domain = 10.0;
-  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem, options);
+  return options;
+}
+
+Member dynamicDomain(const Problem& problem) {
+  return rrtConnect("dynamic-domain", {3.0, kLongFirstLife, kLongFirstLife, Restart::Luby, 0}, problem,
+                    twoTrees(problem));
 }
 
 Member contactSlide(const Problem& problem, const Worlds& worlds) {
@@ -148,12 +156,35 @@ Member multiLayer(const Problem& problem) {
           }};
 }
 
+/// Threads are modelled where the path begins or ends.
+bool beginsInThread(const Problem& problem) {
+  if (!findModelledThreads(*problem.world, problem.start).empty()) return true;
+  const Pose* goal = std::get_if<Pose>(&problem.goal);
+  return goal != nullptr && !findModelledThreads(*problem.world, *goal).empty();
+}
+
+/// Turns the object out of threads that are modelled, and into those at the goal.
+Member screwMotions(const Problem& problem) {
+  return {"screw-motions",
+          {4.0, 0, 0, Restart::Never, 0},
+          [problem](std::uint64_t seed, std::uint64_t) -> std::unique_ptr<Planner> {
+            const auto rest = [seed](const Problem& left) -> std::unique_ptr<Planner> {
+              return std::make_unique<DirectThenTrees>(left, seed, twoTrees(left));
+            };
+            return std::make_unique<ThreadedPlanner>(problem, rest,
+                                                     std::make_unique<ModelledThreadWays>(problem.world));
+          }};
+}
+
 }  // namespace
 
 std::vector<Member> makeMembers(const Problem& problem) {
   const auto worlds = std::make_shared<ErodedWorlds>(problem.world);
-  return {directMotions(problem), dynamicDomain(problem),        turningRrt(problem),           bkpiece(problem),
-          birrt(problem),         contactSlide(problem, worlds), shrinkRepair(problem, worlds), multiLayer(problem)};
+  std::vector<Member> members{
+      directMotions(problem), dynamicDomain(problem),        turningRrt(problem),           bkpiece(problem),
+      birrt(problem),         contactSlide(problem, worlds), shrinkRepair(problem, worlds), multiLayer(problem)};
+  if (beginsInThread(problem)) members.push_back(screwMotions(problem));
+  return members;
 }
 
 }  // namespace glissade

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/planning/screw_ways.h"
+#include "engine/product/modelled_thread.h"
+
+namespace glissade {
+
+/// The threads that the object is in at this configuration: surfaces of both that are near each other and that the same
+/// screw motion moves along themselves. Each is listed with the axis of the obstacle, of the object, and the middle of
+/// both, which differ by the play. Takes milliseconds where nothing is near.
+std::vector<ModelledThread> findModelledThreads(const CollisionWorld& world, const Pose& at);
+
+/// Screw motions out of modelled threads. Each is proved as one motion.
+class ModelledThreadWays final : public ScrewWays {
+ public:
+  explicit ModelledThreadWays(CollisionWorldPtr world) : world_(std::move(world)) {}
+
+  ScrewSearch out(CollisionQuery& query, const Pose& from, double required, const StopToken& stop) const override;
+  std::vector<Pose> between(CollisionQuery& query, const Pose& from, const Pose& to, double required,
+                            const StopToken& stop) const override;
+
+ private:
+  CollisionWorldPtr world_;
+};
+
+}  // namespace glissade
