@@ -15,7 +15,7 @@ using test::kCoarsePitch;
 constexpr double kNutAt = -0.0165;
 
 struct NutOnBolt {
-  NutOnBolt(RandomStream& random, bool nutMoves, FitSettings settings = test::markedThread()) {
+  NutOnBolt(RandomStream& random, bool nutMoves, const FitSettings& settings = test::markedThread()) {
     place = randomPose(random, 0.3);
     axis = place.orientation * Vector3::UnitZ();
     const Vector3 aside(0.0004, -0.0003, 0.001);

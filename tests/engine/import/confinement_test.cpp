@@ -275,8 +275,11 @@ void refuse(int call, std::initializer_list<scmp_arg_cmp> conditions = {}) {
   ::seccomp_release(filter);
 }
 
+/// The first argument of the call has this value. The macro of libseccomp is C.
+scmp_arg_cmp firstIs(scmp_datum_t value) { return {0, SCMP_CMP_EQ, value, 0}; }
+
 void refuseFilters() {
-  refuse(SCMP_SYS(prctl), {SCMP_A0(SCMP_CMP_EQ, PR_SET_SECCOMP)});
+  refuse(SCMP_SYS(prctl), {firstIs(PR_SET_SECCOMP)});
   refuse(SCMP_SYS(seccomp));
 }
 
@@ -285,7 +288,7 @@ TEST_F(Confinement, IsAnErrorWhereAStepIsRefused) {
       {"filter of system calls", refuseFilters},
       {"a limit", [] { refuse(SCMP_SYS(prlimit64)); }},
       {"capabilities", [] { refuse(SCMP_SYS(capset)); }},
-      {"new privileges", [] { refuse(SCMP_SYS(prctl), {SCMP_A0(SCMP_CMP_EQ, PR_SET_NO_NEW_PRIVS)}); }},
+      {"new privileges", [] { refuse(SCMP_SYS(prctl), {firstIs(PR_SET_NO_NEW_PRIVS)}); }},
   };
   for (const auto& [what, refuseStep] : steps) {
     const ChildReport report = reportOf([step = refuseStep] {

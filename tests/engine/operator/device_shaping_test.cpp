@@ -31,7 +31,7 @@ RawAxes axesOf(const Deflection& deflection) {
   RawAxes axes{};
   for (int i = 0; i < 3; ++i) {
     axes[static_cast<std::size_t>(i)] = deflection.translation[i];
-    axes[static_cast<std::size_t>(i + 3)] = deflection.rotation[i];
+    axes[static_cast<std::size_t>(i) + 3] = deflection.rotation[i];
   }
   return axes;
 }

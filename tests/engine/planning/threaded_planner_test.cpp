@@ -20,7 +20,7 @@ constexpr double kWayOff = 0.5 * test::kBoltLength - (kNutAt - 0.5 * test::kNutL
 
 /// A bolt along z, a nut on it, and a plate below the nut that the bolt goes through.
 struct Bolted {
-  explicit Bolted(bool nutMoves, FitSettings settings = test::markedThread(), bool goalOut = true) {
+  explicit Bolted(bool nutMoves, const FitSettings& settings = test::markedThread(), bool goalOut = true) {
     const RigidBody nut = test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, kNutAt}));
     const RigidBody bolt = test::partAt("bolt", test::plainBolt(), Pose::identity());
     const RigidBody plate =

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-constexpr int kSegments = 24;
+constexpr std::size_t kSegments = 24;
 
 /// A ring whose outside is a prism of so many sides, with the corners at this radius.
 TriangleMesh prismRing(double inner, double corner, double length, int sides) {

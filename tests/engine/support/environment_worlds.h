@@ -55,7 +55,7 @@ inline const Vector3 kFarAway(5.0, 5.0, 5.0);
 
 /// An environment of box-shaped bodies in small cells; fails the test where it cannot be built.
 inline EnvironmentModelPtr environmentOf(const std::vector<RigidBody>& bodies, const Box3& workspace,
-                                         EnvironmentOptions options) {
+                                         const EnvironmentOptions& options) {
   auto built = buildEnvironment(bodies, workspace, options);
   return built ? *built : nullptr;
 }
