@@ -89,8 +89,8 @@ std::string deviationInWords(const LoadedScenario& scenario, const std::vector<P
          << " mm nearer than they are\n";
   }
   if (const double spacing = coordinateSpacing(scenario); spacing > 0.0) {
-    text << "coordinate spacing: the mesh files hold 32-bit numbers, so that bodies may be " << spacing * 1e3
-         << " mm nearer\n";
+    text << "coordinate spacing: mesh files hold 32-bit numbers or were closed at T-junctions, so that bodies may be "
+         << spacing * 1e3 << " mm nearer\n";
   }
   return text.str();
 }

@@ -197,15 +197,17 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   }
   Warnings warnings = imported->warnings;
   warnOfRemovedTriangles(imported->mesh.triangles.size() - mesh.triangles.size(), content->file, warnings);
+  double moved = 0.0;
   if (auto closed = closedAtTJunctions(mesh)) {
     warnOfTJunctions(*closed, content->file, warnings);
     mesh = std::move(closed->mesh);
+    moved = closed->moved;
   }
   if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
   LoadedGeometry geometry = single(std::move(mesh));
   geometry.warnings = std::move(warnings);
   GeometryPart& part = geometry.parts.front();
-  part.coordinateSpacing = asset.unit * imported->coordinateSpacing;
+  part.coordinateSpacing = asset.unit * imported->coordinateSpacing + moved;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
   geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();

@@ -120,7 +120,7 @@ struct GeometryPart {
   std::optional<Colour> colour;
   double deflection = 0.0;           ///< metres that the mesh is off a STEP surface, about; else 0
   std::size_t facesWithoutMesh = 0;  ///< of STEP, that are missing because they could not be tessellated
-  double coordinateSpacing = 0.0;    ///< metres that vertices may be off for want of digits in the file; else 0
+  double coordinateSpacing = 0.0;    ///< metres that the mesh may be off the file: want of digits, closed T-junctions
 };
 struct LoadedGeometry {
   std::vector<GeometryPart> parts;
@@ -142,7 +142,7 @@ struct LoadedScenario {
   GeometryCache geometry;            ///< what the bodies and the object are made of
   /// Metres that meshes are off the surfaces they stand for, about: of STEP parts, by rigid body's id.
   std::map<std::string, double> deflections;
-  /// Metres that vertices may be off because their file holds 32-bit numbers, by rigid body's id.
+  /// Metres that meshes may be off their files, by rigid body's id: 32-bit numbers, edges closed at T-junctions.
   std::map<std::string, double> coordinateSpacings;
   ObjectFits fits;                 ///< empty where the scenario's fits are off
   std::map<MeshPtr, bool> closed;  ///< whether a mesh of the bodies or the object is a closed surface
