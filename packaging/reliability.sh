@@ -47,8 +47,8 @@ mkdir -p "$work"
 export LC_ALL=C.UTF-8
 
 release=build/release/bin
-formats="stl-text stl-binary obj ply ply-binary dae glb gltf urdf step-box step-plate scenario semantics product cfg
-  study path-csv path-json path-path assembly-plan record journal"
+formats="stl-text stl-binary obj ply ply-binary dae glb gltf urdf step-box step-plate step-split scenario semantics
+  product cfg study path-csv path-json path-path assembly-plan record journal"
 targets=$(ls tests/fuzz/corpus)
 
 no_build=''
