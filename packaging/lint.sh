@@ -95,7 +95,7 @@ check_tidy() {
        --checks=-bugprone-suspicious-include --header-filter="^$PWD/(engine|widgets|app|tests|samples)/" \
        >"$build-tidy.log" 2>"$build-tidy.err"; then
     grep -E 'error:|warning:' "$build-tidy.log" | sort -u
-    echo "lint.sh: clang-tidy has findings in ${#files[@]} files, listed above (details: $build-tidy.log)" >&2
+    echo "lint.sh: clang-tidy has the findings that are listed above, in ${#files[@]} files that it read ($build-tidy.log)" >&2
     return 1
   fi
   echo "clang-tidy: ${#files[@]} files are clean"

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
@@ -100,8 +101,8 @@ class Campaign {
 
   void print(const std::string& name, std::uint64_t defects) const {
     std::cout << name << " | " << all_.paths << " | " << all_.paths - defects << " | " << defects << " | "
-              << static_cast<long>(cpuSeconds() + 0.5) << " | " << std::max(megabytes_, ownMegabytes()) << " | "
-              << options_.seed << "\n";
+              << std::lround(cpuSeconds()) << " | " << std::max(megabytes_, ownMegabytes()) << " | " << options_.seed
+              << "\n";
   }
 
   const CampaignOptions& options_;

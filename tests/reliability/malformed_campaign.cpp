@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -126,7 +127,7 @@ class Campaign {
 
   std::size_t print(const Row& row) const {
     std::cout << row.name << " | " << row.tried << " | " << row.tried - row.defects << " | " << row.defects << " | "
-              << static_cast<long>(row.seconds + 0.5) << " | " << row.megabytes << " | " << options_.seed << std::endl;
+              << std::lround(row.seconds) << " | " << row.megabytes << " | " << options_.seed << std::endl;
     return row.defects;
   }
 

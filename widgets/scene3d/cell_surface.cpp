@@ -14,7 +14,8 @@ using Mask = std::set<std::pair<int, int>>;
 template <class Emit>
 void mergeRectangles(Mask& mask, Emit&& emit) {
   while (!mask.empty()) {
-    const auto [u, v] = *mask.begin();
+    const int u = mask.begin()->first;
+    const int v = mask.begin()->second;
     int vEnd = v + 1;
     while (mask.count({u, vEnd}) != 0) ++vEnd;
     int uEnd = u + 1;

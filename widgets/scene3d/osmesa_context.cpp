@@ -1,5 +1,6 @@
 #include <GL/osmesa.h>
 #include <dlfcn.h>
+#include <osg/GLExtensions>
 
 #include <stdexcept>
 #include <string>
@@ -11,7 +12,6 @@ namespace osg {
 
 /// Replaces OSG's own look-up, which would find libGL's empty functions for what OSMesa does not
 /// export by name.
-void* getGLExtensionFuncPtr(const char* name);
 void* getGLExtensionFuncPtr(const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
 
 }  // namespace osg

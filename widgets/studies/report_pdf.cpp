@@ -5,11 +5,9 @@
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSvgRenderer>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
-#include <QTextObjectInterface>
 #include <QTextOption>
 #include <QTextTable>
 #include <QUrl>
@@ -18,6 +16,7 @@
 #include <cmath>
 
 #include "engine/study/svg_plot.h"
+#include "widgets/studies/plot_object.h"
 
 namespace glissade {
 namespace {
@@ -25,8 +24,6 @@ namespace {
 constexpr int kDotsPerInch = 300;
 constexpr double kMarginMm = 16.0;
 constexpr double kFooterMm = 8.0;
-constexpr int kPlotObject = QTextFormat::UserObject + 1;
-constexpr int kSvg = QTextFormat::UserProperty + 1;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
 constexpr double kWideTablePoints = 5.6;
@@ -40,23 +37,6 @@ double dots(double millimetres) { return millimetres / 25.4 * kDotsPerInch; }
 /// Text formats count in pixels of a screen and are scaled to the paper.
 constexpr double kScreenDotsPerInch = 96.0;
 double pixels(double millimetres) { return millimetres / 25.4 * kScreenDotsPerInch; }
-
-/// An SVG as wide as the page, as one character of the text.
-class PlotObject final : public QObject, public QTextObjectInterface {
-  Q_OBJECT
-  Q_INTERFACES(QTextObjectInterface)
-
- public:
-  QSizeF intrinsicSize(QTextDocument* document, int, const QTextFormat& format) override {
-    const QSizeF size = QSvgRenderer(format.property(kSvg).toByteArray()).defaultSize();
-    const double width = document->pageSize().width();
-    return {width, width * size.height() / size.width()};
-  }
-
-  void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int, const QTextFormat& format) override {
-    QSvgRenderer(format.property(kSvg).toByteArray()).render(painter, place);
-  }
-};
 
 /// Adds the blocks of a report to a text document.
 class Composer {
@@ -131,8 +111,8 @@ class Composer {
   void operator()(const Plot& plot) {
     newBlock(pixels(2.0), 0.0);
     QTextCharFormat object;
-    object.setObjectType(kPlotObject);
-    object.setProperty(kSvg, QByteArray::fromStdString(svgPlot(plot)));
+    object.setObjectType(PlotObject::kType);
+    object.setProperty(PlotObject::kSvg, QByteArray::fromStdString(svgPlot(plot)));
     cursor_.insertText(QString(QChar::ObjectReplacementCharacter), object);
     caption(plot.title + ". " + plot.caption);
   }
@@ -268,7 +248,7 @@ SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
   PlotObject plots;
   QTextDocument document;
   document.documentLayout()->setPaintDevice(&writer);
-  document.documentLayout()->registerHandler(kPlotObject, &plots);
+  document.documentLayout()->registerHandler(PlotObject::kType, &plots);
   document.setDocumentMargin(0.0);
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPointSizeF(kBodyPoints);
@@ -293,5 +273,3 @@ SaveResult writeReportPdf(const StudyReport& report, const QString& file) {
 }
 
 }  // namespace glissade
-
-#include "report_pdf.moc"

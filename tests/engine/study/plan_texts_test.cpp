@@ -60,7 +60,10 @@ TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
   const Pose turned{Vector3::Zero(), fromRollPitchYaw(0.0, 0.0, std::acos(0.0))};
   EXPECT_EQ(english.motion(stepOf("cap", {Pose::identity(), turned}), PlanOrder::Removal), "turn 90° about up (+Z)");
   std::vector<Pose> way{Pose::identity()};
-  for (int i = 1; i <= 6; ++i) way.push_back(Pose::translation({0.1 * (i / 2), 0.1 * ((i + 1) / 2), 0.0}));
+  for (int i = 1; i <= 6; ++i) {
+    const int x = i / 2;
+    way.push_back(Pose::translation({0.1 * x, 0.1 * (i - x), 0.0}));
+  }
   const std::string text = english.motion(stepOf("cap", way), PlanOrder::Removal);
   EXPECT_NE(text.find("around obstacles, 600.0 mm"), std::string::npos) << text;
 }
