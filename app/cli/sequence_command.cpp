@@ -92,6 +92,12 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
   return demands;
 }
 
+Diagnostic fitsAreOff(const std::string& file) {
+  return {ErrorKind::MalformedInput, file, "/fits",
+          "are off, so that no part leaves that touches another one where it is assembled",
+          "Run again with --fits on, or switch them on in the scenario."};
+}
+
 /// The bodies of these ids, or whose ids end in "/" and this; the largest where none is named.
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& ids) {
   BodySet staying(product.bodies.size(), false);
@@ -220,6 +226,7 @@ int runSequence(const SequenceOptions& options) {
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;
   const double seconds = secondsSince(begin);
+  if (!product.fits.on && !plan.stuck.empty()) reportWarnings({fitsAreOff(options.file)});
 
   if (!options.out.empty()) {
     if (const Outcome saved = savePlan(plan, options.file, options.out); !saved) {
