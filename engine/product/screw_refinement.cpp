@@ -159,7 +159,7 @@ class ScrewRefinement {
 
 }  // namespace
 
-ScrewAxis refinedScrew(ScrewAxis screw, const std::vector<Vector3>& vertices) {
+ScrewAxis refinedScrew(const ScrewAxis& screw, const std::vector<Vector3>& vertices) {
   return vertices.empty() ? screw : ScrewRefinement(screw, vertices).refine();
 }
 

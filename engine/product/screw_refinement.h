@@ -11,6 +11,6 @@ namespace glissade {
 /// frequent distances from it equal; the pitch the one, from a third to three times the
 /// fitted one, that makes the vertices of such a
 /// distance lie on the fewest helices.
-ScrewAxis refinedScrew(ScrewAxis screw, const std::vector<Vector3>& vertices);
+ScrewAxis refinedScrew(const ScrewAxis& screw, const std::vector<Vector3>& vertices);
 
 }  // namespace glissade
