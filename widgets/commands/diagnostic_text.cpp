@@ -7,6 +7,7 @@ namespace glissade {
 namespace {
 
 /// Sentences of the engine that people meet in the window; %1 and %2 stand for what differs.
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "the object penetrates '%1'"),
     QT_TRANSLATE_NOOP("Diagnostics", "the object is %1 m from '%2', nearer than the required clearance of %3 m"),
@@ -63,6 +64,7 @@ constexpr const char* kSentences[] = {
                       "Being inside it is not seen as a collision; close its surface, or let planar holes be closed "
                       "(--close-holes)."),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 /// The sentence as a pattern: what %1 and %2 stand for is captured.
 QRegularExpression patternOf(const char* sentence) {

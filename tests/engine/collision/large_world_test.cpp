@@ -178,7 +178,7 @@ TEST(LargeWorld, AnotherChoiceOfAThousandOccurrencesIsReadyAtOnce) {
   parts.bodies.resize(1);
   for (int i = 1; i < 1000; ++i) {
     parts.bodies.push_back(parts.bodies.front());
-    parts.bodies.back().X_WB.position = Vector3(1.0 * (i % 10), 1.0 * (i / 10 % 10), 1.0 * (i / 100));
+    parts.bodies.back().X_WB.position = Eigen::Vector3i(i % 10, i / 10 % 10, i / 100).cast<double>();
   }
   const auto seconds = [](const std::function<void()>& work) {
     const auto before = std::chrono::steady_clock::now();

@@ -15,7 +15,6 @@ namespace {
 
 using test::stepFile;
 using test::stepText;
-using test::TemporaryFolder;
 using testing::ElementsAre;
 
 constexpr double kCubicMillimetre = 1e-9;
