@@ -11,9 +11,10 @@ namespace glissade {
 /// motion from where it is, by any part of the advance (metres along the axis, any number of turns). Never above
 /// `enough`; 0 where nothing is shown.
 ///
-/// A screw motion leaves two numbers of a point alone: its distance r from the axis, and s = z - pitch * angle / 2 pi,
-/// of which a pitch more or less is the same. Threads that are apart in (r, s) stay so for any number of turns. Where
-/// triangles are not apart in (r, s), their distance from the axis and their height on the way may keep them apart.
+/// A screw motion does not change two numbers of a point: its distance r from the axis, and s = z - pitch * angle / 2
+/// pi. s and s + pitch are the same helix. Threads that are apart in (r, s) are apart after any number of turns.
+/// Triangles that are not apart in (r, s) may be apart by their distance from the axis, or by their height during the
+/// motion.
 double screwDistance(const std::vector<Triangle>& moving, const std::vector<Triangle>& fixed, const ScrewAxis& screw,
                      double advance, double enough);
 

@@ -6,11 +6,10 @@
 
 namespace glissade {
 
-/// The screw motion that was fitted to the facets of a thread, from the vertices of the thread: facets are tilted
-/// against the surface that they stand for, vertices lie on it. The axis is the one that makes the vertices' most
-/// frequent distances from it equal; the pitch the one, from a third to three times the
-/// fitted one, that makes the vertices of such a
-/// distance lie on the fewest helices.
+/// A screw motion that was fitted to the facets of a thread, fitted again to its vertices. Facets are tilted against
+/// the surface that they stand for; vertices lie on it. The axis makes the most frequent distances of vertices from it
+/// equal. The pitch, from a third to three times the fitted one, makes the vertices of such a distance lie on the
+/// fewest helices.
 ScrewAxis refinedScrew(const ScrewAxis& screw, const std::vector<Vector3>& vertices);
 
 }  // namespace glissade
