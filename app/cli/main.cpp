@@ -19,6 +19,7 @@
 #include "app/cli/sequence_command.h"
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
+#include "app/cli/sweep_command.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
@@ -135,6 +136,18 @@ CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
   smooth->add_option("--seed", options.seed, "Seed of the shortcuts")->capture_default_str();
   addFormat(*smooth, options.format);
   return smooth;
+}
+
+CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
+  CLI::App* sweep = app.add_subcommand("sweep", "Write what the object covers along a path, never less");
+  sweep->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  sweep->add_option("PATH", options.path, "Path: " + readablePathFormats())->required();
+  sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
+  addLength(
+      *sweep, "--bound", [&options](double bound) { options.bound = bound; },
+      "How far its surface may be from the object, as 0.5mm (default: a two-hundredth of the object's size)");
+  addFormat(*sweep, options.format);
+  return sweep;
 }
 
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
@@ -286,6 +299,7 @@ int run(int argc, char** argv) {
   PlanOptions plan;
   CheckOptions check;
   SmoothOptions smooth;
+  SweepOptions sweep;
   ReplayOptions replay;
   InfoOptions info;
   FitsOptions fits;
@@ -300,6 +314,7 @@ int run(int argc, char** argv) {
   const CLI::App* replayCommand = addReplay(app, replay);
   const CLI::App* checkCommand = addCheck(app, check);
   const CLI::App* smoothCommand = addSmooth(app, smooth);
+  const CLI::App* sweepCommand = addSweep(app, sweep);
   const CLI::App* infoCommand = addInfo(app, info);
   const CLI::App* fitsCommand = addFits(app, fits);
   const CLI::App* sequenceCommand = addSequence(app, sequence);
@@ -318,6 +333,7 @@ int run(int argc, char** argv) {
   if (replayCommand->parsed()) return runReplay(replay);
   if (checkCommand->parsed()) return runCheck(check);
   if (smoothCommand->parsed()) return runSmooth(smooth);
+  if (sweepCommand->parsed()) return runSweep(sweep);
   if (infoCommand->parsed()) return runInfo(info);
   if (fitsCommand->parsed()) return runFits(fits);
   if (sequenceCommand->parsed()) return runSequence(sequence);

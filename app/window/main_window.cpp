@@ -27,6 +27,7 @@
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
 #include "app/window/study_controller.h"
+#include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
 #include "app/window/window_script.h"
@@ -86,6 +87,7 @@ void MainWindow::addParts() {
   auto* run = new RunController(bench_);
   new RefusalController(bench_);
   new MeasureController(bench_);
+  new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);

@@ -54,6 +54,17 @@ struct CellGrid {
       if (c[a] + 1 < counts[a]) visit(cell + stride(axis));
     }
   }
+  /// Calls visit(neighbour) for the up to four of them in the same slice across an axis.
+  template <class Visit>
+  void forEachNeighbourAcross(int axis, std::size_t cell, Visit&& visit) const {
+    const std::array<int, 3> c = coordinates(cell);
+    for (int other = 0; other < 3; ++other) {
+      if (other == axis) continue;
+      const auto o = static_cast<std::size_t>(other);
+      if (c[o] > 0) visit(cell - stride(other));
+      if (c[o] + 1 < counts[o]) visit(cell + stride(other));
+    }
+  }
 };
 
 /// What the topological layer is made from: which cells of one level are free of static bodies

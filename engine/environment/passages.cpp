@@ -1,6 +1,7 @@
 #include "engine/environment/passages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glissade {
@@ -18,38 +19,28 @@ constexpr int kMostRounds = 12;
 
 /// A connected part of one slice of the free space.
 struct Section {
-  std::vector<std::size_t> cells;
+  std::size_t firstCell = 0;  ///< of Slices' cells
+  std::size_t endCell = 0;
   std::vector<int> before;  ///< sections of the slice before that share a face with this one
   std::vector<int> after;
 
-  double area() const { return static_cast<double>(cells.size()); }
+  double area() const { return static_cast<double>(endCell - firstCell); }
 };
 
 void addOnce(std::vector<int>& list, int value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-/// The sections of all slices across one axis and how they hang together.
+/// The sections of all slices across one axis and how they hang together. Used for several rounds, because memory that
+/// is taken anew each time costs as much as the search.
 class Slices {
  public:
-  Slices(const CellGrid& grid, const std::vector<char>& open, int axis, const StopToken& stop)
-      : grid_(grid), open_(open), axis_(axis), sectionOf_(grid.size(), -1) {
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      if (open[cell] == 0 || sectionOf_[cell] >= 0) continue;
-      if (stop.stopRequested()) return;
-      flood(cell);
-    }
-    const std::size_t stride = grid.stride(axis);
-    for (std::size_t cell = 0; cell < grid.size(); ++cell) {
-      if (sectionOf_[cell] < 0 || grid.coordinates(cell)[a()] + 1 >= grid.counts[a()]) continue;
-      const int next = sectionOf_[cell + stride];
-      if (next < 0) continue;
-      addOnce(section(sectionOf_[cell]).after, next);
-      addOnce(section(next).before, sectionOf_[cell]);
-    }
-  }
+  Slices(const CellGrid& grid, int axis) : grid_(grid), axis_(axis) {}
 
-  std::vector<Passage> passages() {
+  /// The doorways of the open cells. Unfinished after a stop.
+  std::vector<Passage> passages(const std::vector<char>& open, const StopToken& stop) {
+    findSections(open, stop);
+    connectSections();
     std::vector<Passage> found;
     for (int s = 0; s < static_cast<int>(sections_.size()); ++s) {
       if (isChainStart(s)) searchChain(chainFrom(s), found);
@@ -61,21 +52,40 @@ class Slices {
   std::size_t a() const { return static_cast<std::size_t>(axis_); }
   Section& section(int id) { return sections_[static_cast<std::size_t>(id)]; }
 
-  void flood(std::size_t seed) {
-    const int id = static_cast<int>(sections_.size());
-    Section found;
-    found.cells.push_back(seed);
-    sectionOf_[seed] = id;
-    for (std::size_t i = 0; i < found.cells.size(); ++i) {
-      const std::size_t cell = found.cells[i];
-      const int slice = grid_.coordinates(cell)[a()];
-      grid_.forEachNeighbour(cell, [&](std::size_t next) {
-        if (open_[next] == 0 || sectionOf_[next] >= 0 || grid_.coordinates(next)[a()] != slice) return;
-        sectionOf_[next] = id;
-        found.cells.push_back(next);
-      });
+  void findSections(const std::vector<char>& open, const StopToken& stop) {
+    sectionOf_.assign(grid_.size(), kNoSection);
+    cells_.clear();
+    sections_.clear();
+    for (std::size_t cell = 0; cell < grid_.size(); ++cell) {
+      if (open[cell] == 0 || sectionOf_[cell] != kNoSection) continue;
+      if (stop.stopRequested()) return;
+      flood(cell, open);
     }
-    sections_.push_back(std::move(found));
+  }
+
+  /// Adds the section that holds a cell.
+  void flood(std::size_t seed, const std::vector<char>& open) {
+    const int id = static_cast<int>(sections_.size());
+    const std::size_t first = cells_.size();
+    const auto add = [&](std::size_t cell) {
+      if (open[cell] == 0 || sectionOf_[cell] != kNoSection) return;
+      sectionOf_[cell] = id;
+      cells_.push_back(cell);
+    };
+    add(seed);
+    for (std::size_t i = first; i < cells_.size(); ++i) grid_.forEachNeighbourAcross(axis_, cells_[i], add);
+    sections_.push_back({first, cells_.size(), {}, {}});
+  }
+
+  void connectSections() {
+    const std::size_t stride = grid_.stride(axis_);
+    for (std::size_t cell = 0; cell < grid_.size(); ++cell) {
+      if (sectionOf_[cell] == kNoSection || grid_.coordinates(cell)[a()] + 1 >= grid_.counts[a()]) continue;
+      const int next = sectionOf_[cell + stride];
+      if (next == kNoSection) continue;
+      addOnce(section(sectionOf_[cell]).after, next);
+      addOnce(section(next).before, sectionOf_[cell]);
+    }
   }
 
   /// The one section that follows and is followed by this one only; -1 where the way branches.
@@ -135,17 +145,20 @@ class Slices {
     if (narrowest < kLeastSection || !(doorway || contraction >= kTightContraction)) return;
     Passage passage{axis_, {}, contraction};
     for (std::size_t i = begin; i < end; ++i) {
-      const auto& cells = section(chain[i]).cells;
-      passage.cells.insert(passage.cells.end(), cells.begin(), cells.end());
+      const Section& slice = section(chain[i]);
+      passage.cells.insert(passage.cells.end(), cells_.begin() + static_cast<std::ptrdiff_t>(slice.firstCell),
+                           cells_.begin() + static_cast<std::ptrdiff_t>(slice.endCell));
     }
     std::sort(passage.cells.begin(), passage.cells.end());
     found.push_back(std::move(passage));
   }
 
+  static constexpr int kNoSection = -1;
+
   const CellGrid& grid_;
-  const std::vector<char>& open_;
   int axis_;
-  std::vector<int> sectionOf_;
+  std::vector<int> sectionOf_;      ///< by cell
+  std::vector<std::size_t> cells_;  ///< section by section
   std::vector<Section> sections_;
 };
 
@@ -160,11 +173,12 @@ double sharpest(const std::vector<Passage>& passages) {
 std::vector<Passage> findPassages(const FreeSpace& space, const StopToken& stop) {
   std::vector<char> open(space.grid.size());
   for (std::size_t cell = 0; cell < open.size(); ++cell) open[cell] = space.open(cell) ? 1 : 0;
+  std::array<Slices, 3> axes{Slices(space.grid, 0), Slices(space.grid, 1), Slices(space.grid, 2)};
   std::vector<Passage> all;
   for (int round = 0; round < kMostRounds && !stop.stopRequested(); ++round) {
     std::vector<Passage> best;
-    for (int axis = 0; axis < 3; ++axis) {
-      auto found = Slices(space.grid, open, axis, stop).passages();
+    for (Slices& slices : axes) {
+      auto found = slices.passages(open, stop);
       if (sharpest(found) > sharpest(best)) best = std::move(found);
     }
     if (best.empty()) break;

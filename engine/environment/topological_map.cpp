@@ -13,11 +13,11 @@ namespace {
 
 std::vector<Place> gatherPlaces(const CellGrid& grid, const PlaceLabels& labels, const std::vector<double>& clearance,
                                 const std::vector<Passage>& passages) {
-  std::vector<Place> places;
+  const int last = labels.empty() ? kNoPlace : *std::max_element(labels.begin(), labels.end());
+  std::vector<Place> places(last == kNoPlace ? 0 : static_cast<std::size_t>(last) + 1);
   for (std::size_t cell = 0; cell < labels.size(); ++cell) {
     if (labels[cell] == kNoPlace) continue;
     const auto label = static_cast<std::size_t>(labels[cell]);
-    if (label >= places.size()) places.resize(label + 1);
     places[label].cells.push_back(cell);
     places[label].box.extend(grid.box(cell));
   }
@@ -219,6 +219,7 @@ TopologicalMap makeTopologicalMap(const FreeSpace& space, const PlaceLabels& lab
   rateComplexity(space.grid.frame.side, places);
   const std::vector<std::size_t> order = orderOf(space.grid, places);
   std::vector<int> number(places.size());
+  map.places.reserve(places.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     number[order[i]] = static_cast<int>(i);
     places[order[i]].name = "P" + std::to_string(i + 1);

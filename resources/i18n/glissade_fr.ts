@@ -884,6 +884,22 @@
         <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
+        <source>S&amp;wept volume</source>
+        <translation>&amp;Volume balayé</translation>
+    </message>
+    <message>
+        <source>Show all that the object covers along the path, never less</source>
+        <translation>Afficher tout ce que l&apos;objet couvre le long du chemin, jamais moins</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the swept volume...</source>
+        <translation>E&amp;xporter le volume balayé...</translation>
+    </message>
+    <message>
+        <source>Write the swept volume as triangles: STL or GLB</source>
+        <translation>Écrire le volume balayé en triangles : STL ou GLB</translation>
+    </message>
+    <message>
         <source>Where is it &amp;blocked?</source>
         <translation>Où est-il &amp;bloqué ?</translation>
     </message>
@@ -1400,6 +1416,10 @@
 </context>
 <context>
     <name>Diagnostics</name>
+    <message>
+        <source>the bound of the swept volume needs more than 4 GiB</source>
+        <translation>la borne du volume balayé demande plus de 4 Gio</translation>
+    </message>
     <message>
         <source>the object penetrates &apos;%1&apos;</source>
         <translation>l&apos;objet pénètre dans « %1 »</translation>
@@ -5051,6 +5071,45 @@
     <message>
         <source>Writing the work instruction</source>
         <translation>Écriture de la gamme de montage</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SweepController</name>
+    <message>
+        <source>The swept volume cannot be computed</source>
+        <translation>Le volume balayé ne peut pas être calculé</translation>
+    </message>
+    <message>
+        <source>Computing the swept volume</source>
+        <translation>Calcul du volume balayé</translation>
+    </message>
+    <message>
+        <source>Swept volume: %1 %2; its surface is at most %3 away from the object</source>
+        <translation>Volume balayé : %1 %2 ; sa surface est à %3 de l&apos;objet au plus</translation>
+    </message>
+    <message>
+        <source>; within it or at its surface: %1</source>
+        <translation> ; à l&apos;intérieur ou à sa surface : %1</translation>
+    </message>
+    <message>
+        <source>Export the swept volume</source>
+        <translation>Exporter le volume balayé</translation>
+    </message>
+    <message>
+        <source>Triangles in millimetres (%1);;3D viewers (%2)</source>
+        <translation>Triangles en millimètres (%1);;Visionneuses 3D (%2)</translation>
+    </message>
+    <message>
+        <source>The swept volume was not saved</source>
+        <translation>Le volume balayé n&apos;a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The swept volume was saved as %1</source>
+        <translation>Le volume balayé a été enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>The swept volume was saved, with a warning</source>
+        <translation>Le volume balayé a été enregistré, avec un avertissement</translation>
     </message>
 </context>
 </TS>

@@ -154,6 +154,11 @@ void SceneView::setKeptPaths(std::vector<KeptPathPicture> paths) {
   impl_->showOverlays();
 }
 
+void SceneView::setSweep(std::shared_ptr<const SweptVolume> sweep) {
+  impl_->sweep = std::move(sweep);
+  impl_->showOverlays();
+}
+
 void SceneView::setMeasure(MeasurePicture measure) {
   impl_->measure = std::move(measure);
   impl_->showOverlays();

@@ -10,6 +10,7 @@
 #include "engine/geometry/plane_section.h"
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
+#include "engine/sweep/swept_volume.h"
 #include "widgets/scene3d/display_mode.h"
 
 namespace osg {
@@ -34,6 +35,7 @@ enum class SceneLayer {
   Workspace,
   Roadmap,
   Path,
+  Sweep,
   Contact,
   Guidance,
   FreeCells,
@@ -51,7 +53,7 @@ enum class SceneLayer {
   Refusal,
   Measure
 };
-inline constexpr int kSceneLayerCount = 22;
+inline constexpr int kSceneLayerCount = 23;
 
 struct EnvironmentPicture;
 
@@ -146,6 +148,8 @@ class SceneView {
   /// Paths that are shown beside the run's.
   void setKeptPaths(std::vector<KeptPathPicture> paths);
   void setMeasure(MeasurePicture measure);
+  /// What the object covers along the path; null: nothing is shown.
+  void setSweep(std::shared_ptr<const SweptVolume> sweep);
   /// The box of these bodies where they are drawn, by id; the object is where it is shown. Empty: none is there.
   Box3 extentOf(const std::set<std::string>& bodyIds) const;
   /// Where the object is drawn.

@@ -24,6 +24,7 @@
 #include "widgets/scene3d/roadmap_layer.h"
 #include "widgets/scene3d/scene_view.h"
 #include "widgets/scene3d/section_layer.h"
+#include "widgets/scene3d/sweep_layer.h"
 
 namespace glissade {
 
@@ -51,6 +52,7 @@ struct SceneView::Impl {
   std::shared_ptr<const EndConflicts> refusal;
   std::vector<KeptPathPicture> keptPaths;
   MeasurePicture measure;
+  std::shared_ptr<const SweptVolume> sweep;
   BodyShapes shapes;
   DisplayMode mode = DisplayMode::ShadedWithEdges;
   std::vector<DisplayMode> drawnModes;          ///< of the obstacles, as they are drawn
@@ -269,6 +271,7 @@ struct SceneView::Impl {
   void showOverlays() {
     fill(SceneLayer::KeptPaths, makeKeptPaths(keptPaths, palette));
     fill(SceneLayer::Measure, makeMeasure(measure, palette));
+    fill(SceneLayer::Sweep, sweep ? makeSweep(sweep->surface_W, palette) : nullptr);
   }
 
   void rebuild() {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 namespace glissade {
 
@@ -28,11 +28,11 @@ Point2 meeting(int axis, double position, Vector3 p, Vector3 q) {
   return acrossAxis(axis, p + t * (q - p));
 }
 
-double distanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
+double squaredDistanceToSegment(const Point2& p, const Point2& a, const Point2& b) {
   const Point2 ab = b - a;
   const double length = ab.squaredNorm();
   const double t = length > 0.0 ? std::clamp((p - a).dot(ab) / length, 0.0, 1.0) : 0.0;
-  return (p - a - t * ab).norm();
+  return (p - a - t * ab).squaredNorm();
 }
 
 }  // namespace
@@ -56,21 +56,22 @@ PassageSection::PassageSection(const TriangleMesh& statics_W, int axis, const st
       const Point2 outward = acrossAxis(axis, (t[1] - t[0]).cross(t[2] - t[0]));
       if (cross(ends[1] - ends[0], outward) > 0.0) std::swap(ends[0], ends[1]);
       plane.push_back({ends[0], ends[1]});
-      near = near || distanceToSegment(about, ends[0], ends[1]) < reach;
+      near = near || std::sqrt(squaredDistanceToSegment(about, ends[0], ends[1])) < reach;
     }
     if (near) planes_.push_back(std::move(plane));
   }
 }
 
 double PassageSection::signedDistance(const Plane& plane, const Point2& uv) {
-  double distance = 1e300;
+  double squared = std::numeric_limits<double>::max();
   int winding = 0;
   for (const auto& [a, b] : plane) {
-    distance = std::min(distance, distanceToSegment(uv, a, b));
+    squared = std::min(squared, squaredDistanceToSegment(uv, a, b));
     if ((a.y() <= uv.y()) == (b.y() <= uv.y())) continue;
     const double x = a.x() + (uv.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     if (x > uv.x()) winding += b.y() > a.y() ? 1 : -1;
   }
+  const double distance = std::sqrt(squared);
   return winding != 0 ? -distance : distance;
 }
 

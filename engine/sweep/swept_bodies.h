@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/environment/rigid_body.h"
+#include "engine/sweep/swept_volume.h"
+
+namespace glissade {
+
+/// The bodies, by index, ascending, that touch the surface of the swept volume or lie within it. A body that the moving
+/// one passes at less than the bound may be among them. Unfinished after a stop.
+std::vector<std::size_t> bodiesWithin(const SweptVolume& sweep, const std::vector<RigidBody>& bodies,
+                                      const StopToken& stop = {});
+
+}  // namespace glissade
