@@ -109,6 +109,8 @@ int runScriptFile(const std::string& file, const Workbench& bench) {
   return 0;
 }
 
+Theme themeNamed(const QString& name) { return name == "dark" ? Theme::Dark : Theme::Light; }
+
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
                      parser.isSet("study-pictures") || parser.isSet("report-pdf");
@@ -117,6 +119,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     window.resize(window.size().boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   }
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
+  if (parser.isSet("theme")) window.setTheme(themeNamed(parser.value("theme")));
   if (!parser.positionalArguments().isEmpty()) {
     const auto why = window.openScenario(parser.positionalArguments().front(), batch);
     if (why && batch) return fail(*why);
@@ -214,7 +217,7 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   }
 
   MainWindow window(makeScene, clock);
-  window.setTheme(theme == "dark" ? Theme::Dark : Theme::Light);
+  window.setTheme(themeNamed(theme));
   window.resize(*size);
   WorkController& work = window.workbench().work;
   application.setFailureHandler([&work](const Diagnostic& why) { work.reportFailure(why); });

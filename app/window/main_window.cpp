@@ -21,6 +21,7 @@
 #include "app/window/log_controller.h"
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
+#include "app/window/navigation_controller.h"
 #include "app/window/recording_controller.h"
 #include "app/window/refusal_controller.h"
 #include "app/window/run_controller.h"
@@ -67,6 +68,7 @@ MainWindow::~MainWindow() {
 void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
+  new NavigationController(bench_);
   auto* sections = new SectionController(bench_);
   auto* fits = new FitsController(bench_);
   auto* environment = new EnvironmentController(bench_);
@@ -161,6 +163,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   memory_ = std::move(memory);
   files_->setMemory(memory_.get());
   memory_->restoreLayout(*this, sizeToo);
+  memory_->restoreChoices(actions_);
   replayBar_->setVisible(!bench_.run.isLive());
 }
 
@@ -177,7 +180,9 @@ void MainWindow::dropEvent(QDropEvent* event) { files_->drop(*event->mimeData())
 void MainWindow::closeEvent(QCloseEvent* event) {
   commitEditorInUse();
   event->setAccepted(files_->mayDiscard());
-  if (event->isAccepted() && memory_) memory_->saveLayout(*this);
+  if (!event->isAccepted() || !memory_) return;
+  memory_->saveLayout(*this);
+  memory_->saveChoices(actions_);
 }
 
 }  // namespace glissade

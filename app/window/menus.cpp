@@ -27,6 +27,7 @@ class Menus {
     QMenu* view = add(tr("&View"), {"view.", "", "body.", "", "measure."});
     fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
     fill(view->addMenu(tr("Lay&ers")), {"layer."});
+    fill(view->addMenu(tr("&Navigation")), {"navigation."});
     QMenu* panels = view->addMenu(tr("&Panels"));
     fill(panels, {"panel.", ""});
     for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());

@@ -2,6 +2,8 @@
 
 #include <QFileInfo>
 
+#include <vector>
+
 namespace glissade {
 namespace {
 
@@ -12,6 +14,21 @@ constexpr int kLayoutVersion = 2;
 const QLatin1String kFiles("recent-files");
 const QLatin1String kState("layout/panels");
 const QLatin1String kGeometry("layout/window");
+
+const QLatin1String kChoices("choices/");
+
+/// Checkable actions that are a user's choice for all scenarios.
+std::vector<QLatin1String> choiceIds() {
+  std::vector<QLatin1String> ids;
+  for (const ActionSpec& spec : actionSpecs()) {
+    const QLatin1String id(spec.id);
+    if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.dark") ||
+        id == QLatin1String("view.orthographic")) {
+      ids.push_back(id);
+    }
+  }
+  return ids;
+}
 
 }  // namespace
 
@@ -40,6 +57,19 @@ void WindowMemory::saveLayout(const QMainWindow& window) {
 void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
   if (sizeToo) window.restoreGeometry(settings_.value(kGeometry).toByteArray());
   window.restoreState(settings_.value(kState).toByteArray(), kLayoutVersion);
+}
+
+void WindowMemory::saveChoices(const ActionCatalogue& actions) {
+  for (const QLatin1String id : choiceIds()) settings_.setValue(kChoices + id, actions[id]->isChecked());
+}
+
+void WindowMemory::restoreChoices(const ActionCatalogue& actions) const {
+  for (const QLatin1String id : choiceIds()) {
+    QAction* action = actions[id];
+    const bool chosen = settings_.value(kChoices + id, action->isChecked()).toBool();
+    const bool isOneOfSeveral = action->actionGroup() != nullptr;
+    if (chosen || !isOneOfSeveral) action->setChecked(chosen);
+  }
 }
 
 }  // namespace glissade

@@ -4,10 +4,12 @@
 #include <QSettings>
 #include <QStringList>
 
+#include "widgets/commands/action_catalogue.h"
+
 namespace glissade {
 
-/// What the window remembers from one start to the next: the files opened last, and where its panels
-/// lie. Kept as the platform keeps settings. Scripts and pictures have none.
+/// What the window remembers from one start to the next: the files opened last, where its panels lie, and a user's
+/// choices: navigation, theme, perspective. Kept as the platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -23,6 +25,10 @@ class WindowMemory {
   void saveLayout(const QMainWindow& window);
   /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
   void restoreLayout(QMainWindow& window, bool sizeToo) const;
+
+  void saveChoices(const ActionCatalogue& actions);
+  /// Choices that were never saved stay as they are.
+  void restoreChoices(const ActionCatalogue& actions) const;
 
  private:
   QSettings settings_;

@@ -36,6 +36,46 @@
         <translation>Dessiner le graphe en entier, sans l&apos;estomper, pendant qu&apos;un chemin est affiché</translation>
     </message>
     <message>
+        <source>&amp;Standard</source>
+        <translation>&amp;Standard</translation>
+    </message>
+    <message>
+        <source>Left orbits, middle or Shift + left pans, right zooms</source>
+        <translation>Gauche : tourner ; milieu ou Maj + gauche : déplacer ; droit : zoomer</translation>
+    </message>
+    <message>
+        <source>&amp;CAD</source>
+        <translation>&amp;CAO</translation>
+    </message>
+    <message>
+        <source>Middle orbits, Ctrl + middle pans, Shift + middle zooms</source>
+        <translation>Milieu : tourner ; Ctrl + milieu : déplacer ; Maj + milieu : zoomer</translation>
+    </message>
+    <message>
+        <source>&amp;Blender</source>
+        <translation>&amp;Blender</translation>
+    </message>
+    <message>
+        <source>Middle orbits, Shift + middle pans, Ctrl + middle zooms</source>
+        <translation>Milieu : tourner ; Maj + milieu : déplacer ; Ctrl + milieu : zoomer</translation>
+    </message>
+    <message>
+        <source>FreeCAD &amp;gesture</source>
+        <translation>&amp;Gestes de FreeCAD</translation>
+    </message>
+    <message>
+        <source>Left orbits, right pans, both roll</source>
+        <translation>Gauche : tourner ; droit : déplacer ; les deux : incliner</translation>
+    </message>
+    <message>
+        <source>&amp;Trackball</source>
+        <translation>&amp;Trackball</translation>
+    </message>
+    <message>
+        <source>As standard, but the horizon does not stay level</source>
+        <translation>Comme standard, mais l&apos;horizon ne reste pas horizontal</translation>
+    </message>
+    <message>
         <source>Shaded with &amp;edges</source>
         <translation>Ombré avec &amp;arêtes</translation>
     </message>
@@ -1661,6 +1701,10 @@
     <message>
         <source>&amp;View</source>
         <translation>&amp;Vue</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
     </message>
     <message>
         <source>Lay&amp;ers</source>

@@ -73,5 +73,22 @@ TEST_F(Memory, NothingSavedChangesNothing) {
   EXPECT_EQ(window->dockWidgetArea(window->findChild<QDockWidget*>()), Qt::LeftDockWidgetArea);
 }
 
+TEST_F(Memory, ChoicesComeBack) {
+  QWidget window;
+  {
+    const ActionCatalogue actions(&window);
+    actions["navigation.blender"]->setChecked(true);
+    actions["view.orthographic"]->setChecked(true);
+    WindowMemory(file()).saveChoices(actions);
+  }
+  QWidget another;
+  const ActionCatalogue actions(&another);
+  WindowMemory(file()).restoreChoices(actions);
+  EXPECT_TRUE(actions["navigation.blender"]->isChecked());
+  EXPECT_FALSE(actions["navigation.cad"]->isChecked());
+  EXPECT_TRUE(actions["view.orthographic"]->isChecked());
+  EXPECT_FALSE(actions["view.dark"]->isChecked());
+}
+
 }  // namespace
 }  // namespace glissade

@@ -95,6 +95,13 @@ void CameraController::orbit(double dx, double dy) {
   orientation_ = (yaw * orientation_ * pitch).normalized();
 }
 
+void CameraController::tumble(double dx, double dy) {
+  fitted_.reset();
+  const Quaternion yaw(Eigen::AngleAxisd(-dx * kCameraTurnPerHeight, Vector3::UnitY()));
+  const Quaternion pitch(Eigen::AngleAxisd(-dy * kCameraTurnPerHeight, Vector3::UnitX()));
+  orientation_ = (orientation_ * yaw * pitch).normalized();
+}
+
 void CameraController::roll(double angle) {
   fitted_.reset();
   orientation_ = (orientation_ * Quaternion(Eigen::AngleAxisd(angle, Vector3::UnitZ()))).normalized();

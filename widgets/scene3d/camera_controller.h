@@ -29,6 +29,8 @@ class CameraController {
   void enclose(const Box3& box);
   /// Pointer moved by (dx, dy), as fractions of the view's height, y down.
   void orbit(double dx, double dy);
+  /// The same about the view's own axes: the horizon does not stay level.
+  void tumble(double dx, double dy);
   /// Turns the picture clockwise about the line of sight, radians; standard views level it again.
   void roll(double angle);
   void pan(double dx, double dy);

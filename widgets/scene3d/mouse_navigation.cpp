@@ -11,6 +11,8 @@ namespace {
 constexpr double kPerNotch = 1.15;
 /// A drag over the whole height zooms by this factor.
 constexpr double kPerHeight = 8.0;
+/// A drag of that length to the side rolls by this angle, radians.
+constexpr double kRollPerHeight = 3.0;
 
 }  // namespace
 
@@ -22,16 +24,14 @@ bool MouseNavigation::press(const QMouseEvent& event) {
 bool MouseNavigation::move(const QMouseEvent& event, const QWidget& widget, SceneView& view) {
   const QPointF by = (event.localPos() - last_) / std::max(1, widget.height());
   last_ = event.localPos();
-  const bool left = event.buttons().testFlag(Qt::LeftButton);
-  const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-  if (event.buttons().testFlag(Qt::MiddleButton) || (left && shift)) {
-    view.camera().pan(by.x(), by.y());
-  } else if (left) {
-    view.camera().orbit(by.x(), by.y());
-  } else if (event.buttons().testFlag(Qt::RightButton)) {
-    view.camera().zoom(std::pow(kPerHeight, -by.y()));
-  } else {
-    return false;
+  CameraController& camera = view.camera();
+  switch (cameraDragOf(style_, event.buttons(), event.modifiers())) {
+    case CameraDrag::None: return false;
+    case CameraDrag::Orbit: camera.orbit(by.x(), by.y()); break;
+    case CameraDrag::Tumble: camera.tumble(by.x(), by.y()); break;
+    case CameraDrag::Roll: camera.roll(-kRollPerHeight * by.x()); break;
+    case CameraDrag::Pan: camera.pan(by.x(), by.y()); break;
+    case CameraDrag::Zoom: camera.zoom(std::pow(kPerHeight, -by.y())); break;
   }
   return true;
 }

@@ -5,20 +5,23 @@
 #include <QWheelEvent>
 #include <QWidget>
 
+#include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 
-/// What the mouse does in a scene widget: left drag orbits, middle drag (or Shift + left) pans, right
-/// drag and wheel zoom, double click fits. Each returns whether the camera has moved.
+/// What the mouse does in a scene widget: drags move the camera as the navigation style has it, the wheel zooms, a
+/// double click fits. Each returns whether the camera has moved.
 class MouseNavigation {
  public:
+  void setStyle(NavigationStyle style) { style_ = style; }
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event, const QWidget& widget, SceneView& view);
   bool doubleClick(SceneView& view);
   bool wheel(const QWheelEvent& event, const QWidget& widget, SceneView& view);
 
  private:
+  NavigationStyle style_ = NavigationStyle::Standard;
   QPointF last_;
 };
 

@@ -31,6 +31,7 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
     if (stale_ || image_.size() != size()) render();
     return image_;
   }
+  void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:

@@ -26,6 +26,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
   QImage picture() override { return grabFramebuffer(); }
+  void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:

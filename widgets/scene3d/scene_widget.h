@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 
+#include "widgets/scene3d/navigation_style.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
@@ -22,6 +23,7 @@ class SceneWidget {
   virtual void refresh() = 0;
   /// The picture as it is now, rendered if need be.
   virtual QImage picture() = 0;
+  virtual void setNavigationStyle(NavigationStyle style) = 0;
   /// Called after the user moved the camera (R_WV changed: view-relative steering).
   virtual void onCameraMoved(std::function<void()> callback) = 0;
 };
