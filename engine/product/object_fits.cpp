@@ -317,7 +317,11 @@ class FitFinder {
       if (!mesh) return nullptr;
       thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
     }
-    return CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned)->makeQuery();
+    auto& [obstacle, world] = alone_;
+    const bool known = world && obstacle == fit.obstacle;
+    world = known ? world->withObject(thinned) : CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned);
+    obstacle = fit.obstacle;
+    return world->makeQuery();
   }
 
   const FitQuestion& question_;
@@ -326,7 +330,8 @@ class FitFinder {
   std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
   bool measuredObject_ = false;
   std::optional<ThinnableMesh> thinnable_;
-  std::map<double, MeshPtr> thinned_;  ///< by allowance
+  std::map<double, MeshPtr> thinned_;                  ///< by allowance
+  std::pair<std::size_t, CollisionWorldPtr> alone_{};  ///< an obstacle alone with the object, as it was last asked of
   ObjectFits fits_;
 };
 
