@@ -100,7 +100,7 @@ Outcome checkLimits(const ContactLimits& limits) {
 int runFits(const FitsOptions& options) {
   if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
-  const auto loaded = readProduct(options.file, interrupt.token());
+  const auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   const AssembledProduct& product = loaded->product;

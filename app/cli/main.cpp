@@ -158,6 +158,17 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   return info;
 }
 
+/// Of commands that take part files; a scenario states the deflection of its assets itself.
+void addPartDeflection(CLI::App& command, double& deflection) {
+  addLength(
+      command, "--deflection",
+      [&deflection](double value) {
+        if (!limits::isSize(value)) throw CLI::ValidationError("--deflection", "is not from 1e-12 m to 1e9 m");
+        deflection = value;
+      },
+      "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");
+}
+
 CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   CLI::App* fits = app.add_subcommand("fits", "List the contacts, fits and clashes of a product as it is assembled");
   fits->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")->required();
@@ -170,6 +181,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   fits->add_option("--clash-share", options.limits.clashThickness, "So is one above this share of the local thickness")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  addPartDeflection(*fits, options.deflection);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
   addFormat(*fits, options.format);
   return fits;
@@ -195,9 +207,7 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
-  addLength(
-      *sequence, "--deflection", [&options](double value) { options.deflection = value; },
-      "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");
+  addPartDeflection(*sequence, options.deflection);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
   addFormat(*sequence, options.format);
   return sequence;

@@ -81,7 +81,10 @@ class CollisionQuery {
 
   /// Lower bound on the distance while the object moves from there by the screw motion, by any part of the advance
   /// (metres, any number of turns); never above `enough`. 0: nothing is shown. It takes seconds among many triangles.
-  virtual double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) = 0;
+  /// `off`: metres that points of the object may be off this motion, for threads with a rule; the distance is that of
+  /// the motion itself.
+  virtual double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough,
+                                double off) = 0;
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;

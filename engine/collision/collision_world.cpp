@@ -83,13 +83,17 @@ class SolidQuery final : public CollisionQuery {
   }
 
   /// What touches nothing is inside of nothing all the way if it is so at the beginning.
-  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override {
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double) override {
     ++counts_.motion;
     if (solids_->containment(from)) return 0.0;
-    std::vector<Triangle> fixed;
-    for (const RigidBody& body : *obstacles_) addTriangles(*body.mesh, body.X_WB, fixed);
     std::vector<Triangle> moving;
     addTriangles(*object_, from, moving);
+    const Box3 swept = boxOfScrew(moving, screw, advance);
+    std::vector<Triangle> fixed;
+    for (const RigidBody& body : *obstacles_) {
+      if (swept.exteriorDistance(boundingBox(*body.mesh, body.X_WB)) > enough) continue;
+      addTriangles(*body.mesh, body.X_WB, fixed);
+    }
     return screwDistance(moving, fixed, screw, advance, enough);
   }
 
@@ -101,6 +105,22 @@ class SolidQuery final : public CollisionQuery {
     std::vector<Vector3> placed;
     for (const Vector3& vertex : mesh.vertices) placed.push_back(X_WM * vertex);
     for (const auto& [a, b, c] : mesh.triangles) triangles.push_back({placed[a], placed[b], placed[c]});
+  }
+
+  /// Around a cylinder about the axis that holds the triangles on all of the way.
+  static Box3 boxOfScrew(const std::vector<Triangle>& moving, const ScrewAxis& screw, double advance) {
+    Box3 axis;
+    double radius = 0.0;
+    for (const Triangle& triangle : moving) {
+      for (const Vector3& p : triangle) {
+        const double along = (p - screw.point_W).dot(screw.axis_W);
+        const Vector3 foot = screw.point_W + along * screw.axis_W;
+        radius = std::max(radius, (p - foot).norm());
+        axis.extend(foot).extend(foot + advance * screw.axis_W);
+      }
+    }
+    const Vector3 margin = Vector3::Constant(radius * (1.0 + 1e-9));
+    return Box3(axis.min() - margin, axis.max() + margin);
   }
 
   bool inCollision(const Pose& X_WB) { return surfaces_->touches(X_WB) || solids_->containment(X_WB); }

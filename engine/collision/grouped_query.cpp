@@ -111,10 +111,11 @@ MotionCheck GroupedQuery::checkMotion(const Pose& from, const Pose& to, double r
   return united;
 }
 
-double GroupedQuery::screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) {
+double GroupedQuery::screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough,
+                                    double off) {
   ++counts_.motion;
   for (Part& part : parts_) {
-    if (enough > 0.0) enough = part.query->screwClearance(from, screw, advance, enough);
+    if (enough > 0.0) enough = part.query->screwClearance(from, screw, advance, enough, off);
   }
   return enough;
 }

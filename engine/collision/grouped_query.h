@@ -27,7 +27,7 @@ class GroupedQuery final : public CollisionQuery {
   bool clearAbove(const Pose& X_WB, double bound) override;
   MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                           const StopToken& stop) override;
-  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override;
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override;
 
   const MotionBound& motionBound() const override { return *motionBound_; }
   const QueryCounts& counts() const override { return counts_; }

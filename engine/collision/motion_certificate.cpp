@@ -124,7 +124,7 @@ class PathCertifier {
     const double apart = query_.nearestObstacle(from).distance;
     const double off = run.off * (1.0 + kScrewRounding);
     if (apart <= off || stop_.stopRequested()) return;
-    const double shown = query_.screwClearance(from, run.screw, run.advance, apart) - off;
+    const double shown = query_.screwClearance(from, run.screw, run.advance, apart, off) - off;
     for (std::size_t edge = run.first; edge <= run.last; ++edge) {
       const double demanded = demands_[edge].clearance;
       if (shown >= demanded && resolvesClearance(from, to, query_.motionBound().objectRadius(), demanded)) {

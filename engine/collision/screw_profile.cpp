@@ -18,6 +18,8 @@ constexpr double kNearLeast = 0.8;
 /// Triangles are divided until the error of their (r, s) is below this share of `enough`, or so often.
 constexpr double kErrorOfEnough = 0.05;
 constexpr int kMostDivisions = 5;
+/// Of `enough`: what is shown without divisions counts from here on. Threads that are drawn as cylinders need none.
+constexpr double kShownAtOnce = 0.75;
 /// Radians to both sides of a triangle's middle, above which nothing is said of its (r, s).
 constexpr double kWidest = 0.5;
 /// Points nearer to the axis than this share of the bore have no (r, s).
@@ -173,10 +175,10 @@ ProfileShape shapeOf(const PlacedTriangle& corners, const ProfileFrame& frame) {
 /// Those of one body.
 class ScrewProfile {
  public:
-  /// Triangles whose distance from the axis is in `facing` are divided until their error is small.
+  /// Triangles whose distance from the axis is in `facing` are divided until their error is small, at most so often.
   ScrewProfile(const std::vector<PlacedTriangle>& triangles, const ProfileFrame& frame, const Range& facing,
-               double mostError) {
-    for (const PlacedTriangle& triangle : triangles) add(triangle, frame, facing, mostError, kMostDivisions);
+               double mostError, int divisions) {
+    for (const PlacedTriangle& triangle : triangles) add(triangle, frame, facing, mostError, divisions);
     const auto known = std::partition(elements_.begin(), elements_.end(),
                                       [](const ProfileShape& shape) { return shape.corners.empty(); });
     const auto split = static_cast<std::uint32_t>(known - elements_.begin());
@@ -396,10 +398,13 @@ double screwDistance(const std::vector<Triangle>& moving, const std::vector<Tria
   const PlacedBody other(fixed, axes);
   const ProfileFrame frame(screw, std::max(one.radius.low, other.radius.low));
   const double limit = frame.core > 0.0 ? std::min(enough, frame.core) : enough;
-  const double mostError = kErrorOfEnough * limit;
-  const ScrewProfile profile(one.triangles, frame, other.radius, mostError);
-  const ScrewProfile others(other.triangles, frame, one.radius, mostError);
-  const double least = ProfileDistance(profile, others, frame, advance).least(limit);
+  const auto shown = [&](int divisions) {
+    const ScrewProfile profile(one.triangles, frame, other.radius, kErrorOfEnough * limit, divisions);
+    const ScrewProfile others(other.triangles, frame, one.radius, kErrorOfEnough * limit, divisions);
+    return ProfileDistance(profile, others, frame, advance).least(limit);
+  };
+  double least = shown(0);
+  if (least < kShownAtOnce * limit) least = shown(kMostDivisions);
   const double rounding = kCoordinateRounding * (one.coordinates + other.coordinates + screw.point_W.norm());
   return std::max(0.0, least * (1.0 - kRoundingShare) - rounding);
 }

@@ -7,8 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/geometry/screw_axis.h"
-
 namespace glissade {
 namespace {
 
@@ -112,7 +110,7 @@ bool ThreadPair::engagedWithin(const Pose& X_WB, double distance) const {
   };
   Vector3 from = inBore(shaft.low);
   Vector3 to = inBore(shaft.high);
-  const double margin = distance + kThreadPlay * std::abs(rule_.pitch);
+  const double margin = distance + this->margin();
   if (!clipped(from, to, bore.low - margin, bore.high + margin)) return false;
   const double radius = objectIsBore ? rule_.radiusOfObject : rule_.radiusOfObstacle;
   return distanceFromZ(from, to) <= radius + margin;
@@ -134,11 +132,32 @@ double ThreadPair::advanceBetween(const Pose& from, const Pose& to) const {
   return (to * point_B_ - from * point_B_).dot(rule_.axis_W);
 }
 
-bool ThreadPair::isOnScrewOf(const Pose& X_WB, const Pose& assembled) const {
+/// Of the configurations that a screw motion leads to from an assembled one.
+Pose ThreadPair::nearestOnScrew(const Pose& X_WB, const Pose& assembled) const {
   const double turn = turnAbout(rule_.axis_W, X_WB.orientation * assembled.orientation.conjugate()) / kFullTurn;
   const double advance = advanceBetween(assembled, X_WB);
   const double turns = rule_.mayTurn ? std::round(advance / rule_.pitch - turn) + turn : 0.0;
-  return isSame(X_WB, screwed(rule_, assembled, turns * rule_.pitch));
+  return screwed(rule_, assembled, turns * rule_.pitch);
+}
+
+bool ThreadPair::isOnScrewOf(const Pose& X_WB, const Pose& assembled) const {
+  return isSame(X_WB, nearestOnScrew(X_WB, assembled));
+}
+
+/// Two screw motions from one configuration part by no more than the distance of their axes around the thread, and the
+/// difference of their pitches, allow.
+bool ThreadPair::permitsScrew(const Pose& from, const ScrewAxis& screw, double advance, double off) const {
+  if (!rule_.mayTurn) return false;
+  const double tilt = screw.axis_W.cross(rule_.axis_W).norm();
+  const double apart = (screw.point_W - rule_.point_W).cross(rule_.axis_W).norm();
+  const double reach = (screw.point_W - rule_.point_W).norm() + (from * point_B_ - rule_.point_W).norm() +
+                       std::max(std::abs(object_.low), std::abs(object_.high)) + rule_.radiusOfObject;
+  const double turns = std::abs(advance / screw.pitch);
+  const double parted = 2.0 * (apart + tilt * reach) + 2.0 * tilt * std::abs(advance) +
+                        turns * std::abs(screw.pitch - rule_.pitch) * (1.0 + kFullTurn * reach / std::abs(rule_.pitch));
+  return std::any_of(rule_.assembled.begin(), rule_.assembled.end(), [&](const Pose& assembled) {
+    return offBy(from, nearestOnScrew(from, assembled)) + parted + off <= play();
+  });
 }
 
 bool ThreadPair::isOnScrew(const Pose& X_WB) const {

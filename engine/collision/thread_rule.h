@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "engine/environment/rigid_body.h"
+#include "engine/geometry/screw_axis.h"
 
 namespace glissade {
 
@@ -42,10 +44,15 @@ class ThreadPair {
   /// Nearer than the play, or than the distance more. False: no motion that moves points of the object by less than the
   /// distance (metres) engages the threads.
   bool engagedWithin(const Pose& X_WB, double distance) const;
+  /// Metres along the axis by which the threads are engaged beyond their ends: the play.
+  double margin() const { return kThreadPlay * std::abs(rule_.pitch); }
   /// A screw motion leads there from one of the assembled configurations.
   bool isOnScrew(const Pose& X_WB) const;
   /// The straight motion is one along the thread, for one that is engaged.
   bool isScrewMotion(const Pose& from, const Pose& to) const;
+  /// All configurations of a screw motion from there are on the rule's, also where points of the object are off the
+  /// motion by `off` (metres).
+  bool permitsScrew(const Pose& from, const ScrewAxis& screw, double advance, double off) const;
   /// Advance along the axis after which the threads are no longer engaged, one way (`sense` 1) or the other (-1),
   /// metres; 0 where they are not engaged.
   double advanceOut(const Pose& from, double sense) const;
@@ -63,6 +70,7 @@ class ThreadPair {
   bool isOnScrewOf(const Pose& X_WB, const Pose& assembled) const;
   double play() const;
   double offBy(const Pose& X_WB, const Pose& exact) const;
+  Pose nearestOnScrew(const Pose& X_WB, const Pose& assembled) const;
 
   ThreadRule rule_;
   Vector3 point_B_;

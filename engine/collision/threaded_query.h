@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/collision/collision_query.h"
@@ -29,7 +30,7 @@ class ThreadedQuery final : public CollisionQuery {
   bool clearAbove(const Pose& X_WB, double bound) override;
   MotionCheck checkMotion(const Pose& from, const Pose& to, double required, SeekViolation seek,
                           const StopToken& stop) override;
-  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough) override;
+  double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough, double off) override;
 
   const MotionBound& motionBound() const override { return screwed_->motionBound(); }
   const QueryCounts& counts() const override { return counts_; }
@@ -42,6 +43,7 @@ class ThreadedQuery final : public CollisionQuery {
   };
   Taken takenAt(const Pose& X_WB);
   bool neverEngaged(const ThreadPair& pair, const Pose& from, const Pose& to) const;
+  std::optional<double> engagedAdvance(const Pose& from, const ScrewAxis& screw, double advance, double off) const;
   double firstForbidden(const Pose& from, const Pose& to);
 
   std::unique_ptr<CollisionQuery> screwed_;

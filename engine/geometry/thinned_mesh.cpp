@@ -8,9 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include "engine/geometry/solid_interior.h"
-#include "engine/geometry/triangle_tree.h"
-
 namespace glissade {
 namespace {
 
@@ -97,16 +94,18 @@ std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
 }
 
 ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
-    : mesh_(std::move(mesh)), corners_(mesh_.vertices.size()), shells_(shellsOf(mesh_)) {
-  std::vector<Triangle> triangles;
-  for (const TriangleIndices& triangle : mesh_.triangles) triangles.push_back(cornersOf(mesh_, triangle));
-  const TriangleTree surface(triangles);
+    : mesh_(std::move(mesh)),
+      surface_(mesh_),
+      interior_(mesh_, true),
+      corners_(mesh_.vertices.size()),
+      shells_(shellsOf(mesh_)) {
+  const std::vector<Triangle>& triangles = surface_.triangles();
   const double diagonal = boundingBox(mesh_).diagonal().norm();
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     const Triangle& triangle = triangles[f];
     const Vector3 normal = sense * normalOf(triangle, kLowest * diagonal);
     const bool flat = normal.isZero(0.0);
-    const double thickness = flat ? 0.0 : thicknessBelow(surface, triangle, normal, kSameSurface * diagonal);
+    const double thickness = flat ? 0.0 : thicknessBelow(surface_, triangle, normal, kSameSurface * diagonal);
     thickness_ = std::max(thickness_, std::isfinite(thickness) ? thickness : 0.0);
     faces_.push_back({normal, kMostThinning * thickness});
     for (std::size_t i = 0; i < 3 && !flat; ++i) {
@@ -150,10 +149,12 @@ std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t
   return Vector3(share * move);
 }
 
-/// Of thinned triangles that meet the true surface. Around a vertex that has not moved they may.
-std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& thinned) const {
-  const TriangleTree before(mesh_);
-  const TriangleTree after(thinned);
+/// Of thinned triangles, of these, that meet the true surface. Around a vertex that has not moved they may.
+std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& thinned,
+                                                          const std::vector<std::uint32_t>& among) const {
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
+  const TriangleTree after(std::move(triangles));
   std::vector<bool> outside(mesh_.vertices.size(), false);
   const auto shareStillVertex = [&](const TriangleIndices& one, const TriangleIndices& other) {
     return std::any_of(one.begin(), one.end(), [&](std::uint32_t vertex) {
@@ -161,11 +162,11 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
              std::find(other.begin(), other.end(), vertex) != other.end();
     });
   };
-  after.visitPairs(before, 0.0, [&](std::uint32_t i, std::uint32_t k) {
-    const TriangleIndices& moved = thinned.triangles[i];
-    if (shells_[i] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return true;
+  after.visitPairs(surface_, 0.0, [&](std::uint32_t i, std::uint32_t k) {
+    const TriangleIndices& moved = thinned.triangles[among[i]];
+    if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return true;
     if (std::all_of(moved.begin(), moved.end(), [&](std::uint32_t vertex) { return outside[vertex]; })) return true;
-    if (!trianglesMeet(after.triangles()[i], before.triangles()[k])) return true;
+    if (!trianglesMeet(after.triangles()[i], surface_.triangles()[k])) return true;
     for (const std::uint32_t vertex : moved) outside[vertex] = true;
     return true;
   });
@@ -176,14 +177,24 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   return vertices;
 }
 
+std::vector<std::uint32_t> ThinnableMesh::trianglesAt(const std::vector<std::uint32_t>& vertices) const {
+  std::vector<bool> asked(mesh_.vertices.size(), false);
+  for (const std::uint32_t vertex : vertices) asked[vertex] = true;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    if (asked[a] || asked[b] || asked[c]) triangles.push_back(t);
+  }
+  return triangles;
+}
+
 /// Of surfaces that do not meet: one point decides for each connected surface.
 bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
-  const SolidInterior interior(mesh_, true);
   std::map<std::uint32_t, bool> inside;
   for (std::size_t f = 0; f < thinned.triangles.size(); ++f) {
     for (const std::uint32_t vertex : thinned.triangles[f]) {
       if (thinned.vertices[vertex] == mesh_.vertices[vertex] || inside.count(shells_[f]) > 0) continue;
-      inside[shells_[f]] = interior.contains(thinned.vertices[vertex]);
+      inside[shells_[f]] = interior_.contains(thinned.vertices[vertex]);
     }
   }
   return std::all_of(inside.begin(), inside.end(), [](const auto& shell) { return shell.second; });
@@ -192,12 +203,15 @@ bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
   std::vector<Vector3> moves;
   for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowance));
+  std::vector<std::uint32_t> unsure(mesh_.triangles.size());
+  std::iota(unsure.begin(), unsure.end(), 0U);
   for (int round = 0; round <= kMostHalvings; ++round) {
     TriangleMesh thinned = mesh_;
     for (std::size_t vertex = 0; vertex < moves.size(); ++vertex) thinned.vertices[vertex] += moves[vertex];
-    const std::vector<std::uint32_t> outside = verticesOutside(thinned);
+    const std::vector<std::uint32_t> outside = verticesOutside(thinned, unsure);
     if (outside.empty()) return isInside(thinned) ? std::optional(std::move(thinned)) : std::nullopt;
     for (const std::uint32_t vertex : outside) moves[vertex] *= 0.5;
+    unsure = trianglesAt(outside);  // the others have not changed
   }
   return std::nullopt;
 }

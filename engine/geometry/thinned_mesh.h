@@ -3,7 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "engine/geometry/solid_interior.h"
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/geometry/triangle_tree.h"
 
 namespace glissade {
 
@@ -48,10 +50,14 @@ class ThinnableMesh {
   ThinnableMesh(TriangleMesh mesh, double sense);
   Vector3 moveOf(std::size_t vertex, double allowance) const;
   std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, double allowance) const;
-  std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned) const;
+  std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned,
+                                             const std::vector<std::uint32_t>& among) const;
+  std::vector<std::uint32_t> trianglesAt(const std::vector<std::uint32_t>& vertices) const;
   bool isInside(const TriangleMesh& thinned) const;
 
   TriangleMesh mesh_;
+  TriangleTree surface_;
+  SolidInterior interior_;
   std::vector<Face> faces_;
   std::vector<std::vector<Corner>> corners_;  ///< at each vertex
   std::vector<std::uint32_t> shells_;         ///< number of the connected surface, of each triangle

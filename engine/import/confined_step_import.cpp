@@ -7,8 +7,10 @@
 #include <exception>
 #include <gp_Quaternion.hxx>
 #include <istream>
+#include <map>
 #include <stdexcept>
 #include <streambuf>
+#include <tuple>
 
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
@@ -61,10 +63,9 @@ class Message {
 
  private:
   void add(const StepSolid& solid) {
-    if (!indexOf_.IsBound(solid.shape)) addShape(solid);
     protocol::Part part;
-    part.shape = static_cast<std::uint32_t>(indexOf_.Find(solid.shape));
-    place(solid.placement, part);
+    part.shape = shapeOf(solid);
+    place(solid.placement.rigid, part);
     part.hasColour = solid.colour ? 1 : 0;
     if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
     part.pathBytes = static_cast<std::uint32_t>(solid.path.size());
@@ -93,9 +94,16 @@ class Message {
     output.write(part.file.data(), part.file.size());
   }
 
+  std::uint32_t shapeOf(const StepSolid& solid) {
+    if (!numberOf_.IsBound(solid.shape)) numberOf_.Bind(solid.shape, numberOf_.Extent());
+    const Key key{numberOf_.Find(solid.shape), solid.placement.scale, solid.placement.mirrored};
+    const auto [known, isNew] = indexOf_.try_emplace(key, static_cast<std::uint32_t>(shapes_.size()));
+    if (isNew) addShape(solid);
+    return known->second;
+  }
+
   void addShape(const StepSolid& solid) {
-    indexOf_.Bind(solid.shape, static_cast<int>(shapes_.size()));
-    shapes_.push_back(tessellate(solid.shape, deflection_));
+    shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
@@ -108,7 +116,10 @@ class Message {
   std::string rootName_;
   protocol::Header total_;
   std::vector<StepTriangles> shapes_;
-  TopTools_DataMapOfShapeInteger indexOf_;
+  TopTools_DataMapOfShapeInteger numberOf_;
+  /// Number of the shape, scale, mirrored.
+  using Key = std::tuple<int, double, bool>;
+  std::map<Key, std::uint32_t> indexOf_;
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
   std::vector<StepExternalPart> externalParts_;

@@ -65,12 +65,6 @@ class UniqueNames {
 
 std::string joined(const std::string& path, const std::string& step) { return path.empty() ? step : path + "/" + step; }
 
-bool isRigid(const gp_Trsf& placement) {
-  constexpr double kTolerance = 1e-9;
-  return std::abs(placement.ScaleFactor() - 1.0) < kTolerance &&
-         std::abs(placement.VectorialPart().Determinant() - 1.0) < kTolerance;
-}
-
 /// Solids, and what lies beside them: loose shells and faces as one.
 std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
   std::vector<TopoDS_Shape> shapes;
@@ -88,8 +82,8 @@ std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
 class AssemblyWalk {
  public:
   AssemblyWalk(const Handle(XCAFDoc_ShapeTool) & shapes, const Handle(XCAFDoc_ColorTool) & colours,
-               ExternalFiles externalFiles)
-      : shapes_(shapes), colours_(colours), externalFiles_(std::move(externalFiles)) {}
+               ExternalFiles externalFiles, MirroredInstances& mirrored)
+      : shapes_(shapes), colours_(colours), externalFiles_(std::move(externalFiles)), mirrored_(mirrored) {}
 
   StepAssembly walk() {
     TDF_LabelSequence roots;
@@ -154,8 +148,8 @@ class AssemblyWalk {
       if (!colour) colour = colourOf(shape);
       const std::string path =
           shapes.size() == 1 ? place.path : joined(place.path, names.take(solidName(product, shape)));
-      assembly_.solids.push_back(
-          {path, shape.Located(TopLoc_Location()), rigidPlacement(place.location * shape.Location(), path), colour});
+      assembly_.solids.push_back({path, shape.Located(TopLoc_Location()),
+                                  mirrored_.placementOf(place.location * shape.Location(), path), colour});
     }
   }
 
@@ -167,10 +161,12 @@ class AssemblyWalk {
     assembly_.externalParts.push_back({place.path, rigidPlacement(location, place.path), file->second});
   }
 
-  static gp_Trsf rigidPlacement(const TopLoc_Location& location, const std::string& path) {
-    const gp_Trsf& placement = location.Transformation();
-    if (!isRigid(placement)) throw std::runtime_error("'" + path + "' is mirrored or scaled by its assembly");
-    return placement;
+  gp_Trsf rigidPlacement(const TopLoc_Location& location, const std::string& path) {
+    const StepPlacement placement = mirrored_.placementOf(location, path);
+    if (placement.mirrored || placement.scale != 1.0) {
+      throw std::runtime_error("'" + path + "' is mirrored or scaled by its assembly and is in another file");
+    }
+    return placement.rigid;
   }
 
   /// The product's name, which people know; that of its use is often only a number.
@@ -213,6 +209,7 @@ class AssemblyWalk {
   Handle(XCAFDoc_ShapeTool) shapes_;
   Handle(XCAFDoc_ColorTool) colours_;
   ExternalFiles externalFiles_;
+  MirroredInstances& mirrored_;
   StepAssembly assembly_;
   std::size_t occurrences_ = 0;
 };
@@ -259,12 +256,15 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   if (reader.ChangeReader().ReadStream("standard input", content) != IFSelect_RetDone) {
     throw std::runtime_error("it is not sound STEP text");
   }
-  if (const auto mirror = mirrorOrScaleIn(reader)) throw std::runtime_error(*mirror);
+  MirroredInstances mirrored(reader);
   Handle(TDocStd_Document) document = new TDocStd_Document("XmlXCAF");
   if (!reader.Transfer(document)) throw std::runtime_error("it holds no product that can be understood");
-  StepAssembly assembly = AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()),
-                                       XCAFDoc_DocumentTool::ColorTool(document->Main()), externalFilesOf(reader))
-                              .walk();
+  mirrored.locate(reader);
+  StepAssembly assembly =
+      AssemblyWalk(XCAFDoc_DocumentTool::ShapeTool(document->Main()), XCAFDoc_DocumentTool::ColorTool(document->Main()),
+                   externalFilesOf(reader), mirrored)
+          .walk();
+  mirrored.demandAllUsed();
   if (assembly.solids.empty() && assembly.externalParts.empty()) {
     throw std::runtime_error("it holds neither a solid nor a face");
   }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/import/step_mirrors.h"
+
 namespace glissade {
 
 /// A solid of a STEP file, or the surfaces of a product that are none, where the assembly has it.
@@ -16,7 +18,7 @@ struct StepSolid {
   /// Names on the way to it below the root, each once among its sisters: "pump/rotor", "pin#2". UTF-8. Empty: the root.
   std::string path;
   TopoDS_Shape shape;                           ///< at its own origin; instances of one solid share it
-  gp_Trsf placement;                            ///< millimetres
+  StepPlacement placement;                      ///< millimetres
   std::optional<std::array<double, 3>> colour;  ///< sRGB
   std::uint32_t losses = 0;                     ///< faces and boundaries that the file has and `shape` has not
 };

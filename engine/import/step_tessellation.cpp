@@ -21,10 +21,10 @@ namespace {
 /// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
 constexpr double kAsked = 0.5;
 
-double usualDeflectionOf(const TopoDS_Shape& shape) {
+double usualDeflectionOf(const TopoDS_Shape& shape, double scale) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
-  const double diagonal = box.IsVoid() ? 0.0 : std::sqrt(box.SquareExtent());
+  const double diagonal = box.IsVoid() ? 0.0 : scale * std::sqrt(box.SquareExtent());
   return usualDeflection(import_protocol::kMillimetre * diagonal) / import_protocol::kMillimetre;
 }
 
@@ -53,13 +53,23 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
   }
 }
 
+/// Every vertex alike, so that what faces share stays equal.
+void resize(StepTriangles& triangles, double scale, bool mirrored) {
+  for (std::size_t i = 0; i < triangles.vertices.size(); ++i) {
+    triangles.vertices[i] *= mirrored && i % 3 == 0 ? -scale : scale;
+  }
+  for (std::size_t i = 0; mirrored && i < triangles.indices.size(); i += 3) {
+    std::swap(triangles.indices[i + 1], triangles.indices[i + 2]);
+  }
+}
+
 }  // namespace
 
-StepTriangles tessellate(const TopoDS_Shape& shape, double deflection) {
+StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored) {
   StepTriangles triangles;
-  triangles.record.deflection = deflection > 0.0 ? deflection : usualDeflectionOf(shape);
+  triangles.record.deflection = deflection > 0.0 ? deflection : usualDeflectionOf(shape, scale);
   IMeshTools_Parameters parameters;
-  parameters.Deflection = kAsked * triangles.record.deflection;
+  parameters.Deflection = kAsked * triangles.record.deflection / scale;
   parameters.Angle = kStepAngle;
   parameters.InParallel = false;
   BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
@@ -67,6 +77,7 @@ StepTriangles tessellate(const TopoDS_Shape& shape, double deflection) {
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     addFace(TopoDS::Face(face.Current()), triangles);
   }
+  resize(triangles, scale, mirrored);
   triangles.record.vertices = static_cast<std::uint32_t>(triangles.vertices.size() / 3);
   triangles.record.triangles = static_cast<std::uint32_t>(triangles.indices.size() / 3);
   return triangles;

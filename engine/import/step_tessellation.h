@@ -16,8 +16,8 @@ struct StepTriangles {
   std::vector<std::uint32_t> indices;
 };
 
-/// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface.
-/// Runs in the importing process only.
-StepTriangles tessellate(const TopoDS_Shape& shape, double deflection);
+/// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface, of the shape
+/// taken `scale` times as large, and mirrored in x where that is asked for. Runs in the importing process only.
+StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored);
 
 }  // namespace glissade

@@ -109,7 +109,7 @@ class PairExaminer {
     for (const auto& [key, near] : near_) {
       meet_ = meet_ || near.meet;
       unsure_ = std::max(unsure_, near.deviation);
-      if (!near.exact || !near.beside) continue;
+      if (!near.exact || !near.beside || isEmptyBetween(*near.exact)) continue;
       takeExact(*near.exact);
       if (std::abs(near.exact->gap) > kTouching) continue;
       coincidentA_.insert(numberOf(near.labelA));
@@ -124,6 +124,12 @@ class PairExaminer {
       freeUnsure_ = near.deviation;
       fromExact_ = near.labelA.kind != LabelKind::Free && near.labelB.kind != LabelKind::Free;
     }
+  }
+
+  /// A shaft thicker than its hole where no body is between the two radii: a surface that is inside out has no hole.
+  bool isEmptyBetween(const RegionPair& exact) const {
+    if (exact.kind != RegionPair::Kind::Coaxial || exact.gap >= -kTouching) return false;
+    return a_.depth() != nullptr && b_.depth() != nullptr && !isFilledByBoth(exact.axis);
   }
 
   /// Shafts thicker than their coaxial holes: their triangles need not be near each other.

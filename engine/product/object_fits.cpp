@@ -282,7 +282,7 @@ class FitFinder {
     for (const Raise& raise : kRaises) {
       fit.allowance = raise.factor * usual + raise.addition;
       if (!isFree(fit, ends)) continue;
-      fits_.allowed.push_back(fit);
+      allow(fit);
       return;
     }
     const double refused = fit.allowance;
@@ -294,6 +294,12 @@ class FitFinder {
            "Mend the parts.");
   }
 
+  /// One that the object was thinned for.
+  void allow(Fit fit) {
+    fit.thinned = thinned_.at(fit.allowance);
+    fits_.allowed.push_back(std::move(fit));
+  }
+
   /// The deviation of free surfaces is an estimate. Where the object has no place for it, less of it is taken, down to
   /// the overlap as measured and the gap.
   bool lowerUntilFree(Fit fit, double usual, const std::vector<Pose>& ends) {
@@ -302,7 +308,7 @@ class FitFinder {
     for (double allowance = kShare * usual; fit.allowance > least; allowance *= kShare) {
       fit.allowance = std::max(least, allowance);
       if (!isFree(fit, ends)) continue;
-      fits_.allowed.push_back(fit);
+      allow(fit);
       return true;
     }
     return false;
@@ -317,7 +323,11 @@ class FitFinder {
       if (!mesh) return nullptr;
       thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
     }
-    return CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned)->makeQuery();
+    auto& [obstacle, world] = alone_;
+    const bool known = world && obstacle == fit.obstacle;
+    world = known ? world->withObject(thinned) : CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned);
+    obstacle = fit.obstacle;
+    return world->makeQuery();
   }
 
   const FitQuestion& question_;
@@ -326,7 +336,8 @@ class FitFinder {
   std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
   bool measuredObject_ = false;
   std::optional<ThinnableMesh> thinnable_;
-  std::map<double, MeshPtr> thinned_;  ///< by allowance
+  std::map<double, MeshPtr> thinned_;                  ///< by allowance
+  std::pair<std::size_t, CollisionWorldPtr> alone_{};  ///< an obstacle alone with the object, as it was last asked of
   ObjectFits fits_;
 };
 
@@ -340,17 +351,23 @@ namespace {
 
 /// The fits as variants of the object. `screwed`: those of threads, too.
 std::vector<ObjectVariant> variantsOf(const std::vector<Fit>& fits, const TriangleMesh& mesh, bool screwed) {
-  std::map<double, std::vector<int>> obstacles;
+  std::map<double, ObjectVariant> byAllowance;
   for (const Fit& fit : fits) {
     if (fit.allowance <= 0.0 || (fit.thread && !screwed)) continue;
-    obstacles[fit.allowance].push_back(static_cast<int>(fit.obstacle));
+    ObjectVariant& variant = byAllowance[fit.allowance];
+    variant.obstacles.push_back(static_cast<int>(fit.obstacle));
+    if (fit.thinned) variant.object = fit.thinned;
   }
+  const bool known = std::all_of(byAllowance.begin(), byAllowance.end(),
+                                 [](const auto& entry) { return entry.second.object != nullptr; });
+  const auto object = known ? std::nullopt : ThinnableMesh::of(mesh);
   std::vector<ObjectVariant> variants;
-  if (obstacles.empty()) return variants;
-  const auto object = ThinnableMesh::of(mesh);
-  for (const auto& [allowance, own] : obstacles) {
-    auto thinned = object ? object->thinned(allowance) : std::nullopt;
-    if (thinned) variants.push_back({std::make_shared<const TriangleMesh>(std::move(*thinned)), own});
+  for (auto& [allowance, variant] : byAllowance) {
+    if (!variant.object) {
+      auto thinned = object ? object->thinned(allowance) : std::nullopt;
+      if (thinned) variant.object = std::make_shared<const TriangleMesh>(std::move(*thinned));
+    }
+    if (variant.object) variants.push_back(std::move(variant));
   }
   return variants;
 }

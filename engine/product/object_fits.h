@@ -27,6 +27,7 @@ struct Fit {
   double overlap = 0.0;    ///< as measured, metres
   double allowance = 0.0;  ///< metres by which the object is taken thinner; of a refused clash, what it would take
   std::optional<FitThread> thread{};  ///< where a person has marked the pair as a thread
+  MeshPtr thinned{};                  ///< the object taken so; null: withFits() constructs it
 };
 
 struct ObjectFits {

@@ -42,6 +42,9 @@ class RegionFinder {
     result_.labels.resize(mesh.triangles.size());
     measure();
     connect();
+    if (closed_ && signedVolume() < 0.0) {
+      for (Vector3& normal : normals_) normal = -normal;
+    }
   }
 
   SurfaceRegions find() {
@@ -67,10 +70,21 @@ class RegionFinder {
       for (int i = 0; i < 3; ++i) uses[std::minmax(corner(t, i), corner(t, (i + 1) % 3))].push_back({t, i});
     }
     for (const auto& [edge, users] : uses) {
+      closed_ = closed_ && users.size() == 2;
       if (users.size() != 2) continue;
       neighbours_[users[0].first][static_cast<std::size_t>(users[0].second)] = users[1].first;
       neighbours_[users[1].first][static_cast<std::size_t>(users[1].second)] = users[0].first;
     }
+  }
+
+  /// Times six; about a vertex, so that nothing is lost far from the origin. Below 0: the surface is inside out.
+  double signedVolume() const {
+    double volume = 0.0;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const Vector3& origin = vertex(0, 0);
+      volume += (vertex(t, 0) - origin).dot((vertex(t, 1) - origin).cross(vertex(t, 2) - origin));
+    }
+    return volume;
   }
 
   std::uint32_t corner(std::uint32_t t, int i) const { return mesh_.triangles[t][static_cast<std::size_t>(i)]; }
@@ -235,6 +249,7 @@ class RegionFinder {
   std::vector<double> areas_;
   std::vector<Vector3> normals_;
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  bool closed_ = true;  ///< every edge has two triangles
   std::vector<std::uint32_t> visited_;
   std::uint32_t visit_ = 0;
   SurfaceRegions result_;

@@ -24,18 +24,26 @@ ContactKind readKind(const JsonCursor& at) {
   return *kind;
 }
 
-double readPitch(const JsonCursor& at) {
+/// Values of threads would have no effect on other pairs.
+void demandThread(const JsonCursor& at, const FitEdit& pair) {
+  if (pair.kind == ContactKind::Thread) return;
+  at.fail("has no effect, because the pair is not marked as a thread", "Add \"kind\": \"thread\", or remove it.");
+}
+
+double readPitch(const JsonCursor& at, const FitEdit& pair) {
   const double value = at.coordinate();
   constexpr double kLeastPitch = 1e-5;
   if (std::abs(value) < kLeastPitch) {
     at.fail("is no pitch", "Give metres a turn, 0.00001 or more; below zero for a left-handed thread.");
   }
+  demandThread(at, pair);
   return value;
 }
 
 std::string readTurned(const JsonCursor& at, const FitEdit& pair) {
   std::string id = at.text();
   if (id != pair.a && id != pair.b) at.fail("is neither of the two bodies", "Name the body that is turned.");
+  demandThread(at, pair);
   return id;
 }
 
@@ -48,7 +56,7 @@ FitEdit readPair(const JsonCursor& at) {
   if (const auto kind = at.find("kind")) edit.kind = readKind(*kind);
   if (const auto allowance = at.find("allowance")) edit.allowance = readAllowance(*allowance);
   if (const auto accepted = at.find("accepted")) edit.accepted = accepted->boolean();
-  if (const auto pitch = at.find("pitch_m")) edit.pitch = readPitch(*pitch);
+  if (const auto pitch = at.find("pitch_m")) edit.pitch = readPitch(*pitch, edit);
   if (const auto turned = at.find("turned")) edit.turned = readTurned(*turned, edit);
   return edit;
 }

@@ -67,8 +67,12 @@ AssembledProduct productOf(const LoadedScenario& scenario) {
 }
 
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, double deflection) {
-  auto loaded =
-      isPartFile(usualPart(file).path) ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
+  const bool isPart = isPartFile(usualPart(file).path);
+  if (!isPart && deflection > 0.0) {
+    return Diagnostic{ErrorKind::Usage, file, "", "is a scenario, which states the deflection of each of its assets",
+                      "Change \"deflection\" of the asset there, or give the part file."};
+  }
+  auto loaded = isPart ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
 }

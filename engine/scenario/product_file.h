@@ -24,7 +24,7 @@ AssembledProduct productOf(const LoadedScenario& scenario);
 /// The bodies as the file has them, however many: those of a part file (`file` as usualPart() takes it: a STEP file, an
 /// assembly in one, a URDF or mesh file), or of a scenario with its object at the start. Fits are on for part files,
 /// and as the scenario says. `deflection`: metres that triangles may be off the surfaces of a part file; 0: by the size
-/// of each part. Errors: those of the importers, Interrupted.
+/// of each part. Errors: those of the importers, Interrupted, and Usage where a deflection is given for a scenario.
 Result<ProductFile> readProduct(const std::string& file, const StopToken& stop = {}, double deflection = 0.0);
 
 /// The same with each body about its middle, as what moves is. Errors: as of readProduct(), and MalformedInput where

@@ -543,6 +543,9 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   EXPECT_EQ(wrong.exitCode, 3);
   EXPECT_NE(wrong.err.find("plate, pin, pin#2"), std::string::npos) << wrong.err;
   EXPECT_EQ(run("new " + made + " --moves " + unit + " --deflection 0").exitCode, 2);
+  EXPECT_EQ(run("fits " + unit + " --deflection 0").exitCode, 2);
+  EXPECT_EQ(run("fits " + unit + " --deflection 0.02mm").exitCode, 0);
+  EXPECT_EQ(run("fits " + made + " --deflection 0.02mm").exitCode, 2);
 }
 
 TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {

@@ -43,7 +43,7 @@ std::optional<int> blockedOn(CollisionQuery& query, const ScrewAxis& screw, cons
 std::vector<Pose> provedScrew(CollisionQuery& query, const ScrewAxis& screw, const Pose& from, double advance,
                               double required) {
   const double enough = query.nearestObstacle(from).distance;
-  const double shown = query.screwClearance(from, screw, advance, enough);
+  const double shown = query.screwClearance(from, screw, advance, enough, 2.0 * kChordShare * enough);
   if (shown * (1.0 - 2.0 * kChordShare) <= required) return {};
   const double arm = (from.position - screw.point_W).cross(screw.axis_W).norm();
   const double angle = std::sqrt(8.0 * kChordShare * shown / std::max(arm, 1e-300));

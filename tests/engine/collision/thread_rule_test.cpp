@@ -78,6 +78,41 @@ TEST(ThreadRule, AScrewAdvancesByItsPitchWithEachTurn) {
   EXPECT_NEAR((after - expected).norm(), 0.0, 1e-9);
 }
 
+/// Many turns are proved as one motion: only where they are the rule's, and the whole object is clear beyond the
+/// thread.
+TEST(ThreadRule, AScrewMotionOfManyTurnsIsProvedAtOnceWhereTheRulePermitsIt) {
+  RandomStream random(5, "at once");
+  const NutOnBolt nut(random, true);
+  const ThreadRule& rule = nut.rule();
+  const double sense = rule.axis_W.dot(nut.axis) > 0.0 ? -1.0 : 1.0;
+  const auto query = nut.parts.world->makeQuery();
+  constexpr double kEnough = 1e-5;
+  const auto shown = [&](const Pose& from, double pitch, double advance, double off) {
+    return query->screwClearance(from, {rule.point_W, rule.axis_W, pitch}, advance, kEnough, off);
+  };
+  const double out = sense * 4.0 * kCoarsePitch;
+  const Pose end = screwed(rule, nut.object.X_WB, out);
+  EXPECT_GT(shown(nut.object.X_WB, rule.pitch, out, 0.0), 1e-7);
+  EXPECT_GT(shown(end, rule.pitch, -out, 0.0), 1e-7) << "on again";
+  EXPECT_EQ(shown(nut.object.X_WB, 1.01 * rule.pitch, out, 0.0), 0.0) << "another pitch";
+  EXPECT_EQ(shown(nut.object.X_WB, -rule.pitch, out, 0.0), 0.0) << "left-handed";
+  EXPECT_EQ(shown(nut.object.X_WB, rule.pitch, out, 0.021 * kCoarsePitch), 0.0) << "off by more than the play";
+  EXPECT_EQ(shown(end, rule.pitch, out, 0.0), 0.0) << "no thread is engaged there";
+  Pose pulled = nut.object.X_WB;
+  pulled.position += 0.1 * kCoarsePitch * nut.axis;
+  EXPECT_EQ(shown(pulled, rule.pitch, out, 0.0), 0.0) << "off the screw";
+
+  const auto counted = [&](const std::vector<Pose>& path) {
+    const auto own = nut.parts.world->makeQuery();
+    const MotionCertificate certificate = certifyPath(*own, path, 1e-7);
+    EXPECT_EQ(certificate.status, CertificateStatus::Certified);
+    EXPECT_GE(certificate.provedClearance, 1e-7);
+    return own->counts().motion;
+  };
+  const std::vector<Pose> path = nut.turning(sense * 4.0, rule.pitch, 64);
+  EXPECT_LT(counted(path), path.size() / 4) << "edges were proved one by one";
+}
+
 TEST(ThreadRule, ManyTurnsAreCertifiedAndAPullIsNot) {
   RandomStream random(2, "many turns");
   for (const bool nutMoves : {true, false}) {

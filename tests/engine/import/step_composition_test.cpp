@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
@@ -257,8 +258,19 @@ TEST_F(ComposedFiles, ManyMissingFilesAreCounted) {
   EXPECT_THAT(product->warnings.back().reason, HasSubstr("30 more files"));
 }
 
-/// The box twice: as it is, and beside it mirrored, scaled, or as it is.
-std::string boxTwice(const std::string& yAxis, const std::string& scale) {
+/// The second of two instances of the box, as the file states it. Points are in millimetres.
+struct SecondBox {
+  std::string x = "1.,0.,0.";
+  std::string y = "0.,1.,0.";
+  std::string z = "0.,0.,1.";
+  std::string scale = "1.";
+  std::string mapped = "10.,20.,5.";  ///< point of the box that is put at (7, -3, 100)
+  std::string mappedX = "1.,0.,0.";
+  std::string mappedZ = "0.,0.,1.";
+};
+
+/// The box as it is, and the second one.
+std::string boxTwice(const SecondBox& second) {
   std::string text = stepText("box.step");
   const std::size_t solid = text.find("ADVANCED_BREP_SHAPE_REPRESENTATION");
   const std::string shape =
@@ -269,31 +281,95 @@ std::string boxTwice(const std::string& yAxis, const std::string& scale) {
   const std::string context = text.substr(contextAt, text.find(')', contextAt) - contextAt);
   const std::string added =
       "#900001=REPRESENTATION_MAP(" + origin + "," + shape + ");\n#900002=CARTESIAN_POINT('',(0.,0.,0.));\n" +
-      "#900003=DIRECTION('',(1.,0.,0.));\n#900004=DIRECTION('',(" + yAxis + "));\n#900005=DIRECTION('',(0.,0.,1.));\n" +
-      "#900006=CARTESIAN_POINT('',(0.,0.,100.));\n#900009=DIRECTION('',(0.,1.,0.));\n" +
-      "#900007=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900004,#900006," + scale + ",#900005);\n" +
-      "#900008=MAPPED_ITEM('',#900001,#900007);\n" +
-      "#900010=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900009,#900002,1.,#900005);\n" +
+      "#900003=DIRECTION('',(" + second.x + "));\n#900004=DIRECTION('',(" + second.y + "));\n#900005=DIRECTION('',(" +
+      second.z + "));\n#900006=CARTESIAN_POINT('',(7.,-3.,100.));\n" +
+      "#900007=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900004,#900006," + second.scale +
+      ",#900005);\n#900008=MAPPED_ITEM('',#900019,#900007);\n#900009=DIRECTION('',(1.,0.,0.));\n" +
+      "#900013=DIRECTION('',(0.,1.,0.));\n#900014=DIRECTION('',(0.,0.,1.));\n" +
+      "#900010=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900009,#900013,#900002,1.,#900014);\n" +
       "#900011=MAPPED_ITEM('',#900001,#900010);\n#900012=SHAPE_REPRESENTATION('',(" + origin + ",#900011,#900008)," +
-      context + ");\nENDSEC;\nEND-ISO";
+      context + ");\n#900015=CARTESIAN_POINT('',(" + second.mapped + "));\n#900016=DIRECTION('',(" + second.mappedZ +
+      "));\n#900017=DIRECTION('',(" + second.mappedX +
+      "));\n#900018=AXIS2_PLACEMENT_3D('',#900015,#900016,#900017);\n" + "#900019=REPRESENTATION_MAP(#900018," + shape +
+      ");\nENDSEC;\nEND-ISO";
   const std::size_t definition = text.find("SHAPE_DEFINITION_REPRESENTATION(");
   const std::size_t used = text.find("," + shape + ")", definition);
   text.replace(used, shape.size() + 2, ",#900012)");
   return replaced(text, "ENDSEC;\nEND-ISO", added);
 }
 
-/// OpenCASCADE 7.6 would give the part as it is, and a path past it would be proved.
-TEST(StepMirror, AnInstanceThatIsMirroredOrScaledIsRefusedWithItsEntity) {
+Box3 placedBox(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP); }
+
+/// `linear`: of the transformation that is to be read.
+void expectSecondBox(const SecondBox& second, const Eigen::Matrix3d& linear) {
   const TemporaryFolder folder;
-  const auto plain = importStep(folder.write("plain.step", boxTwice("0.,1.,0.", "$")), 0.0);
-  ASSERT_TRUE(plain.ok()) << toString(plain.error());
-  EXPECT_EQ(plain->parts.size(), 2U);
-  const auto mirrored = importStep(folder.write("mirrored.step", boxTwice("0.,-1.,0.", "1.")), 0.0);
-  ASSERT_FALSE(mirrored.ok());
-  EXPECT_THAT(mirrored.error().reason, HasSubstr("#900007 mirrors a part"));
-  const auto scaled = importStep(folder.write("scaled.step", boxTwice("0.,1.,0.", "2.")), 0.0);
-  ASSERT_FALSE(scaled.ok());
-  EXPECT_THAT(scaled.error().reason, HasSubstr("#900007 scales a part"));
+  const auto product = importStep(folder.write("two.step", boxTwice(second)), 0.0);
+  ASSERT_TRUE(product.ok()) << toString(product.error());
+  ASSERT_EQ(product->parts.size(), 2U);
+  const Box3 first(Vector3(-0.05, -0.025, -0.01), Vector3(0.05, 0.025, 0.01));
+  Box3 expected;
+  for (int i = 0; i < 8; ++i) {
+    const Vector3 corner = first.corner(static_cast<Box3::CornerType>(i)) - Vector3(0.01, 0.02, 0.005);
+    expected.extend(Vector3(0.007, -0.003, 0.1) + linear * corner);
+  }
+  const std::size_t other = placedBox(product->parts[0]).isApprox(first, 1e-9) ? 1 : 0;
+  EXPECT_TRUE(placedBox(product->parts[1 - other]).isApprox(first, 1e-9));
+  const Box3 read = placedBox(product->parts[other]);
+  EXPECT_TRUE(read.isApprox(expected, 1e-9)) << read.min().transpose() << " to " << read.max().transpose();
+  const MeshAudit worth = audit(*product->parts[other].mesh);
+  EXPECT_TRUE(worth.closed() && worth.consistentlyOriented);
+  EXPECT_NEAR(worth.volume, expected.volume(), 1e-9 * expected.volume()) << "below zero: inside out";
+}
+
+/// OpenCASCADE 7.6 would give the part as it is, and a path past it would be proved.
+TEST(StepMirror, AnInstanceIsMirroredAndScaledAsTheFileSays) {
+  const auto matrix = [](const Vector3& x, const Vector3& y, const Vector3& z) {
+    Eigen::Matrix3d columns;
+    columns << x, y, z;
+    return columns;
+  };
+  const Vector3 x = Vector3::UnitX();
+  const Vector3 y = Vector3::UnitY();
+  const Vector3 z = Vector3::UnitZ();
+  expectSecondBox({}, matrix(x, y, z));
+  SecondBox mirrored;
+  mirrored.y = "0.,-1.,0.";
+  expectSecondBox(mirrored, matrix(x, -y, z));
+  SecondBox scaled;
+  scaled.scale = "2.";
+  expectSecondBox(scaled, 2.0 * matrix(x, y, z));
+  SecondBox turned;
+  turned.x = "0.,0.,-1.";
+  turned.y = "-1.,0.,0.";
+  turned.z = "0.,-1.,0.";
+  turned.scale = "0.5";
+  expectSecondBox(turned, 0.5 * matrix(-z, -x, -y));
+  // The axes of the mapping are y, z and x of the box. They come to lie on x, -y and z.
+  SecondBox mapped;
+  mapped.y = "0.,-1.,0.";
+  mapped.mappedX = "0.,1.,0.";
+  mapped.mappedZ = "1.,0.,0.";
+  expectSecondBox(mapped, matrix(z, x, -y));
+}
+
+TEST(StepMirror, WhatIsNoMirrorAndNoScaleIsRefusedWithItsEntity) {
+  const TemporaryFolder folder;
+  const auto reasonOf = [&](const std::string& text) {
+    const auto product = importStep(folder.write("refused.step", text), 0.0);
+    return product ? std::string("was read") : product.error().reason;
+  };
+  for (const char* scale : {"0.", "-1.", "1.E9"}) {
+    SecondBox impossible;
+    impossible.scale = scale;
+    EXPECT_THAT(reasonOf(boxTwice(impossible)), HasSubstr("#900007 scales a part")) << scale;
+  }
+  SecondBox mirrored;
+  mirrored.y = "0.,-1.,0.";
+  const std::string unused =
+      replaced(boxTwice(mirrored), "MAPPED_ITEM('',#900019,#900007)", "MAPPED_ITEM('',#900019,#900010)");
+  EXPECT_THAT(reasonOf(unused), HasSubstr("#900007 mirrors a part"));
+  EXPECT_THAT(reasonOf(replaced(boxTwice(mirrored), "REPRESENTATION_MAP(#900018", "REPRESENTATION_MAP(#900015")),
+              HasSubstr("#900007 mirrors a part"));
 }
 
 }  // namespace

@@ -104,6 +104,39 @@ TEST(ContactReport, CallsABlockInsideAnotherAClash) {
   EXPECT_EQ(report.contacts.front().kind, ContactKind::Clash);
 }
 
+/// The triangles the other way round.
+TriangleMesh insideOut(TriangleMesh mesh) {
+  for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
+  return mesh;
+}
+
+TEST(ContactReport, AMeshThatIsInsideOutHasTheSameContacts) {
+  const TriangleMesh ring = test::makeRing(0.005, 0.01, 0.02, 24);
+  const TriangleMesh shaft = test::makeRing(0.0, 0.00525, 0.04, 31);
+  for (const auto& [a, b] : {std::pair{ring, shaft}, std::pair{insideOut(ring), shaft},
+                             std::pair{ring, insideOut(shaft)}, std::pair{insideOut(ring), insideOut(shaft)}}) {
+    const ContactReport report = findContacts({body("a", a, Pose::identity()), body("b", b, Pose::identity())});
+    ASSERT_EQ(report.contacts.size(), 1U);
+    EXPECT_EQ(report.contacts.front().kind, ContactKind::Thread);
+    EXPECT_NEAR(report.contacts.front().overlap, 0.00025, 1e-7);
+  }
+}
+
+/// A public file has a peg that is inside out on a body that is not: it seemed to be a hole about the tube's outside.
+TEST(ContactReport, APegThatIsInsideOutIsNoHole) {
+  TriangleMesh pegged = insideOut(test::makeRing(0.0, 0.018, 0.01, 16));
+  const TriangleMesh block = makeBox({0.1, 0.1, 0.02});
+  const auto base = static_cast<std::uint32_t>(pegged.vertices.size());
+  for (const Vector3& p : block.vertices) pegged.vertices.emplace_back(p - Vector3(0.0, 0.0, 0.05));
+  for (const auto& [a, b, c] : block.triangles) pegged.triangles.push_back({base + a, base + b, base + c});
+  const ContactReport report = findContacts({body("pegged", pegged, Pose::identity()),
+                                             body("tube", test::makeRing(0.0185, 0.019, 0.01, 16), Pose::identity())});
+  for (const Contact& contact : report.contacts) {
+    EXPECT_EQ(contact.overlap, 0.0) << kindName(contact.kind);
+    EXPECT_NE(contact.kind, ContactKind::Clash);
+  }
+}
+
 TEST(ContactReport, AsksOnlyForThePairsOfOneBody) {
   const TriangleMesh cube = makeBox({0.01, 0.01, 0.01});
   const std::vector<ContactBody> row{body("a", cube, Pose::identity()),

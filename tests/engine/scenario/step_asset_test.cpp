@@ -74,6 +74,17 @@ TEST_F(StepAsset, WhatIsMissingIsToldWheneverItIsLoadedAndOnce) {
   EXPECT_EQ(product->warnings.size(), 1U);
 }
 
+TEST_F(StepAsset, AProductFileTakesADeflectionAndAScenarioDoesNot) {
+  const auto fine = readProduct(folder / "split.step", {}, 1e-5);
+  ASSERT_TRUE(fine) << toString(fine.error());
+  EXPECT_THAT(fine->product.deflections, testing::Each(1e-5));
+  const std::string file = folder.write("scenario.json", "{}");
+  const auto refused = readProduct(file, {}, 1e-5);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().kind, ErrorKind::Usage);
+  EXPECT_THAT(refused.error().reason, HasSubstr("deflection"));
+}
+
 TEST_F(StepAsset, TheHashOfAFileAloneIsThatOfItsBytes) {
   GeometryCache read;
   PartFile pin = usualPart(folder / "split-pin.stp");
