@@ -83,7 +83,7 @@ class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
     at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
-                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals"});
+                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting"});
     if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
@@ -96,7 +96,14 @@ class PlanReader {
       if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail("is there twice");
     }
     const JsonCursor steps = at.at("steps");
-    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) readStep(steps.element(i));
+    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.steps.push_back(readStep(steps.element(i)));
+      for (const std::string& id : plan_.steps.back().bodies()) gone_.insert(id);
+    }
+    const auto waiting = at.find("waiting");
+    for (std::size_t i = 0; waiting && i < waiting->sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.waiting.push_back(readStep(waiting->element(i)));
+    }
     const JsonCursor stuck = at.at("stuck");
     for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) readStuck(stuck.element(i));
     const JsonCursor refusals = at.at("refusals");
@@ -148,14 +155,15 @@ class PlanReader {
     return value;
   }
 
-  void readStep(const JsonCursor& at) {
+  AssemblyStep readStep(const JsonCursor& at) const {
     at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances", "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
     if (ids.empty()) bodies.fail("is empty", "Name the bodies that leave.");
+    std::set<std::string> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone_.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
+      if (!gone.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
     }
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
@@ -174,7 +182,7 @@ class PlanReader {
       step.allowances.push_back(readAllowance(allowances.element(i)));
     }
     step.path = readPath(at.at("path"));
-    plan_.steps.push_back(std::move(step));
+    return step;
   }
 
   /// All earlier steps where the file does not say.
@@ -276,6 +284,7 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"stuck", Json::array()},
             {"refusals", Json::array()}};
   for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
+  for (const AssemblyStep& step : plan.waiting) json["waiting"].push_back(toJson(step));
   for (const StuckBody& stuck : plan.stuck) {
     json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}});
   }

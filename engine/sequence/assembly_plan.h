@@ -87,6 +87,8 @@ struct AssemblyPlan {
   std::vector<std::string> staying;  ///< ids of those that are not to leave
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< what a resumed search need not ask again
+  /// Of a search that was stopped: motions that were found and not carried out yet, because bodies would fall.
+  std::vector<AssemblyStep> waiting{};
   std::vector<StuckBody> stuck;
   PlanEnd end = PlanEnd::Complete;
   double deflection = 0.0;  ///< metres, that the product's STEP file was read with; 0: by the size of each part
