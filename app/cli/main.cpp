@@ -182,6 +182,9 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
+  sequence->add_option("--cost", options.cost,
+                       "What a step costs for best-first: balanced, steady, few-tools, short, fragile-first, or an "
+                       "expression (default: the scenario's, or balanced)");
   addLength(
       *sequence, "--deflection", [&options](double value) { options.deflection = value; },
       "How far triangles may be off the surfaces of a STEP file, as 0.05mm (default: by the size of each part)");

@@ -264,13 +264,19 @@ class GreedySearch {
     return question_.standing == nullptr ? BodyGroup() : question_.standing->newlyFalling(present_, group);
   }
 
-  /// Those of which a motion is known, the smallest first. What lets bodies fall waits, because it may do without when
-  /// something else has left. Where all do, the one with the fewest such bodies leaves. False where none is known.
+  bool isFragile(const BodyGroup& group) const {
+    return !question_.fragile.empty() &&
+           std::any_of(group.begin(), group.end(), [&](std::size_t body) { return question_.fragile[body]; });
+  }
+
+  /// Those of which a motion is known, fragile bodies first, then the smallest. What lets bodies fall waits, because it
+  /// may do without when something else has left. Where all do, the one with the fewest such bodies leaves. False where
+  /// none is known.
   bool leave() {
     if (waiting_.empty()) return false;
     ++wave_;
     std::vector<std::pair<double, const BodyGroup*>> bySize;
-    for (const auto& [group, step] : waiting_) bySize.emplace_back(volumeOf(group), &group);
+    for (const auto& [group, step] : waiting_) bySize.emplace_back(isFragile(group) ? -1.0 : volumeOf(group), &group);
     std::stable_sort(bySize.begin(), bySize.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::size_t before = plan_.steps.size();
     const BodyGroup* least = nullptr;  // of those after which bodies fall
