@@ -207,6 +207,9 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
+  sequence->add_option("--cost", options.cost,
+                       "What a step costs for best-first: balanced, steady, few-tools, short, fragile-first, or an "
+                       "expression (default: the scenario's, or balanced)");
   addPartDeflection(*sequence, options.deflection);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
   addFormat(*sequence, options.format);

@@ -42,7 +42,12 @@ class ProgressHost final : public SequenceHost {
     }
   }
 
-  std::string nameOf(const std::string& id) const { return product_.bodies[*product_.indexOf(id)].name; }
+  /// The name, or the id where another body has the same name.
+  std::string nameOf(const std::string& id) const {
+    const std::string& name = product_.bodies[*product_.indexOf(id)].name;
+    const auto has = [&](const RigidBody& body) { return body.name == name; };
+    return std::count_if(product_.bodies.begin(), product_.bodies.end(), has) > 1 ? id : name;
+  }
   std::string namesOf(const AssemblyStep& step) const {
     std::string names = nameOf(step.body);
     for (const std::string& id : step.with) names += " + " + nameOf(id);
@@ -89,6 +94,7 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     }
     demands.gravity = {options.gravity[0], options.gravity[1], options.gravity[2]};
   }
+  if (!options.cost.empty()) demands.cost = options.cost;
   return demands;
 }
 
@@ -113,6 +119,13 @@ Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector
   return staying;
 }
 
+/// Those of the options and those that the product's attributes name.
+std::vector<std::string> stayingNames(const SequenceOptions& options, const SequenceDemands& demands) {
+  std::vector<std::string> names = options.staying;
+  names.insert(names.end(), demands.stay.begin(), demands.stay.end());
+  return names;
+}
+
 /// The plan that is resumed, checked against the options.
 Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   auto plan = readPlan(options.resume);
@@ -126,6 +139,26 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
   return plan;
 }
 
+/// A wrong cost that was given on the command line.
+Diagnostic ofOptions(Diagnostic why, const SequenceOptions& options) {
+  if (options.cost.empty() || why.location != "/sequence/cost") return why;
+  why.kind = ErrorKind::Usage;
+  why.location = "--cost";
+  return why;
+}
+
+/// "hex key", "socket: blocked by plate".
+std::string toolText(const StepTool& tool, const ProgressHost& host) {
+  std::string text = toolName(tool.kind);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  const char* separator = ", blocked by ";
+  for (const std::string& id : tool.blockedBy) {
+    text += separator + host.nameOf(id);
+    separator = ", ";
+  }
+  return text;
+}
+
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const AssemblyStep& step = plan.steps[i];
@@ -137,6 +170,7 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
                 << "'";
     }
     std::cout << "\n";
+    if (step.tool.kind != ToolKind::None) std::cout << "      tool: " << toolText(step.tool, host) << "\n";
     for (const std::string& id : step.falling) std::cout << "      to be held: " << host.nameOf(id) << "\n";
     for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
   }
@@ -206,10 +240,10 @@ int runSequence(const SequenceOptions& options) {
       return reportError(same.error(), options.format);
     }
   }
-  const auto staying = stayingBodies(product, earlier ? earlier->staying : options.staying);
-  if (!staying) return reportError(staying.error(), options.format);
-  const auto demands = demandsOf(options, loaded->demands);
+  const auto demands = demandsOf(options, earlier ? earlier->demands : loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
+  const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
+  if (!staying) return reportError(staying.error(), options.format);
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
   if (!fits) return reportError(fits.error(), options.format);
@@ -221,7 +255,7 @@ int runSequence(const SequenceOptions& options) {
   if (earlier) host.skip(earlier->steps.size());
   auto planned =
       planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
-  if (!planned) return reportError(planned.error(), options.format);
+  if (!planned) return reportError(ofOptions(planned.error(), options), options.format);
   AssemblyPlan& plan = *planned;
   if (plan.end == PlanEnd::Interrupted && !interrupt.requested()) plan.end = PlanEnd::TimeLimit;
   plan.deflection = deflection;

@@ -20,6 +20,7 @@ struct SequenceOptions {
   std::vector<std::string> together;  ///< demands: names with commas between them
   std::vector<std::string> before;    ///< demands: "first,then"
   std::vector<double> gravity;        ///< its direction; empty: the scenario's, or down
+  std::string cost;                   ///< of best-first: a preset or an expression; empty: the scenario's
   double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
   std::string out;                    ///< plan file to write; empty: none
   std::string resume;                 ///< plan file to go on from; empty: none

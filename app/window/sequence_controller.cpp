@@ -10,6 +10,7 @@
 #include "app/window/sequence_script.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
+#include "engine/scenario/sequence_knowledge.h"
 #include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/study/plan_graph.h"
@@ -34,6 +35,16 @@ AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) 
   for (const RigidBody& body : product.bodies) plan.bodies.push_back(body.id);
   for (const std::size_t body : bodiesIn(staying)) plan.staying.push_back(plan.bodies[body]);
   return plan;
+}
+
+/// What a person has said of the bodies, else the largest.
+BodySet stayingBodies(const AssembledProduct& product, const SequenceDemands& demands) {
+  BodySet staying(product.bodies.size(), false);
+  for (const std::string& name : demands.stay) {
+    for (const std::size_t body : bodiesNamed(product, name)) staying[body] = true;
+  }
+  if (bodiesIn(staying).empty()) staying[largestBody(product)] = true;
+  return staying;
 }
 
 }  // namespace
@@ -77,35 +88,8 @@ void SequenceController::connectActions() {
   connect(bench_.actions["sequence.aside"], &QAction::toggled, this, &SequenceController::showPanelsScene);
 }
 
-/// What a person has said of the bodies, else the largest.
-BodySet SequenceController::stayingBodies(const AssembledProduct& product) const {
-  BodySet staying(product.bodies.size(), false);
-  const auto& edits = bench_.document.edits()->bodies;
-  for (std::size_t body = 0; body < staying.size(); ++body) {
-    const auto said = edits.find(product.bodies[body].id);
-    if (said == edits.end()) continue;
-    const auto value = said->second.find(kStays);
-    staying[body] = value != said->second.end() && value->second == AttributeValue(true);
-  }
-  if (bodiesIn(staying).empty()) staying[largestBody(product)] = true;
-  return staying;
-}
-
 void SequenceController::toggleStays() {
   SemanticDocument& semantics = bench_.document.semantics();
-  if (semantics.table().find(AttributeOwner::Body, kStays) == nullptr) {
-    AttributeDefinition definition;
-    definition.name = kStays;
-    definition.label = tr("Stays").toStdString();
-    definition.type = AttributeType::Bool;
-    definition.owner = AttributeOwner::Body;
-    definition.description = tr("The body does not leave the product.").toStdString();
-    definition.initial = false;
-    if (const Outcome added = semantics.addDefinition(definition); !added) {
-      bench_.messages.showError(tr("The bodies cannot be marked"), added.error());
-      return;
-    }
-  }
   SemanticSelection bodies;
   bodies.bodies = semantics.selection().bodies;
   const QString& first = *bodies.bodies.begin();
@@ -122,14 +106,20 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   bench_.actions["panel.sequence"]->trigger();
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
-  job.demands = scenario->scenario.sequence;
   job.product = goesOn ? shown().product : std::make_shared<const AssembledProduct>(productOf(*scenario));
-  job.staying = stayingBodies(*job.product);
+  const auto demands = knownDemands(bench_.document.current(), job.product->bodies);
+  if (!demands) {
+    bench_.messages.showError(tr("The sequence cannot be planned"), demands.error());
+    return;
+  }
+  job.demands = *demands;
+  job.staying = stayingBodies(*job.product, job.demands);
   job.seed = bench_.document.settings().seed;
   job.mostSteps = mostSteps;
   if (goesOn) {
     job.resumed = shown().plan;
     job.seed = job.resumed->seed;
+    job.demands = job.resumed->demands;
     std::fill(job.staying.begin(), job.staying.end(), false);
     for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
   } else {

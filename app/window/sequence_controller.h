@@ -50,7 +50,6 @@ class SequenceController final : public QObject {
   /// The graph follows the plan while it is open.
   void updateGraph();
   void toggleStays();
-  BodySet stayingBodies(const AssembledProduct& product) const;
   void chooseFile();
   void chooseExport();
   void enableActions();

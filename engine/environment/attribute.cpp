@@ -28,6 +28,14 @@ AttributeDefinition builtIn(const char* name, const char* label, AttributeType t
   return definition;
 }
 
+/// What assembly plans know of a body. A user's attribute of the same name takes its place.
+bool isKnowledge(const AttributeDefinition& definition) {
+  constexpr std::array<std::string_view, 8> kKnowledge{"class", "mass",      "fragile",     "base",
+                                                       "stays", "goes_with", "goes_before", "needs_tool"};
+  return definition.builtIn && definition.owner == AttributeOwner::Body &&
+         std::find(kKnowledge.begin(), kKnowledge.end(), definition.name) != kKnowledge.end();
+}
+
 bool isWord(const std::string& name) {
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
   if (name.empty() || !letter(name.front())) return false;
@@ -118,6 +126,10 @@ AttributeTable::AttributeTable() {
       builtIn("mobility", "Mobility", Type::Choice, kBody, "Static bodies shape the places; mobile ones clutter them.");
   mobility.choices = {"static", "mobile"};
   mobility.initial = std::string("static");
+  AttributeDefinition tool = builtIn("needs_tool", "Needs tool", Type::Choice, kBody,
+                                     "Which tool turns the body: by_shape, none, or one of the tools.");
+  tool.choices = {"by_shape", "none", "hex_key", "socket", "screwdriver", "open_wrench"};
+  tool.initial = std::string("by_shape");
   definitions_ = {
       bounded(builtIn("complexity", "Complexity", Type::Integer, kPlace,
                       "How hard the place is to cross: 1 for the widest, one more each time the width halves."),
@@ -136,6 +148,17 @@ AttributeTable::AttributeTable() {
               0.01, 100, 1, ""),
       mobility,
       builtIn("shape", "Shape", Type::Text, kBody, "What the body is shaped like."),
+      builtIn("class", "Class", Type::Text, kBody,
+              "Class of the body, whose attributes it has: screw, seal, base_part."),
+      bounded(builtIn("mass", "Mass", Type::Number, kBody, "Mass of the body. 0: by its volume and density."), 0, 1e6,
+              0, "kg"),
+      builtIn("fragile", "Fragile", Type::Bool, kBody,
+              "The body leaves as early as it can, and is put in as late as it can."),
+      builtIn("base", "Base", Type::Bool, kBody, "The assembly begins with the body: it does not leave."),
+      builtIn("stays", "Stays", Type::Bool, kBody, "The body does not leave."),
+      builtIn("goes_with", "Goes with", Type::Text, kBody, "Bodies that leave together with this one, with commas."),
+      builtIn("goes_before", "Goes before", Type::Text, kBody, "Bodies that leave after this one, with commas."),
+      tool,
   };
 }
 
@@ -144,7 +167,8 @@ Outcome AttributeTable::add(AttributeDefinition definition) {
     return refusal("the attribute name '" + definition.name + "' is not a word",
                    "Use lower-case letters, digits and '_', a letter first.");
   }
-  if (find(definition.owner, definition.name) != nullptr) {
+  const AttributeDefinition* known = find(definition.owner, definition.name);
+  if (known != nullptr && !isKnowledge(*known)) {
     return refusal("there is an attribute '" + definition.name + "' already", "Choose another name.");
   }
   if (definition.type == AttributeType::Choice && definition.choices.empty()) {
@@ -163,6 +187,9 @@ Outcome AttributeTable::add(AttributeDefinition definition) {
   }
   const Outcome initial = checkValue(definition, definition.initial);
   if (!initial) return initial;
+  std::erase_if(definitions_, [&](const AttributeDefinition& other) {
+    return isKnowledge(other) && other.owner == definition.owner && other.name == definition.name;
+  });
   definitions_.push_back(std::move(definition));
   return Done{};
 }

@@ -53,11 +53,12 @@ Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& 
 class AttributeTable {
  public:
   /// complexity, cluttered, narrowness, shape, compatibility, forbidden, preference on places;
-  /// mobility and shape on bodies.
+  /// mobility and shape on bodies; and what assembly plans know of bodies: class, mass, fragile, base, stays,
+  /// goes_with, goes_before, needs_tool.
   AttributeTable();
 
-  /// Refuses a name that is taken for the same owner, or is not a word of lower-case letters, digits
-  /// and '_', and choices without any choice.
+  /// A definition of a name that assembly plans know takes its place. Refuses a name that is taken otherwise for the
+  /// same owner, or is not a word of lower-case letters, digits and '_', and choices without any choice.
   Outcome add(AttributeDefinition definition);
   /// Null where there is none.
   const AttributeDefinition* find(AttributeOwner owner, std::string_view name) const;

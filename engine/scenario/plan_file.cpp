@@ -17,6 +17,7 @@
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
+#include "engine/scenario/sequence_json.h"
 
 namespace glissade {
 namespace {
@@ -63,12 +64,25 @@ Json toJson(const StepAllowance& allowance) {
   return json;
 }
 
+constexpr std::array<std::pair<ToolAccess, const char*>, 3> kAccessNames{
+    {{ToolAccess::NotAsked, "not_asked"}, {ToolAccess::Free, "free"}, {ToolAccess::Blocked, "blocked"}}};
+
+Json toJson(const StepTool& tool) {
+  Json json{{"kind", toolName(tool.kind)}};
+  for (const auto& [access, name] : kAccessNames) {
+    if (access == tool.access) json["access"] = name;
+  }
+  if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
+  return json;
+}
+
 Json toJson(const AssemblyStep& step) {
   Json json{
       {"bodies", step.bodies()},           {"method", step.method},       {"wave", step.wave},    {"after", step.after},
       {"certificate", toJson(step.proof)}, {"allowances", Json::array()}, {"path", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
+  if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
   for (const PathPoint& point : step.path) {
     Json configuration = toJson(point.q);
@@ -83,11 +97,12 @@ class PlanReader {
  public:
   AssemblyPlan read(const JsonCursor& at) {
     at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
-                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals"});
+                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting", "sequence"});
     if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
     if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
     plan_.strategy = at.at("strategy").nonEmptyText();
     plan_.seed = at.at("seed").wholeNumber();
+    if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
     if (const auto deflection = at.find("deflection_m")) plan_.deflection = readLength(*deflection);
     plan_.end = readEnd(at.at("end"));
     readBodies(at.at("bodies"));
@@ -96,7 +111,14 @@ class PlanReader {
       if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail("is there twice");
     }
     const JsonCursor steps = at.at("steps");
-    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) readStep(steps.element(i));
+    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.steps.push_back(readStep(steps.element(i)));
+      for (const std::string& id : plan_.steps.back().bodies()) gone_.insert(id);
+    }
+    const auto waiting = at.find("waiting");
+    for (std::size_t i = 0; waiting && i < waiting->sizeUpTo(limits::kMostBodies); ++i) {
+      plan_.waiting.push_back(readStep(waiting->element(i)));
+    }
     const JsonCursor stuck = at.at("stuck");
     for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) readStuck(stuck.element(i));
     const JsonCursor refusals = at.at("refusals");
@@ -148,14 +170,16 @@ class PlanReader {
     return value;
   }
 
-  void readStep(const JsonCursor& at) {
-    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "falling", "certificate", "allowances", "path"});
+  AssemblyStep readStep(const JsonCursor& at) const {
+    at.allowOnly(
+        {"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
     if (ids.empty()) bodies.fail("is empty", "Name the bodies that leave.");
+    std::set<std::string> gone = gone_;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone_.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
+      if (!gone.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
     }
     step.body = ids.front();
     step.with.assign(ids.begin() + 1, ids.end());
@@ -165,6 +189,7 @@ class PlanReader {
       if (!kind) fastener->fail("is not screw, nut, washer, pin or none");
       step.fastener = *kind;
     }
+    if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
     step.method = at.at("method").text();
     if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
@@ -174,7 +199,21 @@ class PlanReader {
       step.allowances.push_back(readAllowance(allowances.element(i)));
     }
     step.path = readPath(at.at("path"));
-    plan_.steps.push_back(std::move(step));
+    return step;
+  }
+
+  StepTool readTool(const JsonCursor& at) const {
+    at.allowOnly({"kind", "access", "blocked_by"});
+    const auto kind = toolByName(at.at("kind").text());
+    if (!kind) at.at("kind").fail("is not hex_key, socket, screwdriver, open_wrench or none");
+    StepTool tool{*kind};
+    const std::string access = at.at("access").text();
+    const auto known =
+        std::find_if(kAccessNames.begin(), kAccessNames.end(), [&](const auto& each) { return access == each.second; });
+    if (known == kAccessNames.end()) at.at("access").fail("is not not_asked, free or blocked");
+    tool.access = known->first;
+    if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
+    return tool;
   }
 
   /// All earlier steps where the file does not say.
@@ -275,7 +314,9 @@ Json planJson(const AssemblyPlan& plan, const std::string& product) {
             {"steps", Json::array()},
             {"stuck", Json::array()},
             {"refusals", Json::array()}};
+  addSequence(plan.demands, json);
   for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
+  for (const AssemblyStep& step : plan.waiting) json["waiting"].push_back(toJson(step));
   for (const StuckBody& stuck : plan.stuck) {
     json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}});
   }

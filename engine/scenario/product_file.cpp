@@ -6,6 +6,7 @@
 #include "engine/scenario/geometry_loader.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
+#include "engine/scenario/sequence_knowledge.h"
 
 namespace glissade {
 namespace {
@@ -46,7 +47,13 @@ Result<ProductFile> productOfScenario(const std::string& file, const StopToken& 
   if (!scenario) return scenario.error();
   ProductFile loaded;
   loaded.product = bodiesOfScenario(*scenario);
-  loaded.demands = scenario->scenario.sequence;
+  auto demands = knownDemands(scenario->scenario, loaded.product.bodies);
+  if (!demands) {
+    Diagnostic why = demands.error();
+    why.file = file;
+    return why;
+  }
+  loaded.demands = std::move(*demands);
   loaded.warnings = std::move(scenario->warnings);
   return loaded;
 }

@@ -14,7 +14,7 @@ namespace glissade {
 struct ProductFile {
   AssembledProduct product;
   double deviation = 0.0;   ///< metres that two surfaces may be off their triangles, together
-  SequenceDemands demands;  ///< of a scenario
+  SequenceDemands demands;  ///< of a scenario, with what is known of its bodies
   Warnings warnings;
 };
 

@@ -1,6 +1,9 @@
 #include "engine/scenario/sequence_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/scenario/body_classes_json.h"
+#include "engine/scenario/semantics_json.h"
+#include "engine/sequence/fastener_kind.h"
 
 namespace glissade {
 namespace {
@@ -21,10 +24,59 @@ Vector3 readGravity(const JsonCursor& at) {
   return gravity;
 }
 
+/// [[body, text], ...]
+std::vector<std::pair<std::string, std::string>> readPairs(const std::optional<JsonCursor>& at) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
+    const auto names = readNames(at->element(i), 2);
+    if (names.size() != 2) at->element(i).fail("is not two texts");
+    pairs.emplace_back(names[0], names[1]);
+  }
+  return pairs;
+}
+
+void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
+  if (const auto stay = at.find("stay")) demands.stay = readNames(*stay, 0);
+  if (const auto fragile = at.find("fragile")) demands.fragile = readNames(*fragile, 0);
+  const auto masses = at.find("masses");
+  for (std::size_t i = 0; masses && i < masses->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor mass = masses->element(i);
+    mass.allowOnly({"body", "mass"});
+    demands.masses.emplace_back(mass.at("body").nonEmptyText(), mass.at("mass").positiveNumber());
+  }
+  demands.tools = readPairs(at.find("tools"));
+  demands.fasteners = readPairs(at.find("fasteners"));
+  for (std::size_t i = 0; i < demands.fasteners.size(); ++i) {
+    if (!fastenerByName(demands.fasteners[i].second)) {
+      at.at("fasteners").element(i).fail("is not a body and screw, nut, washer, pin or none");
+    }
+  }
+  if (const auto cost = at.find("cost")) demands.cost = cost->nonEmptyText();
+  if (const auto attributes = at.find("attributes")) {
+    attributes->expectObject();
+    for (const auto& item : attributes->json().items()) {
+      demands.attributes[item.key()] = readAttributes(attributes->find(item.key()));
+    }
+  }
+  if (const auto classes = at.find("classes")) demands.classes = readBodyClasses(*classes);
+}
+
+void addKnowledge(const SequenceDemands& demands, SequenceJson& section) {
+  if (!demands.stay.empty()) section["stay"] = demands.stay;
+  for (const auto& [body, mass] : demands.masses) section["masses"].push_back({{"body", body}, {"mass", mass}});
+  if (!demands.fragile.empty()) section["fragile"] = demands.fragile;
+  for (const auto& [body, tool] : demands.tools) section["tools"].push_back({body, tool});
+  for (const auto& [body, kind] : demands.fasteners) section["fasteners"].push_back({body, kind});
+  if (!demands.cost.empty()) section["cost"] = demands.cost;
+  for (const auto& [body, attributes] : demands.attributes) section["attributes"][body] = attributesToJson(attributes);
+  for (const BodyClass& each : demands.classes) section["classes"].push_back(toJson(each));
+}
+
 }  // namespace
 
 SequenceDemands readSequence(const JsonCursor& at) {
-  at.allowOnly({"together", "before", "gravity", "densities"});
+  at.allowOnly({"together", "before", "gravity", "densities", "stay", "masses", "fragile", "tools", "fasteners", "cost",
+                "attributes", "classes"});
   SequenceDemands demands;
   const auto together = at.find("together");
   for (std::size_t i = 0; together && i < together->sizeUpTo(limits::kMostBodies); ++i) {
@@ -43,6 +95,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
     density.allowOnly({"body", "density"});
     demands.densities.emplace_back(density.at("body").nonEmptyText(), density.at("density").positiveNumber());
   }
+  readKnowledge(at, demands);
   return demands;
 }
 
@@ -57,6 +110,7 @@ void addSequence(const SequenceDemands& demands, SequenceJson& json) {
   for (const auto& [body, density] : demands.densities) {
     section["densities"].push_back({{"body", body}, {"density", density}});
   }
+  addKnowledge(demands, section);
   json["sequence"] = std::move(section);
 }
 

@@ -7,6 +7,8 @@
 #include "engine/planning/path.h"
 #include "engine/product/fit_settings.h"
 #include "engine/sequence/fastener_kind.h"
+#include "engine/sequence/order_rules.h"
+#include "engine/sequence/tool_kind.h"
 
 namespace glissade {
 
@@ -21,6 +23,16 @@ struct StepAllowance {
   bool yields = false;     ///< the other one is taken thinner, not the moving one
   double pitch = 0.0;      ///< of a thread that comes apart by turning only, metres a turn; 0: none
   double turns = 0.0;      ///< of the body in it, by the right hand about the direction in which it leaves
+};
+
+/// Whether a tool can be brought on when a step begins.
+enum class ToolAccess { NotAsked, Free, Blocked };
+
+/// The tool that turns the fastener of a step.
+struct StepTool {
+  ToolKind kind = ToolKind::None;
+  ToolAccess access = ToolAccess::NotAsked;
+  std::vector<std::string> blockedBy{};  ///< ids of bodies in its way
 };
 
 /// What was proved of a step's motion: it keeps the required clearance from every body that was there.
@@ -49,6 +61,7 @@ struct AssemblyStep {
   std::vector<std::size_t> after{};
 
   FastenerKind fastener = FastenerKind::None;  ///< of a single body
+  StepTool tool{};                             ///< of a single body
   /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
   std::vector<std::string> falling{};
 
@@ -87,8 +100,11 @@ struct AssemblyPlan {
   std::vector<std::string> staying;  ///< ids of those that are not to leave
   std::vector<AssemblyStep> steps;
   std::vector<RefusedRemoval> refusals;  ///< what a resumed search need not ask again
+  /// Of a search that was stopped: motions that were found and not carried out yet, because bodies would fall.
+  std::vector<AssemblyStep> waiting{};
   std::vector<StuckBody> stuck;
   PlanEnd end = PlanEnd::Complete;
+  SequenceDemands demands{};
   double deflection = 0.0;  ///< metres, that the product's STEP file was read with; 0: by the size of each part
 
   std::size_t parts() const { return bodies.size() - staying.size(); }

@@ -40,9 +40,14 @@ struct TurnedShape {
   double shaft = 0.0;        ///< radius of the longest coaxial shaft; 0: none
   double widestShaft = 0.0;  ///< radius of the widest one
   double through = 0.0;      ///< radius of the narrowest coaxial hole that goes through most of it; 0: none
-  double headLength = 0.0;   ///< of what is wider than the shaft
+  double low = 0.0;          ///< along the axis, from its point
+  double high = 0.0;
+  double headLow = 0.0;  ///< of what is wider than the shaft
+  double headHigh = 0.0;
+  double headLength = 0.0;
   bool headAtEnd = false;
-  int sides = 0;  ///< of a prism about the axis
+  int sides = 0;        ///< of a prism about the axis
+  int socketSides = 0;  ///< of a hole that is a prism about the axis
 };
 
 double offAxis(const Vector3& point, const CylinderRegion& axis) {
@@ -56,11 +61,12 @@ bool isCoaxial(const CylinderRegion& one, const CylinderRegion& axis) {
 }
 
 /// Sides of a prism: the planes along the axis, where all are equally far from it, or, of four, each two of them.
-int sidesAbout(const SurfaceRegions& regions, const CylinderRegion& axis) {
+/// `outer`: 1 of a prism, -1 of a hole.
+int sidesAbout(const SurfaceRegions& regions, const CylinderRegion& axis, double outer) {
   std::vector<double> distances;
   for (const PlaneRegion& plane : regions.planes) {
     if (std::abs(plane.normal.dot(axis.direction)) > 1e-3) continue;
-    const double distance = plane.offset - plane.normal.dot(axis.point);
+    const double distance = outer * (plane.offset - plane.normal.dot(axis.point));
     if (distance > 0.0) distances.push_back(distance);
   }
   if (distances.empty()) return 0;
@@ -107,7 +113,12 @@ TurnedShape shapeAbout(const TriangleMesh& mesh, const SurfaceRegions& regions, 
   shape.headLength = std::max(0.0, headHigh - headLow);
   const double slack = kSameLength * shape.height;
   shape.headAtEnd = headLow - low < slack || high - headHigh < slack;
-  shape.sides = sidesAbout(regions, axis);
+  shape.low = low;
+  shape.high = high;
+  shape.headLow = headLow;
+  shape.headHigh = headHigh;
+  shape.sides = sidesAbout(regions, axis, 1.0);
+  shape.socketSides = sidesAbout(regions, axis, -1.0);
   return shape;
 }
 
@@ -129,8 +140,15 @@ FastenerKind kindOf(const TurnedShape& shape) {
   return head < 1.0 + kSameLength && length >= kLeastPin && length <= kMostPin ? FastenerKind::Pin : FastenerKind::None;
 }
 
-/// About any axis of a cylinder through its middle.
-FastenerKind kindByShape(const TriangleMesh& raw) {
+/// A shape, and the axis that it is about.
+struct AboutAxis {
+  CylinderRegion axis;
+  TurnedShape shape;
+  FastenerKind kind = FastenerKind::None;
+};
+
+/// About any axis of a cylinder through its middle: the first that makes a fastener of it.
+std::optional<AboutAxis> fastenerShape(const TriangleMesh& raw) {
   const TriangleMesh mesh = welded(raw);
   const SurfaceRegions regions = findSurfaceRegions(mesh);
   const Vector3 middle = boundingBox(mesh).center();
@@ -143,9 +161,14 @@ FastenerKind kindByShape(const TriangleMesh& raw) {
     const TurnedShape shape = shapeAbout(mesh, regions, axis);
     if (offAxis(middle, axis) > kOffAxis * shape.radius) continue;
     const FastenerKind kind = kindOf(shape);
-    if (kind != FastenerKind::None) return kind;
+    if (kind != FastenerKind::None) return AboutAxis{axis, shape, kind};
   }
-  return FastenerKind::None;
+  return std::nullopt;
+}
+
+FastenerKind kindByShape(const TriangleMesh& mesh) {
+  const auto about = fastenerShape(mesh);
+  return about ? about->kind : FastenerKind::None;
 }
 
 /// What a body's contacts say of it.
@@ -202,6 +225,23 @@ std::vector<FastenerKind> fastenersOf(const AssembledProduct& product, const std
     kinds.push_back(confirms(roles[body], shapes[mesh]) ? shapes[mesh] : FastenerKind::None);
   }
   return kinds;
+}
+
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh, FastenerKind kind) {
+  const auto about = fastenerShape(mesh);
+  if (!about || about->kind != kind) return std::nullopt;
+  const TurnedShape& shape = about->shape;
+  FastenerHead head;
+  head.radius = shape.radius;
+  head.sides = shape.sides;
+  head.socketSides = shape.socketSides;
+  head.bothEnds = kind == FastenerKind::Nut;
+  head.shaft = head.bothEnds ? shape.through : shape.shaft;
+  head.height = head.bothEnds ? shape.height : shape.headLength;
+  const bool atHigh = head.bothEnds || shape.high - shape.headHigh < shape.headLow - shape.low;
+  head.outwards = atHigh ? about->axis.direction : Vector3(-about->axis.direction);
+  head.end = about->axis.point + (atHigh ? shape.high : shape.low) * about->axis.direction;
+  return head;
 }
 
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts) {

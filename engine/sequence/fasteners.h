@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/product/contact_report.h"
@@ -15,6 +16,21 @@ namespace glissade {
 /// - washer: a flat ring that touches something
 /// - pin: a shaft in a hole, without a head, not longer than ten diameters
 std::vector<FastenerKind> fastenersOf(const AssembledProduct& product, const std::vector<Contact>& contacts);
+
+/// Where a tool meets a fastener, in the body's frame.
+struct FastenerHead {
+  Vector3 end = Vector3::Zero();        ///< on the axis, at the outer end of the head
+  Vector3 outwards = Vector3::UnitZ();  ///< unit, along the axis
+  double radius = 0.0;                  ///< of the farthest vertex about the axis
+  double height = 0.0;
+  double shaft = 0.0;     ///< radius of the shaft of a screw, or of the hole of a nut
+  int sides = 0;          ///< of the head as a prism; 0: it is round
+  int socketSides = 0;    ///< of a recess as a prism; 0: none
+  bool bothEnds = false;  ///< a tool meets a nut at either end
+};
+
+/// Of a screw or a nut; nothing where the mesh is not shaped so.
+std::optional<FastenerHead> headOf(const TriangleMesh& mesh, FastenerKind kind);
 
 /// Nuts leave before what they are on: shafts slip through nuts that are drawn as equal cylinders.
 std::vector<OrderRule> fastenerRules(const std::vector<FastenerKind>& kinds, const std::vector<Contact>& contacts);

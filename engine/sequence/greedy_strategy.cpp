@@ -29,6 +29,7 @@ class GreedySearch {
     for (std::size_t body = 0; body < present_.size(); ++body) {
       plan_.bodies.push_back(idOf(body));
       if (question.staying[body]) plan_.staying.push_back(idOf(body));
+      volumes_.push_back(boxVolume(question.product.bodies[body]));
     }
     if (question.resumed != nullptr) resume(*question.resumed);
   }
@@ -76,6 +77,7 @@ class GreedySearch {
       refusals_[refusedGroup(refused.body, refused.with)][refused.effort] = {indicesOf(refused.blockedBy),
                                                                              refused.afterSteps};
     }
+    for (const AssemblyStep& step : earlier.waiting) waiting_[groupOf(step, question_.product)] = step;
   }
 
   /// What leaves as one: those that a person wants so, and single bodies.
@@ -93,7 +95,7 @@ class GreedySearch {
 
   /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
   bool wave() {
-    if (askAll(openUnits(0, true), 0)) return true;
+    if (askAll(openUnits(0, true), 0) || leave()) return true;
     const int efforts = question_.trial.efforts();
     for (int effort = 0; effort < efforts && !stopped(); ++effort) {
       if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
@@ -131,7 +133,7 @@ class GreedySearch {
   std::vector<BodyGroup> openUnits(int effort, bool knowledge) const {
     std::vector<BodyGroup> open;
     for (const BodyGroup& unit : units()) {
-      if (mayLeave(unit, knowledge) && isOpen(unit, effort)) open.push_back(unit);
+      if (waiting_.count(unit) == 0 && mayLeave(unit, knowledge) && isOpen(unit, effort)) open.push_back(unit);
     }
     return open;
   }
@@ -247,16 +249,14 @@ class GreedySearch {
       return refused != nullptr && refused->stopped;
     });
     if (cut) return false;
-    std::vector<std::pair<BodyGroup, const Removed*>> leaving;
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (const auto* removed = std::get_if<Removed>(&answers[i])) {
-        leaving.emplace_back(groups[i], removed);
+        waiting_[groups[i]] = makeStep(groups[i], *removed, question_, plan_.steps.size());
       } else {
         refusals_[groups[i]][effort] = {std::get<Refused>(answers[i]).blockedBy, plan_.steps.size()};
       }
     }
-    leave(leaving);
-    return !leaving.empty();
+    return leave();
   }
 
   /// Bodies that fall where the group leaves now.
@@ -264,51 +264,72 @@ class GreedySearch {
     return question_.standing == nullptr ? BodyGroup() : question_.standing->newlyFalling(present_, group);
   }
 
-  void leave(std::vector<std::pair<BodyGroup, const Removed*>>& leaving) {
-    if (leaving.empty()) return;
+  bool isFragile(const BodyGroup& group) const {
+    return !question_.fragile.empty() &&
+           std::any_of(group.begin(), group.end(), [&](std::size_t body) { return question_.fragile[body]; });
+  }
+
+  /// Those of which a motion is known, fragile bodies first, then the smallest. What lets bodies fall waits, because it
+  /// may do without when something else has left. Where all do, the one with the fewest such bodies leaves. False where
+  /// none is known.
+  bool leave() {
+    if (waiting_.empty()) return false;
     ++wave_;
-    std::stable_sort(leaving.begin(), leaving.end(), [&](const auto& a, const auto& b) {
-      return boxVolume(question_.product, a.first) < boxVolume(question_.product, b.first);
-    });
+    std::vector<std::pair<double, const BodyGroup*>> bySize;
+    for (const auto& [group, step] : waiting_) bySize.emplace_back(isFragile(group) ? -1.0 : volumeOf(group), &group);
+    std::stable_sort(bySize.begin(), bySize.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::size_t before = plan_.steps.size();
-    const std::pair<BodyGroup, const Removed*>* least = nullptr;  // of those after which bodies fall
+    const BodyGroup* least = nullptr;  // of those after which bodies fall
     BodyGroup leastFalling;
-    for (const auto& each : leaving) {
-      BodyGroup falling = fallingWithout(each.first);
+    for (const auto& [volume, group] : bySize) {
+      if (!isThere(*group)) continue;
+      BodyGroup falling = fallingWithout(*group);
       if (falling.empty()) {
-        carryOut(each.first, *each.second, before, {});
+        carryOut(*group, {});
       } else if (least == nullptr || falling.size() < leastFalling.size()) {
-        least = &each;
+        least = group;
         leastFalling = std::move(falling);
       }
     }
-    // The others are asked again when something else has left: they may do without then.
-    if (plan_.steps.size() == before) carryOut(least->first, *least->second, before, leastFalling);
+    if (plan_.steps.size() == before) carryOut(*least, leastFalling);
+    std::erase_if(waiting_, [&](const auto& each) { return !isThere(each.first); });
     host_.stepFound(plan_);
+    return true;
   }
 
-  void carryOut(const BodyGroup& group, const Removed& removed, std::size_t before, const BodyGroup& falling) {
+  void carryOut(const BodyGroup& group, const BodyGroup& falling) {
     present_ = without(present_, group);
-    plan_.steps.push_back(makeStep(group, removed, question_, before));
+    plan_.steps.push_back(waiting_[group]);
     plan_.steps.back().wave = wave_;
     plan_.steps.back().falling = idsOf(falling);
-    question_.trial.learn(group, removed.path.points);
+    question_.trial.learn(group, plan_.steps.back().path);
+  }
+
+  bool isThere(const BodyGroup& group) const {
+    return std::all_of(group.begin(), group.end(), [&](std::size_t body) { return present_[body]; });
+  }
+
+  double volumeOf(const BodyGroup& group) const {
+    double volume = 0.0;
+    for (const std::size_t body : group) volume += volumes_[body];
+    return volume;
   }
 
   void finish() {
     for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort);
+    for (const auto& [group, step] : waiting_) plan_.waiting.push_back(step);
     bool complete = true;
     for (const std::size_t body : bodiesIn(present_)) {
       if (question_.staying[body]) continue;
       complete = false;
-      addStuck(body);
+      if (waiting_.count(unitOf(body)) == 0) addStuck(body);
     }
     if (!complete) plan_.end = stopped() ? PlanEnd::Interrupted : PlanEnd::Stuck;
   }
 
   /// Of what is still there.
   void addRefusals(const BodyGroup& group, const std::map<int, Refusal>& byEffort) {
-    if (!std::all_of(group.begin(), group.end(), [&](std::size_t body) { return present_[body]; })) return;
+    if (!isThere(group)) return;
     for (const auto& [effort, refusal] : byEffort) {
       plan_.refusals.push_back({idOf(group.front()), effort, refusal.afterSteps, idsOf(refusal.blockedBy),
                                 idsOf({group.begin() + 1, group.end()})});
@@ -353,7 +374,9 @@ class GreedySearch {
   const SequenceQuestion& question_;
   SequenceHost& host_;
   BodySet present_;
+  std::vector<double> volumes_;                           ///< of the boxes of bodies
   std::map<BodyGroup, std::map<int, Refusal>> refusals_;  ///< by effort
+  std::map<BodyGroup, AssemblyStep> waiting_;             ///< motions that are known and not carried out
   std::size_t wave_ = 0;
   AssemblyPlan plan_;
 };

@@ -5,12 +5,16 @@
 #include <set>
 
 #include "engine/planning/path_certificate.h"
+#include "engine/sequence/swept_box.h"
 
 namespace glissade {
 namespace {
 
 /// Steps of the automatic planner: about a quarter of a second, one, four and sixteen.
 constexpr std::array<std::uint64_t, MotionTrial::kMostSearches> kSearchSteps{150, 600, 2400, 9600};
+
+/// A tool does not touch what it is brought past, metres.
+constexpr double kToolClearance = 1e-5;
 
 }  // namespace
 
@@ -87,6 +91,20 @@ std::optional<Removed> MotionTrial::certified(const BodyGroup& group, const std:
   if (removed.path.certificate.status != CertificateStatus::Certified) return std::nullopt;
   nameByProduct(removed.path.certificate, motion.bodies);
   return removed;
+}
+
+std::vector<std::size_t> MotionTrial::inTheWayOfTool(const MeshPtr& tool, const std::pair<Pose, Pose>& motion,
+                                                     const std::vector<std::size_t>& others, const StopToken& stop) {
+  const Box3 swept = sweptBox(*tool, {motion.first, motion.second});
+  std::vector<std::size_t> blocking;
+  for (const std::size_t other : others) {
+    if (!swept.intersects(worlds_.boxOf(other))) continue;
+    const MotionCheck check = worlds_.beside(tool, other)
+                                  ->makeQuery()
+                                  ->checkMotion(motion.first, motion.second, kToolClearance, SeekViolation::Any, stop);
+    if (check.status != CertificateStatus::Certified) blocking.push_back(other);
+  }
+  return blocking;
 }
 
 void MotionTrial::learn(const BodyGroup& group, const std::vector<PathPoint>& path) { straight_.learn(group, path); }

@@ -25,6 +25,8 @@ class MotionTrial final : public RemovalTrial {
                                     const std::vector<std::size_t>& left, const StopToken& stop) override;
   std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                    const std::string& method, const BodySet& present, const StopToken& stop) override;
+  std::vector<std::size_t> inTheWayOfTool(const MeshPtr& tool, const std::pair<Pose, Pose>& motion,
+                                          const std::vector<std::size_t>& others, const StopToken& stop) override;
   void learn(const BodyGroup& group, const std::vector<PathPoint>& path) override;
 
  private:

@@ -41,6 +41,8 @@ class MotionWorlds {
   MotionWorld world(const BodyGroup& group, const BodySet& present);
   /// Of one body beside one other.
   CollisionWorldPtr pair(std::size_t body, std::size_t other);
+  /// Of something that is no body of the product, beside one body. The body is whole.
+  CollisionWorldPtr beside(const MeshPtr& thing, std::size_t other) { return prepared_.world(thing, {{other, thing}}); }
   /// The defaults for the group's size, one slot.
   ParameterValues parameters(const BodyGroup& group);
   const Box3& boxOf(std::size_t body) const { return prepared_.boxOf(body); }

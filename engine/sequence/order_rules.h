@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/base/result.h"
+#include "engine/environment/body_class.h"
 #include "engine/sequence/assembled_product.h"
 
 namespace glissade {
@@ -12,12 +14,20 @@ namespace glissade {
 /// Of steel, kg/m^3.
 inline constexpr double kUsualDensity = 7850.0;
 
-/// What a person demands of an assembly plan; bodies by id, or by the end of ids behind a "/".
+/// What a person demands of an assembly plan, and knows of its bodies; bodies by id, or by the end of ids behind a "/".
 struct SequenceDemands {
-  std::vector<std::vector<std::string>> together;           ///< these leave as one
-  std::vector<std::pair<std::string, std::string>> before;  ///< the first leaves before the second
-  Vector3 gravity = -Vector3::UnitZ();                      ///< its direction, world frame; any length
-  std::vector<std::pair<std::string, double>> densities;    ///< kg/m^3; of others kUsualDensity
+  std::vector<std::vector<std::string>> together;                ///< these leave as one
+  std::vector<std::pair<std::string, std::string>> before;       ///< the first leaves before the second
+  Vector3 gravity = -Vector3::UnitZ();                           ///< its direction, world frame; any length
+  std::vector<std::pair<std::string, double>> densities;         ///< kg/m^3; of others kUsualDensity
+  std::vector<std::string> stay{};                               ///< these do not leave
+  std::vector<std::pair<std::string, double>> masses{};          ///< kg; of others by volume and density
+  std::vector<std::string> fragile{};                            ///< these leave as early as they can
+  std::vector<std::pair<std::string, std::string>> tools{};      ///< as of toolName(), or "none"
+  std::vector<std::pair<std::string, std::string>> fasteners{};  ///< kinds that bodies are, whatever their shapes
+  std::string cost{};  ///< what a step costs: an expression or a preset, see step_cost.h; empty: the usual one
+  std::map<std::string, Attributes> attributes{};  ///< by id: what costs may name as body.<attribute>
+  std::vector<BodyClass> classes{};                ///< beside the usual ones
 
   bool operator==(const SequenceDemands&) const = default;
 };

@@ -42,6 +42,9 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   step.method = removed.method;
   step.with = idsOf({group.begin() + 1, group.end()}, product);
   if (group.size() == 1 && !question.fasteners.empty()) step.fastener = question.fasteners[group.front()];
+  if (group.size() == 1 && !question.tools.empty() && !question.tools[group.front()].empty()) {
+    step.tool.kind = question.tools[group.front()].front();
+  }
   step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
   const int nearest = certificate.nearest.body;
   if (nearest >= 0) step.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;

@@ -60,6 +60,13 @@ class RemovalTrial {
   virtual std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                            const std::string& method, const BodySet& present,
                                            const StopToken& stop) = 0;
+  /// Bodies of `others` that are in the way of a tool on the straight motion between the two configurations, ascending.
+  /// May be called from several threads at a time.
+  virtual std::vector<std::size_t> inTheWayOfTool(const MeshPtr& /*tool*/, const std::pair<Pose, Pose>& /*motion*/,
+                                                  const std::vector<std::size_t>& /*others*/,
+                                                  const StopToken& /*stop*/) {
+    return {};
+  }
   /// A group has left so. Not while others ask.
   virtual void learn(const BodyGroup& group, const std::vector<PathPoint>& path) = 0;
 };

@@ -3,8 +3,31 @@
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/standing.h"
+#include "engine/sequence/step_tools.h"
 
 namespace glissade {
+namespace {
+
+/// By shape and contacts, but for those that are known.
+std::vector<FastenerKind> fastenersKnown(const AssembledProduct& product, const std::vector<Contact>& contacts,
+                                         const SequenceDemands& demands) {
+  std::vector<FastenerKind> kinds = fastenersOf(product, contacts);
+  for (const auto& [name, text] : demands.fasteners) {
+    const auto kind = fastenerByName(text);
+    for (const std::size_t body : bodiesNamed(product, name)) kinds[body] = kind.value_or(kinds[body]);
+  }
+  return kinds;
+}
+
+std::vector<bool> fragileBodies(const AssembledProduct& product, const SequenceDemands& demands) {
+  std::vector<bool> fragile(product.bodies.size(), false);
+  for (const std::string& name : demands.fragile) {
+    for (const std::size_t body : bodiesNamed(product, name)) fragile[body] = true;
+  }
+  return fragile;
+}
+
+}  // namespace
 
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
                                   const SequenceRequest& request, SequenceHost& host) {
@@ -16,14 +39,25 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
-  const std::vector<FastenerKind> fasteners = fastenersOf(product, fits.contacts());
+  const auto cost = StepCost::of(request.demands);
+  if (!cost) return cost.error();
+  const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
+  const auto tools = chooseTools(product, fasteners, request.demands);
+  if (!tools) return tools.error();
   for (const OrderRule& rule : fastenerRules(fasteners, fits.contacts())) rules->before.push_back(rule);
-  const std::vector<double> densities = densitiesOf(request.demands, product);
-  Standing standing(product, {fits.contacts(), fasteners, request.staying, densities, request.demands.gravity},
+  Standing standing(product,
+                    {fits.contacts(), fasteners, request.staying, densitiesOf(request.demands, product),
+                     request.demands.gravity, massesOf(request.demands, product)},
                     host.team());
   MotionTrial trial(product, fits, request.seed);
-  return strategy->make()->plan(
-      {product, request.staying, request.seed, trial, request.resumed, *rules, fasteners, &standing}, host);
+  const SequenceQuestion question{product,   request.staying, request.seed,
+                                  trial,     request.resumed, *rules,
+                                  fasteners, &standing,       fragileBodies(product, request.demands),
+                                  *tools,    &*cost};
+  AssemblyPlan plan = strategy->make()->plan(question, host);
+  addTools(plan, question, host);
+  plan.demands = request.demands;
+  return plan;
 }
 
 }  // namespace glissade

@@ -11,6 +11,8 @@
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
 #include "engine/sequence/standing.h"
+#include "engine/sequence/step_cost.h"
+#include "engine/sequence/tool_choice.h"
 
 namespace glissade {
 
@@ -24,6 +26,9 @@ struct SequenceQuestion {
   OrderRules rules{};
   std::vector<FastenerKind> fasteners{};  ///< of each body; empty: not known
   Standing* standing = nullptr;           ///< null: not asked
+  std::vector<bool> fragile{};            ///< of each body; empty: none is
+  ToolChoices tools{};                    ///< of each body; empty: not known
+  const StepCost* cost = nullptr;         ///< of best-first; null: the usual one
 };
 
 /// What a strategy tells while it works, and asks. Called on the strategy's thread.

@@ -31,8 +31,9 @@ Standing::Standing(const AssembledProduct& product, const Bodies& bodies, Thread
   team.run(bodies_.size(), [&](std::size_t body) {
     const TriangleMesh placed = transformed(*product.bodies[body].mesh, product.bodies[body].X_WB);
     const SolidMass mass = solidMass(placed);
-    bodies_[body] = {mass.volume * bodies.densities[body], mass.centre, 0.5 * boundingBox(placed).diagonal().norm(),
-                     bodies.staying[body]};
+    const double known = bodies.masses.empty() ? 0.0 : bodies.masses[body];
+    bodies_[body] = {known > 0.0 ? known : mass.volume * bodies.densities[body], mass.centre,
+                     0.5 * boundingBox(placed).diagonal().norm(), bodies.staying[body]};
     trees[body] = std::make_unique<TriangleTree>(placed);
   });
   std::vector<std::vector<SupportPoint>> found(bodies.contacts.size());
@@ -141,6 +142,14 @@ const BodyGroup& Standing::fallingOf(const BodyGroup& connected, const BodySet& 
     if (out[i]) falling.push_back(connected[i]);
   }
   return known_.try_emplace(key, std::move(falling)).first->second;
+}
+
+std::vector<double> massesOf(const SequenceDemands& demands, const AssembledProduct& product) {
+  std::vector<double> masses(product.bodies.size(), 0.0);
+  for (const auto& [name, mass] : demands.masses) {
+    for (const std::size_t body : bodiesNamed(product, name)) masses[body] = mass;
+  }
+  return masses;
 }
 
 std::vector<double> densitiesOf(const SequenceDemands& demands, const AssembledProduct& product) {

@@ -28,12 +28,15 @@ class Standing {
     const BodySet& staying;
     std::vector<double> densities;  ///< kg/m^3
     Vector3 gravity;                ///< any length
+    std::vector<double> masses{};   ///< kg, of each body; 0, or empty: by volume and density
   };
   /// Contact points are found here.
   Standing(const AssembledProduct& product, const Bodies& bodies, ThreadTeam& team);
 
   /// Bodies that stand while all of `present` are there, and would tip or fall when the group has left; ascending.
   BodyGroup newlyFalling(const BodySet& present, const BodyGroup& group);
+  /// Kilograms.
+  double massOf(std::size_t body) const { return bodies_[body].weight; }
 
  private:
   BodyGroup fallingWith(const BodySet& present, const BodyGroup& seeds);
@@ -52,6 +55,9 @@ class Standing {
   Vector3 gravity_;
   std::map<std::pair<BodyGroup, BodyGroup>, BodyGroup> known_;  ///< by connected bodies and those that hold them
 };
+
+/// Of each body: what is known, else 0. Names that no body has are ignored.
+std::vector<double> massesOf(const SequenceDemands& demands, const AssembledProduct& product);
 
 /// Of each body: what is demanded, else kUsualDensity. Names that no body has are ignored.
 std::vector<double> densitiesOf(const SequenceDemands& demands, const AssembledProduct& product);

@@ -80,8 +80,11 @@ std::vector<BodyGroup> StraightRemoval::groups(const GroupQuestion& question, Th
 StraightRemoval::Lines& StraightRemoval::linesOf(std::size_t body) {
   Lines& lines = lines_[body];
   if (lines.known) return lines;
+  for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
+    if (other != body) lines.others.extend(worlds_.boxOf(other));
+  }
   for (const Vector3& direction : removalDirections(product_, fits_, body)) {
-    lines.lines.push_back(newLine(body, direction));
+    lines.lines.push_back(newLine(body, lines.others, direction));
   }
   lines.own = lines.lines.size();
   for (const Fit& fit : fits_.fitsOf(body)) lines.order.push_back(fit.obstacle);
@@ -98,14 +101,13 @@ StraightRemoval::Line& StraightRemoval::lineAlong(std::size_t body, const Vector
   const auto known = std::find_if(lines.lines.begin(), lines.lines.end(),
                                   [&](const Line& line) { return line.direction.dot(direction) > kSameLine; });
   if (known != lines.lines.end()) return *known;
-  lines.lines.push_back(newLine(body, direction));
+  lines.lines.push_back(newLine(body, lines.others, direction));
   return lines.lines.back();
 }
 
-StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Vector3& direction) const {
+StraightRemoval::Line StraightRemoval::newLine(std::size_t body, const Box3& others, const Vector3& direction) const {
   const Box3& box = worlds_.boxOf(body);
   const double margin = leavingMargin(radiusAboutOrigin(*product_.bodies[body].mesh));
-  const Box3 others = boxOf(product_, without(BodySet(product_.bodies.size(), true), {body}));
   Line line{direction, wayOutOf(box, others, direction, margin) * direction, box,
             std::vector<std::optional<bool>>(product_.bodies.size())};
   line.swept.extend(Box3(box.min() + line.way, box.max() + line.way));

@@ -35,6 +35,7 @@ class StraightRemoval {
   };
   struct Lines {
     bool known = false;
+    Box3 others;                     ///< of all other bodies
     std::size_t own = 0;             ///< the first of `lines`, which are tried; the others were asked for by groups
     std::deque<Line> lines;          ///< never moved
     std::vector<std::size_t> order;  ///< others, those that it fits first
@@ -47,7 +48,7 @@ class StraightRemoval {
 
   Lines& linesOf(std::size_t body);
   Line& lineAlong(std::size_t body, const Vector3& direction);
-  Line newLine(std::size_t body, const Vector3& direction) const;
+  Line newLine(std::size_t body, const Box3& others, const Vector3& direction) const;
   std::vector<Vector3> directionsOf(const BodyGroup& group);
   std::optional<std::size_t> blockerOf(const BodyGroup& group, const Vector3& direction, const BodySet& others,
                                        const StopToken& stop);

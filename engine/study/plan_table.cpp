@@ -21,6 +21,7 @@ double largestAllowance(const AssemblyStep& step) {
 void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, const AssembledProduct& product,
              PlanOrder order) {
   const auto nameOf = [&product](const std::string& id) { return product.bodies[*product.indexOf(id)].name; };
+  const PlanWords words(Language::English, lengthInMillimetres);
   double length = 0.0;
   double turn = 0.0;
   for (const MotionLeg& leg : legsOf(step.path)) {
@@ -33,7 +34,7 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   for (const std::string& id : step.bodies()) parts += (parts.empty() ? "" : "; ") + nameOf(id);
   table.text(parts);
   table.text(step.method);
-  table.text(PlanWords(Language::English, lengthInMillimetres).motion(step, order));
+  table.text(words.motion(step, order));
   table.number(length);
   table.number(turn);
   table.number(finite(step.proof.provedClearance));
@@ -42,6 +43,8 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   table.number(largestAllowance(step));
   table.number(static_cast<double>(step.wave));
   table.text("");
+  table.text(words.tool(step, product));
+  table.text(words.standing(step, product));
 }
 
 void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& product) {
@@ -56,6 +59,7 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& p
   table.text("");
   for (int column = 0; column < 2; ++column) table.number(std::nullopt);
   table.text(blockers);
+  for (int column = 0; column < 2; ++column) table.text("");
 }
 
 }  // namespace
@@ -63,7 +67,7 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& p
 std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order) {
   CsvTable table;
   table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
-                "nearest", "allowance_m", "wave", "blocked_by"});
+                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing"});
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
     addStep(table, plan.steps[order == PlanOrder::Assembly ? steps - 1 - i : i], i + 1, product, order);

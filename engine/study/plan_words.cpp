@@ -1,5 +1,6 @@
 #include "engine/study/plan_words.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -32,6 +33,29 @@ std::string PlanWords::direction(const Vector3& direction) const {
     if (direction[axis] < -kAlongAxis) return words_(kNames[2 * static_cast<std::size_t>(axis) + 1]);
   }
   return "(" + decimals(direction.x(), 2) + ", " + decimals(direction.y(), 2) + ", " + decimals(direction.z(), 2) + ")";
+}
+
+/// "rod, bolt and 3 more".
+std::string PlanWords::someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const {
+  constexpr std::size_t kNamed = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) {
+    const auto body = product.indexOf(ids[i]);
+    text += (text.empty() ? "" : ", ") + shortName(body ? product.bodies[*body].name : ids[i]);
+  }
+  return ids.size() <= kNamed ? text : words_("%1 and %2 more", {text, std::to_string(ids.size() - kNamed)});
+}
+
+std::string PlanWords::tool(const AssemblyStep& step, const AssembledProduct& product) const {
+  static constexpr std::array<const char*, 5> kTools{"", "hex key", "socket", "screwdriver", "open wrench"};
+  if (step.tool.kind == ToolKind::None) return {};
+  const std::string name = words_(kTools[static_cast<std::size_t>(step.tool.kind)]);
+  if (step.tool.access != ToolAccess::Blocked) return name;
+  return words_("%1, blocked by %2", {name, someOf(step.tool.blockedBy, product)});
+}
+
+std::string PlanWords::standing(const AssemblyStep& step, const AssembledProduct& product) const {
+  return step.falling.empty() ? std::string() : words_("hold %1", {someOf(step.falling, product)});
 }
 
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {

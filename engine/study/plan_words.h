@@ -25,11 +25,16 @@ class PlanWords {
   std::string length(double metres) const { return length_(metres); }
   /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
+  /// "hex key"; "socket, blocked by plate"; empty where the step needs none.
+  std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
+  /// "hold rod, bolt and 3 more"; empty where nothing falls.
+  std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
 
  private:
   std::string direction(const Vector3& direction) const;
+  std::string someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const;
 
   StudyWords words_;
   LengthText length_;

@@ -121,6 +121,10 @@ class Composer {
     std::vector<std::vector<std::string>> rows{{say("Full name"), fullNames},
                                                {say("Motion"), plain_.motion(step, PlanOrder::Assembly)},
                                                {say("Clearance"), clearanceText(step)}};
+    if (const auto tool = plain_.tool(step, content_.product); !tool.empty()) rows.push_back({say("Tool"), tool});
+    if (const auto held = plain_.standing(step, content_.product); !held.empty()) {
+      rows.push_back({say("To be held"), held});
+    }
     const auto allowances = plain_.allowances(step, content_.product);
     if (allowances.empty()) rows.push_back({say("Allowance"), say("none")});
     for (const std::string& text : allowances) rows.push_back({say("Allowance"), text});

@@ -1327,6 +1327,70 @@
         <translation>Encombré</translation>
     </message>
     <message>
+        <source>Class</source>
+        <translation>Classe</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>Fragile</source>
+        <translation>Fragile</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Goes with</source>
+        <translation>Va avec</translation>
+    </message>
+    <message>
+        <source>Goes before</source>
+        <translation>Va avant</translation>
+    </message>
+    <message>
+        <source>Needs tool</source>
+        <translation>Outil nécessaire</translation>
+    </message>
+    <message>
+        <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
+        <translation>Classe du corps, dont il a les attributs : screw, seal, base_part.</translation>
+    </message>
+    <message>
+        <source>Mass of the body. 0: by its volume and density.</source>
+        <translation>Masse du corps. 0 : d'après son volume et sa masse volumique.</translation>
+    </message>
+    <message>
+        <source>The body leaves as early as it can, and is put in as late as it can.</source>
+        <translation>Le corps part aussi tôt que possible, et est monté aussi tard que possible.</translation>
+    </message>
+    <message>
+        <source>The assembly begins with the body: it does not leave.</source>
+        <translation>L'assemblage commence par le corps : il ne part pas.</translation>
+    </message>
+    <message>
+        <source>The body does not leave.</source>
+        <translation>Le corps ne part pas.</translation>
+    </message>
+    <message>
+        <source>Bodies that leave together with this one, with commas.</source>
+        <translation>Corps qui partent avec celui-ci, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <source>Bodies that leave after this one, with commas.</source>
+        <translation>Corps qui partent après celui-ci, séparés par des virgules.</translation>
+    </message>
+    <message>
+        <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
+        <translation>Outil qui tourne le corps : by_shape, none, ou l'un des outils.</translation>
+    </message>
+    <message>
         <source>Narrowness</source>
         <translation>Étroitesse</translation>
     </message>
@@ -4928,16 +4992,16 @@
 <context>
     <name>glissade::SequenceController</name>
     <message>
+        <source>The sequence cannot be planned</source>
+        <translation>La séquence ne peut pas être planifiée</translation>
+    </message>
+    <message>
         <source>Planning the sequence</source>
         <translation>Planification de la séquence</translation>
     </message>
     <message>
         <source>Stays</source>
         <translation>Reste</translation>
-    </message>
-    <message>
-        <source>The body does not leave the product.</source>
-        <translation>Le corps ne sort pas du produit.</translation>
     </message>
     <message>
         <source>The bodies cannot be marked</source>
@@ -5005,6 +5069,22 @@
     <message>
         <source>Allowance</source>
         <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Équilibre</translation>
+    </message>
+    <message>
+        <source>The tool that turns the fastener, and what it cannot be brought past</source>
+        <translation>L'outil qui tourne la fixation, et ce devant quoi il ne passe pas</translation>
+    </message>
+    <message>
+        <source>Parts that would tip or fall</source>
+        <translation>Pièces qui basculeraient ou tomberaient</translation>
     </message>
     <message>
         <source>Found after</source>

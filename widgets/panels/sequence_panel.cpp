@@ -15,7 +15,18 @@
 namespace glissade {
 namespace {
 
-enum SequenceColumn { Number, PartName, Motion, LeastClearance, LargestAllowance, Seconds, State, SequenceColumns };
+enum SequenceColumn {
+  Number,
+  PartName,
+  Motion,
+  LeastClearance,
+  LargestAllowance,
+  Tool,
+  Standing,
+  Seconds,
+  State,
+  SequenceColumns
+};
 
 constexpr int kStepRole = Qt::UserRole;       // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
@@ -75,8 +86,10 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   summary_->setObjectName(QStringLiteral("sequence-summary"));
   table_->setObjectName(QStringLiteral("sequence"));
   table_->setColumnCount(SequenceColumns);
-  table_->setHeaderLabels(
-      {tr("No."), tr("Part"), tr("Motion"), tr("Clearance"), tr("Allowance"), tr("Found after"), tr("State")});
+  table_->setHeaderLabels({tr("No."), tr("Part"), tr("Motion"), tr("Clearance"), tr("Allowance"), tr("Tool"),
+                           tr("Standing"), tr("Found after"), tr("State")});
+  table_->headerItem()->setToolTip(Tool, tr("The tool that turns the fastener, and what it cannot be brought past"));
+  table_->headerItem()->setToolTip(Standing, tr("Parts that would tip or fall"));
   table_->headerItem()->setToolTip(Seconds, tr("Seconds after planning began"));
   table_->headerItem()->setToolTip(LargestAllowance, tr("The largest of the step; its tool tip lists all"));
   table_->setRootIsDecorated(false);
@@ -132,6 +145,13 @@ QString SequencePanel::nameOf(const std::string& id) const {
   return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
 }
 
+/// A line each.
+QString SequencePanel::allNames(const std::vector<std::string>& ids) const {
+  QStringList names;
+  for (const std::string& id : ids) names << nameOf(id);
+  return names.join(QLatin1Char('\n'));
+}
+
 QString SequencePanel::shortNames(const std::vector<std::string>& ids) const {
   QStringList names;
   for (const std::string& id : ids) names << QString::fromStdString(shortName(nameOf(id).toStdString()));
@@ -149,7 +169,7 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
     table_->clear();
     if (shown.plan) addSteps();
     if (shown.plan && !shown.growing) addStuck();
-    for (const int column : {Number, LeastClearance, LargestAllowance, Seconds, State}) {
+    for (const int column : {Number, LeastClearance, LargestAllowance, Tool, Standing, Seconds, State}) {
       table_->resizeColumnToContents(column);
     }
     table_->setColumnWidth(PartName, kPartWidth);
@@ -173,13 +193,11 @@ void SequencePanel::addSteps() {
   for (std::size_t place = 0; place < steps.size(); ++place) {
     const std::size_t i = order_ == PlanOrder::Assembly ? steps.size() - 1 - place : place;
     const AssemblyStep& step = steps[i];
-    QStringList names;
-    for (const std::string& id : step.bodies()) names << nameOf(id);
     auto* row = new QTreeWidgetItem(table_);
     row->setData(Number, kStepRole, static_cast<qulonglong>(i));
     setNumber(*row, Number, QString::number(place + 1));
     row->setText(PartName, QString::fromStdString(nameOfStep(step, *shown_.product)));
-    row->setToolTip(PartName, names.join(QLatin1Char('\n')));
+    row->setToolTip(PartName, allNames(step.bodies()));
     row->setText(Motion, QString::fromStdString(words.motion(step, order_)));
     row->setToolTip(Motion, row->text(Motion));
     const bool isNear = !step.proof.nearest.empty();
@@ -193,6 +211,10 @@ void SequencePanel::addSteps() {
     QStringList allowances;
     for (const std::string& text : words.allowances(step, *shown_.product)) allowances << QString::fromStdString(text);
     row->setToolTip(LargestAllowance, allowances.join(QLatin1Char('\n')));
+    row->setText(Tool, QString::fromStdString(words.tool(step, *shown_.product)));
+    row->setToolTip(Tool, allNames(step.tool.blockedBy));
+    row->setText(Standing, QString::fromStdString(words.standing(step, *shown_.product)));
+    row->setToolTip(Standing, allNames(step.falling));
     const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
     setNumber(*row, Seconds, after ? QLocale().toString(*after, 'f', 1) + QStringLiteral(" s") : QStringLiteral("–"));
     row->setText(State, checkText(i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked));

@@ -61,6 +61,7 @@ class SequencePanel final : public QWidget {
   void markRow();
   QString summary() const;
   QString nameOf(const std::string& id) const;
+  QString allNames(const std::vector<std::string>& ids) const;
   QString shortNames(const std::vector<std::string>& ids) const;
   PlanWords planWords() const;
 

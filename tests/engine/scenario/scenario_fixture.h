@@ -104,6 +104,14 @@ inline Scenario fullScenario() {
   scenario.sequence.before = {{"wall", "object"}};
   scenario.sequence.gravity = {1.0 / 3.0, 0.0, -1.0};
   scenario.sequence.densities = {{"wall", 2700.0}};
+  scenario.sequence.stay = {"wall"};
+  scenario.sequence.masses = {{"part", 1.0 / 3.0}};
+  scenario.sequence.fragile = {"part"};
+  scenario.sequence.tools = {{"part", "socket"}};
+  scenario.sequence.fasteners = {{"part", "nut"}};
+  scenario.sequence.cost = "length + body.price";
+  scenario.sequence.attributes["part"] = {{"price", 2.0}};
+  scenario.sequence.classes = {{"glass", "flexible_part", "Glass", "none", {{"fragile", true}}}};
   scenario.fits = {
       true, 0.0015, {{"object", "wall", ContactKind::Thread, 1.0 / 3e4, true}, {"product/pin", "wall", {}, {}, false}}};
   scenario.seed = 9223372036854775807U;

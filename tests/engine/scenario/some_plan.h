@@ -29,6 +29,10 @@ inline AssemblyPlan somePlan() {
   group.falling = {"rod"};
   plan.steps.push_back(group);
   plan.steps.front().fastener = FastenerKind::Nut;
+  plan.steps.front().tool = {ToolKind::Socket, ToolAccess::Blocked, {"plate", "rod"}};
+  plan.waiting = {AssemblyStep{"rod", nut.path, "straight", 2, nut.proof, {}}};
+  plan.demands.before = {{"nut", "bolt"}};
+  plan.demands.cost = "few-tools";
   plan.deflection = 5e-5;
   plan.refusals = {{"bolt", 0, 0, {"nut", "plate"}}, {"bolt", 1, 1, {"plate"}}, {"rod", 0, 1, {}}};
   plan.refusals.push_back({"bolt", 2, 1, {"plate"}, {"rod"}});

@@ -197,6 +197,15 @@ TEST(GreedyStrategy, KeepsTheOrderThatAPersonDemandsAndSaysSoWhereItIsInTheWay) 
   EXPECT_EQ(test::orderOf(given), (std::vector<std::string>{"2", "1"}));
 }
 
+TEST(GreedyStrategy, FragileBodiesLeaveFirst) {
+  const AssembledProduct product = boxes(4);
+  RuledTrial trial(std::vector<RuledTrial::Rule>(4));
+  test::QuietHost host;
+  SequenceQuestion question{product, {true, false, false, false}, 1, trial};
+  question.fragile = {false, false, true, false};
+  EXPECT_EQ(test::orderOf(GreedyStrategy().plan(question, host)), (std::vector<std::string>{"2", "1", "3"}));
+}
+
 TEST(GreedyStrategy, StopsWithThePlanSoFar) {
   const AssembledProduct product = boxes(3);
   RuledTrial trial(std::vector<RuledTrial::Rule>(3));

@@ -65,6 +65,48 @@ TEST(Standing, StepsAfterWhichBodiesFallAreAvoidedOrMarked) {
   EXPECT_EQ(forced.steps[0].falling, std::vector<std::string>{"beam"});
 }
 
+/// Waves are cut after each one: what waits is not searched again, and the plan is the same.
+TEST(Standing, WhatWaitsIsKeptInAPlanThatIsCut) {
+  BeamFixture beam;
+  const auto planned = [&](const AssemblyPlan* resumed, std::size_t waves) {
+    MotionTrial trial(beam.product, beam.fits, 1, 0);
+    test::QuietHost host(1, waves);
+    SequenceQuestion question{beam.product, {true, false, false, false, false}, 1, trial, resumed};
+    question.standing = &beam.standing;
+    return makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
+  };
+  const AssemblyPlan whole = planned(nullptr, 1000);
+  EXPECT_TRUE(whole.waiting.empty());
+  bool waited = false;
+  for (std::size_t waves = 1; waves < whole.steps.back().wave; ++waves) {
+    const AssemblyPlan cut = planned(nullptr, waves);
+    waited = waited || !cut.waiting.empty();
+    const AssemblyPlan resumed = planned(&cut, 1000);
+    ASSERT_EQ(test::orderOf(resumed), test::orderOf(whole));
+    for (std::size_t i = 0; i < whole.steps.size(); ++i) {
+      EXPECT_EQ(resumed.steps[i].proof.afterSteps, whole.steps[i].proof.afterSteps);
+      EXPECT_EQ(configurationsOf(resumed.steps[i].path), configurationsOf(whole.steps[i].path));
+    }
+  }
+  EXPECT_TRUE(waited) << "the posts wait for the beam";
+}
+
+TEST(Standing, AMassThatIsKnownTakesThePlaceOfVolumeAndDensity) {
+  const AssembledProduct product = beamOnPosts();
+  SequenceDemands demands;
+  demands.masses = {{"weight", 12.5}};
+  EXPECT_EQ(massesOf(demands, product), (std::vector<double>{0.0, 0.0, 0.0, 0.0, 12.5}));
+  const ProductFits fits = test::fitsOf(product);
+  ThreadTeam alone(0);
+  const std::vector<FastenerKind> fasteners(5, FastenerKind::None);
+  const Standing standing(product,
+                          {fits.contacts(), fasteners, BodySet(5, false), densitiesOf({}, product), -Vector3::UnitZ(),
+                           massesOf(demands, product)},
+                          alone);
+  EXPECT_EQ(standing.massOf(4), 12.5);
+  EXPECT_NEAR(standing.massOf(3), 2.5 * 0.25 * 0.25 * kUsualDensity, 1e-6);
+}
+
 TEST(SolidMass, IsThatOfBoxesAndOfBodiesOfSeveral) {
   const TriangleMesh box = transformed(makeBox({1.0, 2.0, 3.0}), Pose::translation({5.0, -1.0, 2.0}));
   EXPECT_NEAR(solidMass(box).volume, 6.0, 1e-12);

@@ -1,0 +1,59 @@
+#include "engine/sequence/tool_choice.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "engine/sequence/fasteners.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::array<const char*, 5> kToolNames{"none", "hex_key", "socket", "screwdriver", "open_wrench"};
+/// Head height by shaft radius from which a round head is that of a socket head screw (ISO 4762: 2).
+constexpr double kSocketHead = 1.6;
+
+std::vector<ToolKind> toolsByShape(const TriangleMesh& mesh, FastenerKind kind) {
+  if (kind == FastenerKind::Nut) return {ToolKind::Socket, ToolKind::OpenWrench};
+  if (kind != FastenerKind::Screw) return {};
+  const auto head = headOf(mesh, kind);
+  if (!head) return {ToolKind::Screwdriver};
+  if (head->sides == 6 || head->sides == 4) return {ToolKind::Socket, ToolKind::OpenWrench};
+  if (head->socketSides == 6 || head->height >= kSocketHead * head->shaft) return {ToolKind::HexKey};
+  return {ToolKind::Screwdriver};
+}
+
+}  // namespace
+
+const char* toolName(ToolKind kind) { return kToolNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<ToolKind> toolByName(const std::string& name) {
+  const auto found = std::find(kToolNames.begin(), kToolNames.end(), name);
+  if (found == kToolNames.end()) return std::nullopt;
+  return static_cast<ToolKind>(found - kToolNames.begin());
+}
+
+Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
+                                const SequenceDemands& demands) {
+  ToolChoices choices(product.bodies.size());
+  std::map<std::pair<MeshPtr, FastenerKind>, std::vector<ToolKind>> known;  // of twins
+  for (std::size_t body = 0; body < choices.size(); ++body) {
+    const MeshPtr& mesh = product.bodies[body].mesh;
+    const auto [at, isNew] = known.try_emplace({mesh, kinds[body]});
+    if (isNew) at->second = toolsByShape(*mesh, kinds[body]);
+    choices[body] = at->second;
+  }
+  for (const auto& [name, tool] : demands.tools) {
+    const auto kind = toolByName(tool);
+    if (!kind) {
+      return Diagnostic{ErrorKind::Usage, "", "", "'" + name + "' needs the tool '" + tool + "', which is unknown",
+                        "Choose hex_key, socket, screwdriver, open_wrench or none."};
+    }
+    for (const std::size_t body : bodiesNamed(product, name)) {
+      choices[body] = *kind == ToolKind::None ? std::vector<ToolKind>() : std::vector<ToolKind>{*kind};
+    }
+  }
+  return choices;
+}
+
+}  // namespace glissade

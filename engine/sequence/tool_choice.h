@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/fastener_kind.h"
+#include "engine/sequence/order_rules.h"
+#include "engine/sequence/tool_kind.h"
+
+namespace glissade {
+
+/// Of each body of a product: the tools that turn it, the preferred one first; none where it needs none.
+using ToolChoices = std::vector<std::vector<ToolKind>>;
+
+/// What is demanded, and else by shape:
+/// - a screw with a head of six or four sides, a nut: socket, open wrench
+/// - a screw with a recess of six sides, or with a round head that is as high as a socket head: hex key
+/// - another screw: screwdriver
+/// Errors, Usage: a tool that there is not.
+Result<ToolChoices> chooseTools(const AssembledProduct& product, const std::vector<FastenerKind>& kinds,
+                                const SequenceDemands& demands);
+
+}  // namespace glissade

@@ -1,0 +1,115 @@
+#include "engine/sequence/tool_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/geometry/primitives.h"
+
+namespace glissade {
+namespace {
+
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kSwing = kFullTurn / 6.0;
+/// Inner radius of what is put about a head, by the head's.
+constexpr double kAbout = 1.02;
+constexpr double kLeastHandle = 0.006;
+
+/// Between two radii and two heights.
+struct Ring {
+  double inner;
+  double outer;
+  double low;
+  double high;
+};
+
+/// Of all or a part of a turn, from x towards y; closed.
+TriangleMesh sector(const Ring& ring, double angle) {
+  const bool whole = angle >= kFullTurn;
+  const auto segments = static_cast<std::uint32_t>(std::ceil(24.0 * angle / kFullTurn));
+  TriangleMesh mesh;
+  const std::uint32_t columns = whole ? segments : segments + 1;
+  for (std::uint32_t i = 0; i < columns; ++i) {
+    const double at = angle * i / segments;
+    const Vector3 way(std::cos(at), std::sin(at), 0.0);
+    for (const auto& [radius, height] : {std::pair{ring.inner, ring.low}, std::pair{ring.outer, ring.low},
+                                         std::pair{ring.outer, ring.high}, std::pair{ring.inner, ring.high}}) {
+      mesh.vertices.emplace_back(radius * way + height * Vector3::UnitZ());
+    }
+  }
+  const auto quad = [&mesh](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const std::uint32_t one = 4 * i;
+    const std::uint32_t next = 4 * ((i + 1) % columns);
+    for (std::uint32_t k = 0; k < 4; ++k) quad(one + k, next + k, next + (k + 1) % 4, one + (k + 1) % 4);
+  }
+  if (whole) return mesh;
+  quad(0, 1, 2, 3);
+  const std::uint32_t last = 4 * segments;
+  quad(last + 3, last + 2, last + 1, last);
+  return mesh;
+}
+
+/// Along z from `low` to `high`.
+TriangleMesh bar(double radius, double low, double high) {
+  return transformed(makeCylinder(radius, high - low, 24), Pose::translation({0.0, 0.0, 0.5 * (low + high)}));
+}
+
+TriangleMesh both(TriangleMesh one, const TriangleMesh& other) {
+  append(one, other);
+  return one;
+}
+
+double keyRadius(const FastenerHead& head) { return std::min(0.55 * head.radius, 0.85 * head.shaft); }
+
+TriangleMesh hexKey(const FastenerHead& head) {
+  const double R = head.radius;
+  const double leg = keyRadius(head);
+  return both(bar(leg, 0.02 * R, 6.0 * R), sector({0.5 * leg, 14.0 * R, 6.0 * R - 2.0 * leg, 6.0 * R}, kSwing));
+}
+
+TriangleMesh socket(const FastenerHead& head) {
+  const double R = head.radius;
+  TriangleMesh mesh = sector({kAbout * R, 1.22 * R, -0.9 * head.height, 4.0 * R}, kFullTurn);
+  append(mesh, bar(1.22 * R, 4.0 * R, 5.0 * R));
+  append(mesh, bar(0.6 * R, 5.0 * R, 11.0 * R));
+  append(mesh, sector({0.3 * R, 14.0 * R, 10.0 * R, 11.0 * R}, kSwing));
+  return mesh;
+}
+
+TriangleMesh screwdriver(const FastenerHead& head) {
+  const double R = head.radius;
+  return both(bar(0.5 * R, 0.02 * R, 10.0 * R), bar(std::max(1.5 * R, kLeastHandle), 10.0 * R, 25.0 * R));
+}
+
+TriangleMesh openWrench(const FastenerHead& head) {
+  const double R = head.radius;
+  const double low = -0.9 * head.height;
+  const double high = -0.1 * head.height;
+  return both(sector({kAbout * R, 1.6 * R, low, high}, kFullTurn), sector({1.5 * R, 12.0 * R, low, high}, kSwing));
+}
+
+}  // namespace
+
+TriangleMesh toolShape(ToolKind kind, const FastenerHead& head) {
+  switch (kind) {
+    case ToolKind::HexKey: return hexKey(head);
+    case ToolKind::Socket: return socket(head);
+    case ToolKind::Screwdriver: return screwdriver(head);
+    case ToolKind::OpenWrench: return openWrench(head);
+    case ToolKind::None: break;
+  }
+  return {};
+}
+
+double takeOffLength(ToolKind kind, const FastenerHead& head) {
+  if (kind == ToolKind::OpenWrench) return 0.0;
+  return kind == ToolKind::Socket ? head.height + head.radius : head.radius;
+}
+
+int handlePositions(ToolKind kind) { return kind == ToolKind::Screwdriver ? 1 : 12; }
+
+}  // namespace glissade

@@ -1,0 +1,108 @@
+#include "engine/sequence/step_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/sequence/fasteners.h"
+#include "engine/sequence/sequence_run.h"
+#include "engine/sequence/solid_mass.h"
+#include "engine/sequence/tool_shape.h"
+#include "tests/engine/product/ring.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+TriangleMesh screwMesh() {
+  TriangleMesh mesh = test::makeRing(0.0, 0.004, 0.04, 24);
+  append(mesh, transformed(test::makeRing(0.0, 0.007, 0.008, 24), Pose::translation({0.0, 0.0, 0.024})));
+  return mesh;
+}
+
+/// A screw in a plate, head up, and a tube about the head that is higher than tools with a handle.
+AssembledProduct screwInTube() {
+  RigidBody plate = boxBody("plate", {0.2, 0.2, 0.02}, Pose::identity());
+  plate.mesh = std::make_shared<const TriangleMesh>(test::makeRing(0.004, 0.1, 0.02, 24));
+  RigidBody screw = boxBody("screw", {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, -0.01}));
+  screw.mesh = std::make_shared<const TriangleMesh>(screwMesh());
+  RigidBody tube = boxBody("tube", {1.0, 1.0, 1.0}, Pose::translation({0.0, 0.0, 0.06}));
+  tube.mesh = std::make_shared<const TriangleMesh>(test::makeRing(0.02, 0.03, 0.1, 24));
+  return test::productOf({plate, screw, tube}, true);
+}
+
+AssemblyPlan planWith(const AssembledProduct& product, const SequenceDemands& demands) {
+  test::QuietHost host;
+  auto plan = planSequence(product, test::fitsOf(product), {{true, false, false}, "greedy", 1, demands}, host);
+  EXPECT_TRUE(plan.ok());
+  return std::move(*plan);
+}
+
+const AssemblyStep& stepOf(const AssemblyPlan& plan, const std::string& body) {
+  return *std::find_if(plan.steps.begin(), plan.steps.end(), [&](const auto& step) { return step.body == body; });
+}
+
+TEST(StepTools, AHandleIsBlockedWhileATubeIsAboutTheHead) {
+  SequenceDemands screwFirst;
+  screwFirst.before = {{"screw", "tube"}};
+  const AssembledProduct product = screwInTube();
+  const AssemblyPlan blocked = planWith(product, screwFirst);
+  ASSERT_EQ(blocked.steps.size(), 2U);
+  const StepTool& tool = stepOf(blocked, "screw").tool;
+  EXPECT_EQ(tool.kind, ToolKind::HexKey) << "the head is as high as a socket head";
+  EXPECT_EQ(tool.access, ToolAccess::Blocked);
+  EXPECT_EQ(tool.blockedBy, std::vector<std::string>{"tube"});
+  SequenceDemands tubeFirst;
+  tubeFirst.before = {{"tube", "screw"}};
+  const AssemblyPlan open = planWith(product, tubeFirst);
+  EXPECT_EQ(stepOf(open, "screw").tool.access, ToolAccess::Free);
+  EXPECT_EQ(stepOf(open, "tube").tool.kind, ToolKind::None);
+}
+
+TEST(StepTools, WhatABodyNeedsIsAsked) {
+  const AssembledProduct product = screwInTube();
+  const auto toolOf = [&](const std::string& name) {
+    SequenceDemands demands;
+    demands.before = {{"screw", "tube"}};
+    demands.tools = {{"screw", name}};
+    return stepOf(planWith(product, demands), "screw").tool;
+  };
+  EXPECT_EQ(toolOf("screwdriver").access, ToolAccess::Free) << "it has no handle to the side";
+  EXPECT_EQ(toolOf("open_wrench").access, ToolAccess::Blocked);
+  EXPECT_EQ(toolOf("none").kind, ToolKind::None);
+}
+
+TEST(StepTools, RefusesAnUnknownTool) {
+  SequenceDemands demands;
+  demands.tools = {{"screw", "hammer"}};
+  const AssembledProduct product = screwInTube();
+  test::QuietHost host;
+  const auto plan = planSequence(product, test::fitsOf(product), {{true, false, false}, "greedy", 1, demands}, host);
+  ASSERT_FALSE(plan.ok());
+  EXPECT_NE(plan.error().reason.find("hammer"), std::string::npos);
+}
+
+TEST(FastenerHead, IsAtTheHeadsOuterEnd) {
+  const auto head = headOf(screwMesh(), FastenerKind::Screw);
+  ASSERT_TRUE(head);
+  EXPECT_NEAR((head->end - Vector3(0.0, 0.0, 0.028)).norm(), 0.0, 1e-4);
+  EXPECT_NEAR(head->outwards.z(), 1.0, 1e-6);
+  EXPECT_NEAR(head->radius, 0.007, 1e-4);
+  EXPECT_NEAR(head->shaft, 0.004, 1e-4);
+  EXPECT_NEAR(head->height, 0.008, 1e-4);
+  EXPECT_FALSE(headOf(screwMesh(), FastenerKind::Nut));
+}
+
+TEST(ToolShape, EveryToolIsMadeOfClosedSolidsTurnedOutwards) {
+  const FastenerHead head{Vector3::Zero(), Vector3::UnitZ(), 0.007, 0.006, 0.004, 6, 0, false};
+  for (const ToolKind kind : {ToolKind::HexKey, ToolKind::Socket, ToolKind::Screwdriver, ToolKind::OpenWrench}) {
+    const TriangleMesh mesh = toolShape(kind, head);
+    EXPECT_GT(solidMass(mesh).volume, 0.0) << toolName(kind);
+    EXPECT_EQ(toolByName(toolName(kind)), kind);
+  }
+  EXPECT_EQ(takeOffLength(ToolKind::OpenWrench, head), 0.0);
+  EXPECT_GT(takeOffLength(ToolKind::Socket, head), head.height);
+}
+
+}  // namespace
+}  // namespace glissade
