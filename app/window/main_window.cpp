@@ -27,6 +27,7 @@
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
+#include "app/window/shortcuts_dialog.h"
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
@@ -129,6 +130,7 @@ void MainWindow::connectActions() {
     palette->open();
     palette->field().setFocus();
   });
+  bench_.onAction("help.change-shortcuts", this, [this] { changeShortcuts(); });
   bench_.onAction("help.about", this, [this] { showAbout(this); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
@@ -142,6 +144,14 @@ void MainWindow::connectActions() {
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
   return files_->openScenario(file, quiet);
+}
+
+void MainWindow::changeShortcuts() {
+  ShortcutsDialog dialog(actions_, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  for (auto entry = dialog.shortcuts().begin(); entry != dialog.shortcuts().end(); ++entry) {
+    actions_.setShortcut(entry.key(), entry.value());
+  }
 }
 
 void MainWindow::setTheme(Theme theme) {

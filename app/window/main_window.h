@@ -42,6 +42,7 @@ class MainWindow final : public QMainWindow {
  private:
   void addParts();
   void connectActions();
+  void changeShortcuts();
 
   std::unique_ptr<SceneWidget> scene_;
   ActionCatalogue& actions_;

@@ -16,6 +16,7 @@ const QLatin1String kState("layout/panels");
 const QLatin1String kGeometry("layout/window");
 
 const QLatin1String kChoices("choices/");
+const QLatin1String kShortcuts("shortcuts/");
 
 /// Checkable actions that are a user's choice for all scenarios.
 std::vector<QLatin1String> choiceIds() {
@@ -61,9 +62,21 @@ void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
 
 void WindowMemory::saveChoices(const ActionCatalogue& actions) {
   for (const QLatin1String id : choiceIds()) settings_.setValue(kChoices + id, actions[id]->isChecked());
+  settings_.remove(QStringLiteral("shortcuts"));
+  for (const ActionSpec& spec : actionSpecs()) {
+    const QLatin1String id(spec.id);
+    const QKeySequence keys = actions[id]->shortcut();
+    if (keys != ActionCatalogue::usualShortcut(id)) settings_.setValue(kShortcuts + id, keys.toString());
+  }
 }
 
-void WindowMemory::restoreChoices(const ActionCatalogue& actions) const {
+void WindowMemory::restoreChoices(ActionCatalogue& actions) const {
+  for (const ActionSpec& spec : actionSpecs()) {
+    const QLatin1String id(spec.id);
+    if (settings_.contains(kShortcuts + id)) {
+      actions.setShortcut(id, QKeySequence(settings_.value(kShortcuts + id).toString()));
+    }
+  }
   for (const QLatin1String id : choiceIds()) {
     QAction* action = actions[id];
     const bool chosen = settings_.value(kChoices + id, action->isChecked()).toBool();

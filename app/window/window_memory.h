@@ -9,7 +9,8 @@
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, where its panels lie, and a user's
-/// choices: navigation, theme, perspective. Kept as the platform keeps settings. Scripts and pictures have none.
+/// choices: navigation, theme, perspective, shortcuts. Kept as the platform keeps settings. Scripts and pictures have
+/// none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -28,7 +29,7 @@ class WindowMemory {
 
   void saveChoices(const ActionCatalogue& actions);
   /// Choices that were never saved stay as they are.
-  void restoreChoices(const ActionCatalogue& actions) const;
+  void restoreChoices(ActionCatalogue& actions) const;
 
  private:
   QSettings settings_;

@@ -360,6 +360,14 @@
         <translation>Comment piloter, et tous les raccourcis</translation>
     </message>
     <message>
+        <source>&amp;Change shortcuts...</source>
+        <translation>&amp;Changer les raccourcis...</translation>
+    </message>
+    <message>
+        <source>Give commands other shortcuts</source>
+        <translation>Donner d&apos;autres raccourcis aux commandes</translation>
+    </message>
+    <message>
         <source>&amp;About Glissade</source>
         <translation>À &amp;propos de Glissade</translation>
     </message>
@@ -5234,6 +5242,65 @@
     <message>
         <source>The swept volume was saved, with a warning</source>
         <translation>Le volume balayé a été enregistré, avec un avertissement</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ShortcutsDialog</name>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Attribuer</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>Par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Part of a command or of a shortcut</source>
+        <translation>Partie d&apos;une commande ou d&apos;un raccourci</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Nouveau raccourci</translation>
+    </message>
+    <message>
+        <source>&amp;New shortcut</source>
+        <translation>&amp;Nouveau raccourci</translation>
+    </message>
+    <message>
+        <source>Choose a command.</source>
+        <translation>Choisir une commande.</translation>
+    </message>
+    <message>
+        <source>Bold shortcuts differ from the default.</source>
+        <translation>Les raccourcis en gras diffèrent des raccourcis par défaut.</translation>
+    </message>
+    <message>
+        <source>Keys without Ctrl or Alt steer the object and write text.</source>
+        <translation>Les touches sans Ctrl ni Alt dirigent l&apos;objet et écrivent du texte.</translation>
+    </message>
+    <message>
+        <source>It is taken from &quot;%1&quot;.</source>
+        <translation>Il est retiré à « %1 ».</translation>
     </message>
 </context>
 </TS>

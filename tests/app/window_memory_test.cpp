@@ -76,18 +76,23 @@ TEST_F(Memory, NothingSavedChangesNothing) {
 TEST_F(Memory, ChoicesComeBack) {
   QWidget window;
   {
-    const ActionCatalogue actions(&window);
+    ActionCatalogue actions(&window);
     actions["navigation.blender"]->setChecked(true);
     actions["view.orthographic"]->setChecked(true);
+    actions.setShortcut("view.fit", QKeySequence("Ctrl+Alt+F"));
+    actions.setShortcut("run.start", {});
     WindowMemory(file()).saveChoices(actions);
   }
   QWidget another;
-  const ActionCatalogue actions(&another);
+  ActionCatalogue actions(&another);
   WindowMemory(file()).restoreChoices(actions);
   EXPECT_TRUE(actions["navigation.blender"]->isChecked());
   EXPECT_FALSE(actions["navigation.cad"]->isChecked());
   EXPECT_TRUE(actions["view.orthographic"]->isChecked());
   EXPECT_FALSE(actions["view.dark"]->isChecked());
+  EXPECT_EQ(actions["view.fit"]->shortcut(), QKeySequence("Ctrl+Alt+F"));
+  EXPECT_TRUE(actions["run.start"]->shortcut().isEmpty());
+  EXPECT_EQ(actions["file.open"]->shortcut(), ActionCatalogue::usualShortcut("file.open"));
 }
 
 }  // namespace

@@ -374,6 +374,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "How to steer, and all shortcuts"), false},
       {"log.copy", QT_TRANSLATE_NOOP("Actions", "Copy for a &bug report"), "",
        QT_TRANSLATE_NOOP("Actions", "Put versions, scenario, settings and the log into the clipboard"), false},
+      {"help.change-shortcuts", QT_TRANSLATE_NOOP("Actions", "&Change shortcuts..."), "",
+       QT_TRANSLATE_NOOP("Actions", "Give commands other shortcuts"), false},
       {"help.about", QT_TRANSLATE_NOOP("Actions", "&About Glissade"), "",
        QT_TRANSLATE_NOOP("Actions", "Version, licence and the papers"), false},
   };
@@ -385,22 +387,33 @@ ActionCatalogue::ActionCatalogue(QObject* parent) : QObject(parent) {
     auto* action = new QAction(translated(spec.text), this);
     action->setObjectName(QLatin1String(spec.id));
     action->setCheckable(spec.checkable);
-    const QKeySequence keys(QString::fromLatin1(spec.shortcut));
-    action->setShortcut(keys);
-    QString tip = translated(spec.tip);
-    if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
-    action->setToolTip(tip);
     action->setStatusTip(translated(spec.tip));
     actions_.insert(QLatin1String(spec.id), action);
+    setShortcut(QLatin1String(spec.id), QKeySequence(QLatin1String(spec.shortcut)));
   }
   for (const auto& [id, text] : kButtonTexts) actions_.value(QLatin1String(id))->setIconText(translated(text));
+}
+
+void ActionCatalogue::setShortcut(const QString& id, const QKeySequence& keys) {
+  QAction* action = actions_.value(id);
+  action->setShortcut(keys);
+  QString tip = action->statusTip();
+  if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+  action->setToolTip(tip);
+}
+
+QKeySequence ActionCatalogue::usualShortcut(const QString& id) {
+  for (const ActionSpec& spec : actionSpecs()) {
+    if (id == QLatin1String(spec.id)) return QKeySequence(QLatin1String(spec.shortcut));
+  }
+  return {};
 }
 
 QString ActionCatalogue::shortcutTable() const {
   QString rows;
   for (const ActionSpec& spec : actionSpecs()) {
-    if (spec.shortcut[0] == '\0') continue;
     const QAction* action = actions_.value(QLatin1String(spec.id));
+    if (action->shortcut().isEmpty()) continue;
     rows +=
         QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td><td>&nbsp;&nbsp;%3</td></tr>")
             .arg(action->shortcut().toString(QKeySequence::NativeText), plain(action->text()), translated(spec.tip));

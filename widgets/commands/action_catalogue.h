@@ -32,6 +32,10 @@ class ActionCatalogue final : public QObject {
   QAction* operator[](const QString& id) const { return actions_.value(id); }
   /// Null where there is none.
   QAction* find(const QString& id) const { return actions_.value(id, nullptr); }
+  /// Another shortcut for an action, as long as the window is there; empty: none. Precondition: as above.
+  void setShortcut(const QString& id, const QKeySequence& keys);
+  /// The one that it has in actionSpecs().
+  static QKeySequence usualShortcut(const QString& id);
   /// "Ctrl+O  Open a scenario" lines as HTML table rows, for the help page.
   QString shortcutTable() const;
 
