@@ -30,7 +30,10 @@ QString readablePatterns() {
 }  // namespace
 
 PathController::PathController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), panel_(new PathPanel(bench.actions, &bench.window)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      panel_(new PathPanel(bench.actions, &bench.window)),
+      report_(bench, nullptr) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
     bench_.scene.view().setPlaybackPose(pose);
     bench_.scene.refresh();
@@ -60,6 +63,7 @@ void PathController::connectActions() {
   });
   bench_.onAction("file.open-path", this, [this] { chooseFile(); });
   bench_.onAction("file.export", this, [this] { chooseExport(); });
+  bench_.onAction("path.report", this, [this] { chooseReport(); });
 }
 
 void PathController::bringToFront() { bench_.actions["panel.path"]->trigger(); }
@@ -114,6 +118,7 @@ void PathController::show() {
 
 void PathController::measureClearance() {
   measuring_.cancel();
+  profile_.reset();
   bench_.scene.view().setPathProfile(nullptr);
   if (!results_.path) return;
   const ScenarioPtr scenario = bench_.document.scenario();
@@ -122,6 +127,7 @@ void PathController::measureClearance() {
     auto profile = std::make_shared<const ClearanceProfile>(
         clearanceProfile(*query, path->configurations(), scenario->problem.metric(), kProfileSamples, watch));
     return [this, scenario, profile] {
+      profile_ = profile;
       panel_->setProfile(profile, *scenario);
       bench_.scene.view().setPathProfile(profile);
       bench_.scene.refresh();
@@ -153,6 +159,25 @@ SaveResult PathController::exportTo(const QString& file) {
   return saved;
 }
 
+void PathController::chooseReport() {
+  const QString file =
+      QFileDialog::getSaveFileName(&bench_.window, tr("Write the report of the path"),
+                                   QStringLiteral("path-report.html"), tr("Web page (*.html);;PDF (*.pdf)"));
+  if (file.isEmpty()) return;
+  reportTo(file, [this, file](const SaveResult& saved) {
+    if (!saved) return showError(saved.why);
+    bench_.messages.showStatus(tr("The report was saved as %1").arg(file));
+  });
+}
+
+void PathController::reportTo(const QString& file, const PathReportJob::Finished& finished) {
+  if (!results_.path) {
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to report", "Solve first."}));
+    return;
+  }
+  report_.start(results_, profile_, file, finished);
+}
+
 std::string PathController::verdict() const {
   if (results_.path) return "certified";
   if (!results_.refused) return "none";
@@ -172,6 +197,7 @@ void PathController::enableActions() {
   bench_.enable("path.tightest", path);
   bench_.enable("path.first-blocked", refused && !results_.refused->blocked.empty());
   bench_.enable("file.export", path);
+  bench_.enable("path.report", path);
   bench_.enable("file.open-path", live && !isRunning(*snapshot));
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/window/path_report_job.h"
 #include "app/window/workbench.h"
 #include "widgets/bridge/background_task.h"
 #include "widgets/panels/path_panel.h"
@@ -22,6 +23,8 @@ class PathController final : public QObject {
   void openOrShowError(const QString& file);
   /// Saves the path in the format of the file's ending; nothing on success.
   SaveResult exportTo(const QString& file);
+  /// Writes the report of the path: HTML or PDF, by the ending.
+  void reportTo(const QString& file, const PathReportJob::Finished& finished);
   /// "none", "certified", or the id of the body that blocks it first ("-": its ends do not fit, or none is near).
   std::string verdict() const;
 
@@ -35,12 +38,15 @@ class PathController final : public QObject {
   void measureClearance();
   void chooseFile();
   void chooseExport();
+  void chooseReport();
   void enableActions();
 
   const Workbench& bench_;
   PathPanel* panel_;
-  RunResults results_;  ///< that are shown
+  RunResults results_;                               ///< that are shown
+  std::shared_ptr<const ClearanceProfile> profile_;  ///< of the path that is shown; null: not measured yet
   BackgroundTask measuring_;
+  PathReportJob report_;
 };
 
 }  // namespace glissade

@@ -8,6 +8,11 @@ void addPathCommands(ScriptCommands& scripts, PathController& path) {
   using Words = ScriptCommands::Words;
   scripts.add("export", 1,
               [&path](const Words& words) { return outcomeOf(path.exportTo(QString::fromStdString(words[0]))); });
+  scripts.add("report-path", 1, [&path](const Words& words) -> Outcome {
+    SaveResult result;
+    path.reportTo(QString::fromStdString(words[0]), [&result](const SaveResult& saved) { result = saved; });
+    return outcomeOf(result);
+  });
   scripts.add("open-path", 1,
               [&path](const Words& words) { return outcomeOf(path.open(QString::fromStdString(words[0]))); });
   scripts.add("expect-path", 1, [&path](const Words& words) -> Outcome {

@@ -4,6 +4,42 @@ namespace glissade {
 
 const std::map<std::string_view, std::string_view>& studyFrench() {
   static const std::map<std::string_view, std::string_view> french{
+      // The report of a path.
+      {"Report of a path: %1", "Rapport d'un chemin : %1"},
+      {"Part that moves", "Pièce mobile"},
+      {"Other parts", "Autres pièces"},
+      {"Length", "Longueur"},
+      {"Turns", "Rotations"},
+      {"Configurations", "Configurations"},
+      {"Certificate", "Certificat"},
+      {"The path is proved free of penetration: the part keeps the required clearance from all other parts at every "
+       "time of the motion, not only at samples.",
+       "Le chemin est prouvé sans pénétration : la pièce garde le jeu exigé à toutes les autres pièces à chaque "
+       "instant du mouvement, et non seulement à des échantillons."},
+      {"Required clearance", "Jeu exigé"},
+      {"Proved clearance", "Jeu prouvé"},
+      {"Smallest clearance met", "Plus petit jeu rencontré"},
+      {"%1 to %2", "%1 à %2"},
+      {"Edges that slide", "Arêtes qui glissent"},
+      {"About triangles", "Sur des triangles"},
+      {"surfaces may be %1 nearer", "les surfaces peuvent être plus proches de %1"},
+      {"32-bit coordinates", "Coordonnées à 32 bits"},
+      {"Clearance along the path", "Jeu le long du chemin"},
+      {"Exact distances to the nearest part at places of the path; the smallest is %1 to %2.",
+       "Distances exactes à la pièce la plus proche à des endroits du chemin ; la plus petite est %1 à %2."},
+      {"share of the path, %", "part du chemin, %"},
+      {"clearance, mm", "jeu, mm"},
+      {"Parameters", "Paramètres"},
+      {"Parameter", "Paramètre"},
+      {"Value", "Valeur"},
+      {"Unit", "Unité"},
+      {"Files", "Fichiers"},
+      {"File", "Fichier"},
+      {"SHA-256", "SHA-256"},
+      {"All parts are boxes, cylinders and spheres of the scenario.",
+       "Toutes les pièces sont des boîtes, des cylindres et des sphères du scénario."},
+      {"The path", "Le chemin"},
+      {"The place with the smallest clearance", "L'endroit du plus petit jeu"},
       // Assembly plans.
       {"up (+Z)", "haut (+Z)"},
       {"down (−Z)", "bas (−Z)"},

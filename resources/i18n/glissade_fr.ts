@@ -932,6 +932,14 @@
         <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
+        <source>&amp;Report of the path...</source>
+        <translation>&amp;Rapport du chemin...</translation>
+    </message>
+    <message>
+        <source>Write problem, certificate, clearance and pictures of the path as HTML or PDF</source>
+        <translation>Écrire le problème, le certificat, le jeu et des images du chemin en HTML ou en PDF</translation>
+    </message>
+    <message>
         <source>S&amp;wept volume</source>
         <translation>&amp;Volume balayé</translation>
     </message>
@@ -3937,6 +3945,18 @@
 <context>
     <name>glissade::PathController</name>
     <message>
+        <source>Write the report of the path</source>
+        <translation>Écrire le rapport du chemin</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf)</source>
+        <translation>Page web (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1</source>
+        <translation>Le rapport a été enregistré sous %1</translation>
+    </message>
+    <message>
         <source>Open a path of this scenario</source>
         <translation>Ouvrir un chemin de ce scénario</translation>
     </message>
@@ -5301,6 +5321,13 @@
     <message>
         <source>It is taken from &quot;%1&quot;.</source>
         <translation>Il est retiré à « %1 ».</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PathReportJob</name>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
     </message>
 </context>
 </TS>

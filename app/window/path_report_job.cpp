@@ -1,0 +1,86 @@
+#include "app/window/path_report_job.h"
+
+#include <QImage>
+
+#include "engine/study/path_report.h"
+#include "engine/study/report_html.h"
+#include "widgets/commands/length_text.h"
+#include "widgets/panels/sequence_panel.h"
+#include "widgets/plots/picture_file.h"
+#include "widgets/scene3d/camera_controller.h"
+#include "widgets/studies/report_pdf.h"
+
+namespace glissade {
+namespace {
+
+/// Pictures have this width at most, pixels: what a page needs.
+constexpr int kPictureWidth = 900;
+/// What is seen of the tightest place: a box with this half side, in radii of the object.
+constexpr double kSurroundings = 1.2;
+
+std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
+
+SaveResult writeReport(const StudyReport& report, const QString& file) {
+  if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
+  const auto page = reportHtml(report);
+  return page ? saveFile(file.toStdString(), *page) : notSaved(page.error());
+}
+
+}  // namespace
+
+void PathReportJob::start(const RunResults& results, const std::shared_ptr<const ClearanceProfile>& profile,
+                          const QString& file, const Finished& finished) {
+  if (!file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive) &&
+      !file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "the report of a path is written as .html or .pdf",
+                       "Give a file name with one of these endings."}));
+    return;
+  }
+  const auto folder = std::make_shared<QTemporaryDir>();
+  std::vector<ReportPicture> pictures;
+  const StudyWords words(windowLanguage());
+  const auto add = [&](const QString& name, std::string_view caption, const auto& take) {
+    const QString picture = folder->filePath(name);
+    if (take(picture)) pictures.push_back({picture.toStdString(), words(caption)});
+  };
+  add(QStringLiteral("path.png"), "The path", [this](const QString& picture) { return takePicture(picture).ok(); });
+  const auto tightest = profile ? profile->tightest() : std::nullopt;
+  if (tightest) {
+    add(QStringLiteral("tightest.png"), "The place with the smallest clearance",
+        [&](const QString& picture) { return takeTightest(profile->samples[*tightest], picture).ok(); });
+  }
+  const ScenarioPtr scenario = bench_.document.scenario();
+  bench_.work.run(tr("Writing the report"),
+                  [results, profile, scenario, folder, pictures, words, file,
+                   finished](const WorkWatch&) -> BackgroundTask::Delivery {
+                    const StudyReport report = pathReport(
+                        {*results.path, *scenario, results.provenance, profile.get(), pictures}, words, lengthWords);
+                    const SaveResult written = writeReport(report, file);
+                    return [finished, written] { finished(written); };
+                  });
+}
+
+SaveResult PathReportJob::takePicture(const QString& file) const {
+  bench_.scene.refresh();
+  QImage picture = bench_.scene.picture();
+  if (picture.width() > kPictureWidth) picture = picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation);
+  return savePicture(picture, file);
+}
+
+/// The camera and the object are as before afterwards.
+SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const QString& file) const {
+  SceneView& view = bench_.scene.view();
+  const CameraController before = view.camera();
+  const Pose shown = view.objectPose();
+  const double radius = kSurroundings * bench_.document.scenario()->problem.world->objectRadius();
+  view.setPlaybackPose(sample.q);
+  view.camera().zoomTo(
+      Box3(sample.q.position - Vector3::Constant(radius), sample.q.position + Vector3::Constant(radius)));
+  const SaveResult taken = takePicture(file);
+  view.setPlaybackPose(shown);
+  view.camera() = before;
+  bench_.scene.refresh();
+  return taken;
+}
+
+}  // namespace glissade

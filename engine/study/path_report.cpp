@@ -1,0 +1,165 @@
+#include "engine/study/path_report.h"
+
+#include <glissade/version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/base/number_text.h"
+#include "engine/scenario/scenario_fits.h"
+
+namespace glissade {
+namespace {
+
+/// Points of the plot: each has a marker.
+constexpr std::size_t kPlotPoints = 80;
+constexpr double kMillimetres = 1e3;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+class PathReportComposer {
+ public:
+  PathReportComposer(const PathReportContent& content, const StudyWords& words,
+                     const std::function<std::string(double)>& length)
+      : content_(content), words_(words), length_(length) {}
+
+  StudyReport compose() {
+    report_.language = words_.language();
+    report_.title = words_("Report of a path: %1", {content_.scenario.scenario.name});
+    addProblem();
+    addCertificate();
+    for (const ReportPicture& picture : content_.pictures) report_.blocks.emplace_back(picture);
+    addCurve();
+    addParameters();
+    addParts();
+    return std::move(report_);
+  }
+
+ private:
+  void heading(std::string_view english, bool newPage = false) {
+    report_.blocks.emplace_back(ReportHeading{words_(english), 2, newPage});
+  }
+
+  void facts(std::vector<std::vector<std::string>> rows) {
+    report_.blocks.emplace_back(
+        ReportTable{"", {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}}, std::move(rows)});
+  }
+
+  std::string nameOf(int body) const {
+    return body < 0 ? "–" : content_.scenario.obstacles[static_cast<std::size_t>(body)].name;
+  }
+
+  void addProblem() {
+    const LoadedScenario& scenario = content_.scenario;
+    std::vector<std::vector<std::string>> rows{{words_("Scenario"), scenario.scenario.name},
+                                               {words_("Part that moves"), scenario.object.name},
+                                               {words_("Other parts"), std::to_string(scenario.obstacles.size())}};
+    if (!content_.provenance.planner.empty()) {
+      rows.push_back({words_("Strategy"), content_.provenance.planner});
+      rows.push_back({words_("Seed"), std::to_string(content_.provenance.seed)});
+    }
+    rows.push_back({words_("Length"), length_(content_.path.length())});
+    rows.push_back({words_("Turns"), toText(std::round(10.0 * kDegrees * content_.path.rotation()) / 10.0) + "°"});
+    rows.push_back({words_("Configurations"), std::to_string(content_.path.points.size())});
+    rows.push_back({words_("Program"), std::string("Glissade ") + kVersion});
+    facts(std::move(rows));
+  }
+
+  void addCertificate() {
+    const MotionCertificate& certificate = content_.path.certificate;
+    heading("Certificate");
+    report_.blocks.emplace_back(ReportText{
+        words_("The path is proved free of penetration: the part keeps the required clearance from all other parts at "
+               "every time of the motion, not only at samples.")});
+    const bool isNear = certificate.nearest.body >= 0;
+    std::vector<std::vector<std::string>> rows{{words_("Required clearance"), length_(certificate.tolerance)}};
+    if (isNear) {
+      rows.push_back({words_("Proved clearance"), length_(certificate.provedClearance)});
+      rows.push_back({words_("Smallest clearance met"),
+                      words_("%1 to %2", {length_(certificate.minClearance), nameOf(certificate.nearest.body)})});
+    }
+    if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
+      rows.push_back({words_("Edges that slide"),
+                      words_("%1 of %2", {std::to_string(sliding), std::to_string(certificate.edges.size())})});
+    }
+    for (const std::string& allowance : allowancesInWords(content_.scenario, content_.path.points)) {
+      rows.push_back({words_("Allowance"), allowance});
+    }
+    if (const double deviation = surfaceDeviation(content_.scenario); deviation > 0.0) {
+      rows.push_back({words_("About triangles"), words_("surfaces may be %1 nearer", {length_(deviation)})});
+    }
+    if (const double spacing = coordinateSpacing(content_.scenario); spacing > 0.0) {
+      rows.push_back({words_("32-bit coordinates"), words_("surfaces may be %1 nearer", {length_(spacing)})});
+    }
+    facts(std::move(rows));
+  }
+
+  /// Every n-th sample, and the tightest.
+  void addCurve() {
+    if (content_.profile == nullptr || content_.profile->samples.empty()) return;
+    const std::vector<ClearanceSample>& samples = content_.profile->samples;
+    const std::size_t tightest = *content_.profile->tightest();
+    const std::size_t step = std::max<std::size_t>(1, samples.size() / kPlotPoints);
+    PlotSeries series;
+    series.name = words_("Clearance");
+    std::vector<double> clearances;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (i % step != 0 && i != tightest) continue;
+      PlotPoint point;
+      point.x = 100.0 * samples[i].share;
+      point.y = point.low = point.high = kMillimetres * samples[i].nearest.distance;
+      point.says = words_("%1 to %2", {length_(samples[i].nearest.distance), nameOf(samples[i].nearest.body)});
+      clearances.push_back(point.y);
+      series.points.push_back(std::move(point));
+    }
+    Plot plot;
+    plot.name = "clearance";
+    plot.title = words_("Clearance along the path");
+    plot.caption = words_("Exact distances to the nearest part at places of the path; the smallest is %1 to %2.",
+                          {length_(samples[tightest].nearest.distance), nameOf(samples[tightest].nearest.body)});
+    plot.x = PlotScale::percentages(words_("share of the path, %"));
+    plot.y = PlotScale::fitting(words_("clearance, mm"), clearances);
+    plot.series.push_back(std::move(series));
+    report_.blocks.emplace_back(std::move(plot));
+  }
+
+  void addParameters() {
+    heading("Parameters");
+    ReportTable table{"",
+                      {{words_("Parameter"), ReportColumn::Kind::Text},
+                       {words_("Value"), ReportColumn::Kind::Number},
+                       {words_("Unit"), ReportColumn::Kind::Text}},
+                      {}};
+    for (const ParameterSpec& spec : parameterTable()) {
+      table.rows.push_back({words_(spec.label), toText(content_.scenario.parameters[spec.id]), std::string(spec.unit)});
+    }
+    report_.blocks.emplace_back(std::move(table));
+  }
+
+  /// Files with the hash of what was read.
+  void addParts() {
+    heading("Files");
+    ReportTable table{
+        "", {{words_("File"), ReportColumn::Kind::Prose}, {words_("SHA-256"), ReportColumn::Kind::Prose}}, {}};
+    for (const Asset& asset : content_.scenario.scenario.assets) table.rows.push_back({asset.path, asset.sha256});
+    if (table.rows.empty()) {
+      report_.blocks.emplace_back(ReportText{words_("All parts are boxes, cylinders and spheres of the scenario.")});
+      return;
+    }
+    report_.blocks.emplace_back(std::move(table));
+  }
+
+  const PathReportContent& content_;
+  const StudyWords& words_;
+  const std::function<std::string(double)>& length_;
+  StudyReport report_;
+};
+
+}  // namespace
+
+StudyReport pathReport(const PathReportContent& content, const StudyWords& words,
+                       const std::function<std::string(double metres)>& length) {
+  return PathReportComposer(content, words, length).compose();
+}
+
+}  // namespace glissade

@@ -1,0 +1,76 @@
+#include "engine/study/path_report.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/path_certificate.h"
+#include "engine/study/plan_words.h"
+#include "engine/study/report_html.h"
+#include "tests/engine/support/loaded_scenario.h"
+
+namespace glissade {
+namespace {
+
+class PathReport : public testing::Test {
+ protected:
+  PathReport() {
+    Scenario scenario;
+    scenario.name = "Shelf & box";
+    scenario.object.name = "box";
+    scenario.object.geometry = BoxGeometry{{0.1, 0.1, 0.1}};
+    scenario.bodies.push_back(
+        {"shelf", "shelf", Mobility::Static, BoxGeometry{{1.0, 0.02, 1.0}}, Pose::translation({0.0, 0.1, 0.0})});
+    scenario.goal = Pose::translation({0.5, 0.0, 0.0});
+    scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
+    loaded_ = test::loadedFrom(scenario);
+    path_.points = {{Pose::identity()}, {Pose::translation({0.5, 0.0, 0.0})}};
+    const auto query = loaded_.problem.world->makeQuery();
+    path_.certificate = certifyPath(*query, path_.points, loaded_.parameters);
+    profile_ = clearanceProfile(*query, path_.configurations(), loaded_.problem.metric(), 300);
+  }
+
+  std::string page(Language language) const {
+    const StudyWords words(language);
+    const auto html = reportHtml(pathReport({path_, loaded_, {"auto", 7}, &profile_, {}}, words, lengthInMillimetres));
+    EXPECT_TRUE(html.ok());
+    return *html;
+  }
+
+  LoadedScenario loaded_;
+  Path path_;
+  ClearanceProfile profile_;
+};
+
+TEST_F(PathReport, SaysWhatIsProvedAndWhoIsNear) {
+  const std::string text = page(Language::English);
+  for (const char* part :
+       {"Shelf &amp; box", "Certificate", "40.0 mm to shelf", "auto", "500.0 mm", "Clearance along the path"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(PathReport, IsWhollyFrench) {
+  const std::string text = page(Language::French);
+  for (const char* part : {"Certificat", "Jeu prouvé", "Jeu le long du chemin", "Pièce mobile"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  }
+  for (const char* part : {"Certificate", "clearance", "Parameters", "Length"}) {
+    EXPECT_EQ(text.find(part), std::string::npos) << part;
+  }
+}
+
+TEST_F(PathReport, ACurveHasFewPointsAndTheSmallestClearance) {
+  const StudyReport report = pathReport({path_, loaded_, {}, &profile_, {}}, StudyWords(), lengthInMillimetres);
+  const Plot* plot = nullptr;
+  for (const ReportBlock& block : report.blocks) {
+    if (const auto* found = std::get_if<Plot>(&block)) plot = found;
+  }
+  ASSERT_NE(plot, nullptr);
+  const auto& points = plot->series.front().points;
+  EXPECT_LT(points.size(), 130U);
+  const auto least =
+      std::min_element(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+  EXPECT_NEAR(least->y, 1e3 * path_.certificate.minClearance, 1e-6);
+}
+
+}  // namespace
+}  // namespace glissade
