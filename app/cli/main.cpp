@@ -145,7 +145,7 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
   sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
   addLength(
       *sweep, "--bound", [&options](double bound) { options.bound = bound; },
-      "How far its surface may be from the object, as 0.5mm (default: a two-hundredth of the object's size)");
+      "How far its surface may be from the object, as 0.5mm (default: about a hundredth of the object's size)");
   addFormat(*sweep, options.format);
   return sweep;
 }

@@ -186,7 +186,9 @@ Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string&
 
 double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path) {
   if (body.empty() || path.empty()) return 0.0;
-  return std::max(boundingBox(body).diagonal().norm() / 200.0, leastBound(boxOfMotion(body, path), kUsualPoints));
+  const Box3 box = boundingBox(body);
+  return std::max({box.diagonal().norm() / 200.0, leastBound(boxOfMotion(body, path), kUsualPoints),
+                   leastBound(box, 2.0 * kUsualPoints) / kBodySpacing});
 }
 
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,

@@ -16,7 +16,7 @@ struct SweptVolume {
 };
 
 /// A bound that is fine enough to look at and quick to reach: a two-hundredth of the diagonal of the body's box, or
-/// more where the motion is so long that this would take too much memory. Metres.
+/// more where the motion is so long, or the body so bulky, that this would take too much memory. Metres.
 double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path);
 
 /// The swept volume of a body along straight motions between consecutive poses X_WB. Conservative: it contains the
