@@ -32,6 +32,8 @@ constexpr double kReach = kLevel + 2.0 * kWorldError + kBodyError;
 
 constexpr double kMostPoints = 1e9;
 constexpr double kUsualPoints = 3e7;
+/// Metres: a body without size has no lattice of its own.
+constexpr double kLeastSpacing = 1e-9;
 constexpr std::size_t kMostThreads = 8;
 
 /// Poses of the motion so near to each other that no point of the body moves farther than `step` from one of them.
@@ -70,7 +72,7 @@ double pointsIn(const Box3& box, double spacing) {
 /// The least bound of a motion that needs no more than so many points.
 double leastBound(const Box3& box, double points) {
   double spacing = std::cbrt(std::max(box.volume(), 1e-300) / points);
-  spacing = std::max(spacing, box.diagonal().norm() / 1e5);
+  spacing = std::max({spacing, box.diagonal().norm() / 1e5, kLeastSpacing});
   while (pointsIn(box, spacing) > points) spacing *= 1.05;
   return kBound * spacing;
 }
