@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/geometry/vertex_welder.h"
 
@@ -52,17 +53,28 @@ void append(TriangleMesh& target, const TriangleMesh& addition) {
 }
 
 TriangleMesh welded(const TriangleMesh& mesh) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  // Each vertex is looked up once, however many triangles have it.
+  VertexWelder welder(mesh.vertices.size());
+  std::vector<std::uint32_t> positionOf;
+  positionOf.reserve(mesh.vertices.size());
+  for (const Vector3& vertex : mesh.vertices) positionOf.push_back(welder.indexOf(vertex));
+  std::vector<std::uint32_t> numberOf(welder.vertices().size(), kNone);
   TriangleMesh result;
-  VertexWelder welder;
   result.triangles.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const std::uint32_t first = welder.indexOf(mesh.vertices[a]);  // one after the other: their order counts
-    const std::uint32_t second = welder.indexOf(mesh.vertices[b]);
-    const std::uint32_t third = welder.indexOf(mesh.vertices[c]);
-    const bool degenerate = first == second || second == third || third == first;
-    if (!degenerate) result.triangles.push_back({first, second, third});
+  for (const TriangleIndices& triangle : mesh.triangles) {
+    TriangleIndices joined;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& number = numberOf[positionOf[triangle[i]]];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(result.vertices.size());
+        result.vertices.push_back(mesh.vertices[triangle[i]]);
+      }
+      joined[i] = number;
+    }
+    const bool degenerate = joined[0] == joined[1] || joined[1] == joined[2] || joined[2] == joined[0];
+    if (!degenerate) result.triangles.push_back(joined);
   }
-  result.vertices = std::move(welder).takeVertices();
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -14,7 +15,11 @@ namespace glissade {
 /// their coordinates are; -0 equals 0. Coordinates are not NaN.
 class VertexWelder {
  public:
-  VertexWelder() : slots_(kFewest, kFree) {}
+  /// `expected`: positions, at most; more are taken, too.
+  explicit VertexWelder(std::size_t expected = 0)
+      : slots_(std::bit_ceil(std::max(kFewest, 2 * (expected + 1))), kFree) {
+    vertices_.reserve(expected);
+  }
 
   std::uint32_t indexOf(const Vector3& position) {
     if (2 * (vertices_.size() + 1) > slots_.size()) grow();
