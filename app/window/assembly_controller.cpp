@@ -27,6 +27,7 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   column->addWidget(search);
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
+  placement_->addPickAction(bench.actions["assembly.pick-frame"]);
   for (const char* id : {"assembly.moves", "assembly.remove", "body.hide", "body.isolate", "body.show-all"}) {
     scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
@@ -55,6 +56,11 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   connectActions();
   enableActions();
   addAssemblyCommands(bench, parts);
+  bench.scripts.add("expect-placed-by", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    const std::string about = placement_->chosenPoint().toStdString();
+    if (about.find(words[0]) != std::string::npos) return Done{};
+    return unmetExpectation("the placement is about '" + about + "', not '" + words[0] + "'");
+  });
 }
 
 void AssemblyController::connectActions() {
@@ -86,6 +92,7 @@ void AssemblyController::connectActions() {
 
 void AssemblyController::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  if (what & Change::Scenario) picked_.clear();
   scenePanel_->setScenario(*document_.scenario());
   if (chosen_ && !poseOf(document_.scenario()->scenario, *chosen_)) chosen_.reset();
   takeSelection();
@@ -213,9 +220,25 @@ void AssemblyController::showPlacement() {
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Goal) name = tr("the goal");
   if (chosen_ && chosen_->kind == AssemblyItem::Kind::Body) name = QString::fromStdString(chosen_->bodyId);
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;
-  const PlacementPoints points = pose ? placementPoints(*document_.scenario(), *chosen_) : PlacementPoints();
+  PlacementPoints points = pose ? placementPoints(*document_.scenario(), *chosen_) : PlacementPoints();
+  const auto picked = chosen_ ? picked_.find(chosen_->bodyId) : picked_.end();
+  if (picked != picked_.end()) points.picked = picked->second;
   placement_->show(name, pose, points);
   placement_->setEnabled(editable_);
+}
+
+void AssemblyController::placeByFrame(const RigidBody& body, const Pose& X_MF) {
+  if (body.id == document_.scenario()->object.id) {
+    picked_[""] = X_MF;
+    if (!chosen_ || chosen_->kind == AssemblyItem::Kind::Body) choose(AssemblyItem{AssemblyItem::Kind::Start, {}});
+  } else {
+    const AssemblyItem item{AssemblyItem::Kind::Body, bodyIdOf(body.id)};
+    const auto X_WB = poseOf(document_.scenario()->scenario, item);
+    if (!X_WB) return;
+    picked_[item.bodyId] = inverse(*X_WB) * body.X_WB * X_MF;
+    choose(item);
+  }
+  showPlacement();
 }
 
 void AssemblyController::enableActions() {

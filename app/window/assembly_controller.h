@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 
 #include "app/window/arrange_tool.h"
@@ -21,6 +22,8 @@ class AssemblyController final : public QObject {
   ScenePanel* scenePanel() const { return scenePanel_; }
   /// The scene panel with the placement of what is selected in it.
   QWidget* panel() const { return panel_; }
+  /// The body, or where it is the object an end of its motion, is placed by this frame of its mesh.
+  void placeByFrame(const RigidBody& body, const Pose& X_MF);
 
  private:
   void connectActions();
@@ -48,6 +51,7 @@ class AssemblyController final : public QObject {
   std::optional<AssemblyItem> chosen_;  ///< what the placement panel shows
   std::optional<AssemblyItem> placed_;  ///< what it showed last
   bool editable_ = false;
+  std::map<std::string, Pose> picked_;  ///< X_BF by body; "" of the object
 };
 
 }  // namespace glissade

@@ -89,7 +89,8 @@ void MainWindow::addParts() {
   addDeviceCommands(bench_, *devices);
   auto* run = new RunController(bench_);
   new RefusalController(bench_);
-  new MeasureController(bench_);
+  auto* measure = new MeasureController(bench_);
+  connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);

@@ -26,10 +26,11 @@ constexpr double kStillPixels = 4.0;
 constexpr double kSnapPixels = 9.0;
 constexpr int kHintMargin = 10;
 
-constexpr std::array<std::pair<const char*, Kind>, 4> kKinds{{{"measure.distance", Kind::Distance},
+constexpr std::array<std::pair<const char*, Kind>, 5> kKinds{{{"measure.distance", Kind::Distance},
                                                               {"measure.angle", Kind::Angle},
                                                               {"measure.radius", Kind::Radius},
-                                                              {"measure.clearance", Kind::Clearance}}};
+                                                              {"measure.clearance", Kind::Clearance},
+                                                              {"assembly.pick-frame", Kind::Frame}}};
 
 QString degreesText(double radians) {
   return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
@@ -176,6 +177,10 @@ void MeasureController::click(const QPointF& position) {
 
 void MeasureController::takeFeature(const Picked& picked) {
   const auto known = prepared_.find(picked.body.mesh);
+  if (known != prepared_.end() && kind_ == Kind::Frame) {
+    takeFrame(picked, *known->second);
+    return;
+  }
   if (known != prepared_.end()) {
     const Vector3 p_B = inverse(picked.body.X_WB) * picked.p_W;
     const double snap = kind_ == Kind::Radius ? 0.0 : picked.snap;
@@ -192,6 +197,16 @@ void MeasureController::takeFeature(const Picked& picked) {
   hint_->setText(tr("Finding edges and faces of the body…"));
   placeHint();
   preparation_.start("finding edges and faces", prepare, bench_.work.isAtOnce());
+}
+
+void MeasureController::takeFrame(const Picked& picked, const MeasurableMesh& mesh) {
+  const auto frame = mesh.frameAt(picked.hit.triangle);
+  if (!frame) {
+    show(tr("This is neither a plane nor a cylinder."), {});
+    return;
+  }
+  setKind(Kind::None);
+  emit framePicked(picked.body, *frame);
 }
 
 void MeasureController::addFeature(const MeasureFeature& feature) {
@@ -293,6 +308,7 @@ void MeasureController::showHint() {
     switch (kind_) {
       case Kind::None: break;
       case Kind::Radius: text = tr("Click a cylindrical face. Esc ends measuring."); break;
+      case Kind::Frame: text = tr("Click a plane or a cylinder of what is placed. Esc ends this."); break;
       case Kind::Clearance:
         text = first ? tr("Click the first body. Esc ends measuring.") : tr("Click the second body.");
         break;

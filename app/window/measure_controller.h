@@ -14,14 +14,19 @@
 namespace glissade {
 
 /// Measures what is clicked in the scene: distances and angles between vertices, edges and faces, radii, clearances of
-/// bodies. The result stays in the scene until the next one. Esc, or the action again, ends measuring.
+/// bodies. The result stays in the scene until the next one. Esc, or the action again, ends measuring. Also picks the
+/// plane or the cylinder that a body is placed by.
 class MeasureController final : public QObject {
   Q_OBJECT
 
  public:
-  enum class Kind { None, Distance, Angle, Radius, Clearance };
+  enum class Kind { None, Distance, Angle, Radius, Clearance, Frame };
 
   explicit MeasureController(const Workbench& bench);
+
+ signals:
+  /// A frame of a body, in the frame of its mesh (MeasurableMesh::frameAt()).
+  void framePicked(const glissade::RigidBody& body, const glissade::Pose& X_BF);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -41,6 +46,7 @@ class MeasureController final : public QObject {
   void click(const QPointF& position);
   /// Finds planes, cylinders and edges of the body first, in the background, where they are not known yet.
   void takeFeature(const Picked& picked);
+  void takeFrame(const Picked& picked, const MeasurableMesh& mesh);
   void addFeature(const MeasureFeature& feature);
   void addBody(const RigidBody& body);
   void measureFeatures();

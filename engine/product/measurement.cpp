@@ -152,6 +152,38 @@ MeasureFeature MeasurableMesh::featureAt(std::size_t triangle, const Vector3& p,
   return feature;
 }
 
+namespace {
+
+Pose frameAlong(const Vector3& origin, const Vector3& z) {
+  constexpr double kNear = 0.9;
+  const Vector3 near = std::abs(z.x()) < kNear ? Vector3::UnitX() : Vector3::UnitY();
+  const Vector3 x = (near - near.dot(z) * z).normalized();
+  Eigen::Matrix3d axes;
+  axes << x, z.cross(x), z;
+  return {origin, Quaternion(axes).normalized()};
+}
+
+}  // namespace
+
+std::optional<Pose> MeasurableMesh::frameAt(std::size_t triangle) const {
+  const SurfaceRegions::Label& label = regions_.labels[triangle];
+  if (label.kind == SurfaceRegions::Kind::Free) return std::nullopt;
+  if (label.kind == SurfaceRegions::Kind::Cylinder) {
+    const CylinderRegion& cylinder = regions_.cylinders[label.index];
+    Eigen::Index largest = 0;
+    cylinder.direction.cwiseAbs().maxCoeff(&largest);
+    const Vector3 axis = cylinder.direction[largest] < 0.0 ? Vector3(-cylinder.direction) : cylinder.direction;
+    return frameAlong(cylinder.point + 0.5 * (cylinder.low + cylinder.high) * cylinder.direction, axis);
+  }
+  const Pose plane = frameAlong(Vector3::Zero(), regions_.planes[label.index].normal);
+  Box3 box;
+  for (std::size_t i = 0; i < mesh_->triangles.size(); ++i) {
+    if (regions_.labels[i].kind != label.kind || regions_.labels[i].index != label.index) continue;
+    for (const std::uint32_t corner : mesh_->triangles[i]) box.extend(inverse(plane) * mesh_->vertices[corner]);
+  }
+  return Pose{plane * Vector3(box.center()), plane.orientation};
+}
+
 MeasuredDistance distanceBetween(const MeasureFeature& a, const MeasureFeature& b) {
   if (isPlane(a) && isPlane(b)) {
     const bool parallel = a.direction.cross(b.direction).norm() < kParallelSine;

@@ -35,6 +35,11 @@ class MeasurableMesh {
   /// else the surface. In the mesh's frame.
   MeasureFeature featureAt(std::size_t triangle, const Vector3& p, double snap) const;
 
+  /// A frame for placing the body by the plane or the cylinder that the triangle is of, in the mesh's frame. Origin:
+  /// the middle of the face, or of the part of the axis beside it. z: the outward normal, or the axis, towards its
+  /// largest coordinate. x: as near as can be to x, or to y where z is near x. Nothing on free surfaces.
+  std::optional<Pose> frameAt(std::size_t triangle) const;
+
  private:
   bool isFeatureEdge(std::uint32_t a, std::uint32_t b) const;
 

@@ -856,6 +856,14 @@
         <translation>Tirer les corps, le départ et le but dans la vue ; Ctrl+tirer les tourne</translation>
     </message>
     <message>
+        <source>Place by a face or a&amp;xis</source>
+        <translation>Placer par une face ou un a&amp;xe</translation>
+    </message>
+    <message>
+        <source>Click a plane or a cylinder: the numbers of the placement are those of its frame</source>
+        <translation>Cliquer un plan ou un cylindre : les nombres du placement sont ceux de son repère</translation>
+    </message>
+    <message>
         <source>&amp;Start here</source>
         <translation>&amp;Départ ici</translation>
     </message>
@@ -3656,6 +3664,14 @@
         <translation>Cliquer une face cylindrique. Échap termine la mesure.</translation>
     </message>
     <message>
+        <source>This is neither a plane nor a cylinder.</source>
+        <translation>Ce n&apos;est ni un plan ni un cylindre.</translation>
+    </message>
+    <message>
+        <source>Click a plane or a cylinder of what is placed. Esc ends this.</source>
+        <translation>Cliquer un plan ou un cylindre de ce qui est placé. Échap y met fin.</translation>
+    </message>
+    <message>
         <source>Click the first body. Esc ends measuring.</source>
         <translation>Cliquer le premier corps. Échap termine la mesure.</translation>
     </message>
@@ -4132,6 +4148,14 @@
     <message>
         <source>What the poses of path files are about</source>
         <translation>Ce à quoi les poses des fichiers de chemin se rapportent</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Choisir</translation>
+    </message>
+    <message>
+        <source>Picked face or axis</source>
+        <translation>Face ou axe choisi</translation>
     </message>
 </context>
 <context>

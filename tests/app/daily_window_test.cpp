@@ -95,6 +95,13 @@ TEST_F(DailyWindow, MeasuresWhatIsClicked) {
                                                          "expect-measure cylindrical\n")));
 }
 
+TEST_F(DailyWindow, ABodyIsPlacedByAFaceThatIsClicked) {
+  expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
+                                                         "action view.orthographic\naction view.front\n"
+                                                         "expect-placed-by file\naction assembly.pick-frame\n"
+                                                         "click 280 314\nexpect-placed-by Picked\n")));
+}
+
 TEST_F(DailyWindow, TheLogTellsRunsAndRefusals) {
   expectGood(run(scenarioWithCubeAt(0.103), QStringLiteral("action run.start\nexpect-log penetrates\n"
                                                            "action panel.log\naction log.copy\n")));

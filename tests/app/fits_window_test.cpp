@@ -41,6 +41,14 @@ TEST_F(FitsWindow, WhatAPersonSaysIsUndoneAndKeptByTheFile) {
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 }
 
+/// The table, and the two bodies of the chosen row as the view marks them.
+TEST_F(FitsWindow, TheFitsOfAProductLookAsTheyDid) {
+  const QString picture = folder.filePath(QStringLiteral("fits.png"));
+  const RunResult outcome = runWith("bolt", QStringLiteral("select-fit screw plate\nscreenshot %1\n").arg(picture));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  expectLike(picture, QStringLiteral("fits"));
+}
+
 TEST_F(FitsWindow, APairThatIsNotThereIsAnError) {
   EXPECT_EQ(runWith("screw", QStringLiteral("select-fit screw moon\n")).exitCode, 3);
 }

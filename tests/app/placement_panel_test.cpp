@@ -64,5 +64,29 @@ TEST_F(PlacementPanelTest, NumbersAreAboutThePointThatIsChosen) {
   EXPECT_TRUE(about.isHidden());
 }
 
+/// A part is put where its axis or its face is to lie.
+TEST_F(PlacementPanelTest, APickedFrameIsPlacedByPositionAndTurn) {
+  const Pose before{Vector3(0.1, 0.2, 0.3), fromRollPitchYaw(0.2, -0.3, 0.4)};
+  PlacementPoints points;
+  panel.show(QStringLiteral("part"), before, points);
+  auto& about = *panel.findChild<QComboBox*>(QStringLiteral("place-about"));
+  EXPECT_LT(about.findText(QStringLiteral("Picked face or axis")), 0);
+  points.picked = Pose{Vector3(0.01, 0.02, -0.03), fromRollPitchYaw(0.5, 0.1, -0.2)};
+  panel.show(QStringLiteral("part"), before, points);
+  EXPECT_EQ(panel.chosenPoint(), QStringLiteral("Picked face or axis"));
+  EXPECT_NEAR(box("place-x").value(), 1e3 * (before * points.picked->position).x(), 0.006);
+  EXPECT_TRUE(placed.isEmpty()) << "nothing has moved";
+  for (const char* name : {"turn-x", "turn-y", "turn-z", "place-x", "place-y", "place-z"}) {
+    box(name).setValue(box(name).value() + 1.0);
+    box(name).setValue(0.0);
+    panel.show(QStringLiteral("part"), placed.back(), points);
+  }
+  const Pose X_WF = placed.back() * *points.picked;
+  EXPECT_LT(X_WF.position.norm(), 1e-9);
+  EXPECT_LT(angleBetween(X_WF.orientation, Quaternion::Identity()), 1e-7);
+  panel.show(QStringLiteral("other"), before);
+  EXPECT_EQ(panel.chosenPoint(), QStringLiteral("Origin of the file"));
+}
+
 }  // namespace
 }  // namespace glissade

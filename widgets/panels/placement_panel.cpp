@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMillimetres = 1000.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-enum About { kFile, kMiddle, kReference };
+enum About { kFile, kMiddle, kReference, kPicked };
 /// A kilometre: whatever is assembled is smaller.
 constexpr double kFarthest = 1e6;
 
@@ -35,7 +35,7 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
     connect(turn_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, axis] { takeTurn(axis); });
   }
   about_ = makePoints();
-  grid->addWidget(about_, 3, 0, 1, 6);
+  grid->addWidget(about_, 3, 0, 1, 4);
   show(QString(), std::nullopt);
 }
 
@@ -52,11 +52,36 @@ QComboBox* PlacementPanel::makePoints() {
   return about;
 }
 
-Vector3 PlacementPanel::point() const {
+void PlacementPanel::addPickAction(QAction* action) {
+  action->setIconText(tr("Pick"));  // the menu shows the whole text
+  pick_ = new QToolButton(this);
+  pick_->setObjectName(QStringLiteral("place-pick"));
+  pick_->setDefaultAction(action);
+  pick_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  pick_->setVisible(!about_->isHidden());
+  static_cast<QGridLayout*>(layout())->addWidget(pick_, 3, 4, 1, 2);
+}
+
+/// The last of the choices, where there is one.
+void PlacementPanel::offerPicked() {
+  const QSignalBlocker block(about_);
+  const int at = about_->findData(kPicked);
+  if (!points_.picked) {
+    const bool wasChosen = at >= 0 && about_->currentIndex() == at;
+    if (at >= 0) about_->removeItem(at);
+    if (wasChosen) about_->setCurrentIndex(about_->findData(kFile));
+  } else if (at < 0) {
+    about_->addItem(tr("Picked face or axis"), kPicked);
+  }
+}
+
+/// X_BF of what the numbers are of.
+Pose PlacementPanel::frame() const {
   switch (about_->currentData().toInt()) {
-    case kFile: return points_.fileOrigin;
-    case kMiddle: return points_.middle;
-    default: return Vector3::Zero();
+    case kFile: return Pose::translation(points_.fileOrigin);
+    case kMiddle: return Pose::translation(points_.middle);
+    case kPicked: return points_.picked.value_or(Pose::identity());
+    default: return Pose::identity();
   }
 }
 
@@ -78,13 +103,19 @@ QDoubleSpinBox* PlacementPanel::addBox(int row, int axis, const QString& label, 
 }
 
 void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, const PlacementPoints& points) {
+  const bool isNew = points.picked && points.picked != points_.picked;
   points_ = points;
   X_WB_ = X_WB.value_or(Pose::identity());
-  rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation);
+  offerPicked();
+  if (isNew) {
+    const QSignalBlocker block(about_);
+    about_->setCurrentIndex(about_->findData(kPicked));
+  }
   name_->setText(!X_WB            ? tr("Placement: select one body, start or goal")
                  : name.isEmpty() ? tr("Placement, mm and °")
                                   : tr("Placement of %1, mm and °").arg(name));
   about_->setVisible(X_WB.has_value());
+  if (pick_ != nullptr) pick_->setVisible(X_WB.has_value());
   for (int axis = 0; axis < 3; ++axis) {
     position_[axis]->setEnabled(X_WB.has_value());
     turn_[axis]->setEnabled(X_WB.has_value());
@@ -93,7 +124,8 @@ void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, 
 }
 
 void PlacementPanel::showNumbers() {
-  const Vector3 at = X_WB_ * point();
+  const Vector3 at = X_WB_ * frame().position;
+  rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation * frame().orientation);
   for (int axis = 0; axis < 3; ++axis) {
     const QSignalBlocker blockPosition(position_[axis]);
     const QSignalBlocker blockTurn(turn_[axis]);
@@ -103,16 +135,18 @@ void PlacementPanel::showNumbers() {
 }
 
 void PlacementPanel::takePosition(int axis) {
-  const double turned = (X_WB_.orientation * point())[axis];
+  const double turned = (X_WB_.orientation * frame().position)[axis];
   X_WB_.position[axis] = position_[axis]->value() / kMillimetres - turned;
   emit placed(X_WB_);
 }
 
 void PlacementPanel::takeTurn(int axis) {
   rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
-  const Vector3 stays = X_WB_ * point();
-  X_WB_.orientation = fromRollPitchYaw(rollPitchYaw_.x(), rollPitchYaw_.y(), rollPitchYaw_.z());
-  if (!point().isZero(0.0)) X_WB_.position = stays - X_WB_.orientation * point();
+  const Pose own = frame();
+  const Vector3 stays = X_WB_ * own.position;
+  const Quaternion turned = fromRollPitchYaw(rollPitchYaw_.x(), rollPitchYaw_.y(), rollPitchYaw_.z());
+  X_WB_.orientation = turned * own.orientation.conjugate();
+  if (!own.position.isZero(0.0)) X_WB_.position = stays - X_WB_.orientation * own.position;
   emit placed(X_WB_);
 }
 

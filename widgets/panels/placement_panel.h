@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QToolButton>
 #include <QWidget>
 #include <optional>
 
@@ -14,14 +15,22 @@ namespace glissade {
 /// Where one thing is, as numbers that can be changed: millimetres along the world's axes, and degrees
 /// about them (URDF's roll, pitch and yaw). They are about a point that people choose: the origin of the file's
 /// coordinates, the middle, or the reference point, which poses of path files are about. It stays where it is when the
-/// angles change. A coordinate that nobody touches stays as exact as it is.
+/// angles change. Where a face or an axis was picked, the numbers may be those of its frame. A coordinate that nobody
+/// touches stays as exact as it is.
 class PlacementPanel final : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlacementPanel(QWidget* parent = nullptr);
 
-  /// What is placed, and where it is; without a pose there is nothing to change. Announces nothing.
+  /// Beside the choice of the point.
+  void addPickAction(QAction* action);
+
+  /// What the numbers are about, as people read it.
+  QString chosenPoint() const { return about_->currentText(); }
+
+  /// What is placed, and where it is; without a pose there is nothing to change. A frame
+  /// that was not there before is chosen. Announces nothing.
   void show(const QString& name, const std::optional<Pose>& X_WB, const PlacementPoints& points = {});
 
  signals:
@@ -30,13 +39,15 @@ class PlacementPanel final : public QWidget {
  private:
   QDoubleSpinBox* addBox(int row, int axis, const QString& label, const QString& tip);
   QComboBox* makePoints();
-  Vector3 point() const;
+  void offerPicked();
+  Pose frame() const;
   void showNumbers();
   void takePosition(int axis);
   void takeTurn(int axis);
 
   QLabel* name_;
   QComboBox* about_ = nullptr;
+  QToolButton* pick_ = nullptr;
   QDoubleSpinBox* position_[3] = {};
   QDoubleSpinBox* turn_[3] = {};
   Pose X_WB_;

@@ -74,6 +74,26 @@ TEST(Measurement, DistancesDoNotDependOnTheFrame) {
   }
 }
 
+TEST(Measurement, AFaceAndAnAxisHaveAFrameToPlaceBy) {
+  const auto frameNear = [](const MeshPtr& mesh, const Vector3& p) {
+    return MeasurableMesh(mesh).frameAt(TriangleTree(*mesh).nearest(p, 10.0).triangle);
+  };
+  const auto face = frameNear(boxMesh({0.2, 0.4, 0.6}), {0.03, -0.2, 0.11});
+  ASSERT_TRUE(face);
+  EXPECT_TRUE(face->position.isApprox(Vector3(0.0, -0.2, 0.0), 1e-12)) << "the middle of the face";
+  EXPECT_TRUE((face->orientation * Vector3::UnitZ()).isApprox(-Vector3::UnitY(), 1e-12));
+  EXPECT_TRUE((face->orientation * Vector3::UnitX()).isApprox(Vector3::UnitX(), 1e-12));
+  const Pose place{Vector3(0.1, 0.2, 0.3), Quaternion(Eigen::AngleAxisd(2.0, Vector3(1.0, 2.0, 3.0).normalized()))};
+  const auto ring = std::make_shared<const TriangleMesh>(transformed(test::makeRing(0.005, 0.01, 0.02, 30), place));
+  const auto axis = frameNear(ring, place * Vector3(0.01, 0.0, 0.004));
+  ASSERT_TRUE(axis);
+  EXPECT_TRUE(axis->position.isApprox(place.position, 1e-7)) << "the middle of the hole's or the shaft's axis";
+  const Vector3 direction = axis->orientation * Vector3::UnitZ();
+  EXPECT_LT(direction.cross(place.orientation * Vector3::UnitZ()).norm(), 1e-6);
+  EXPECT_GT(direction.maxCoeff(), -direction.minCoeff()) << "towards its largest coordinate";
+  EXPECT_FALSE(frameNear(std::make_shared<const TriangleMesh>(makeSphere(0.1)), {0.1, 0.0, 0.0}));
+}
+
 TEST(Measurement, AnglesAreBetweenEdgesAxesAndPlanes) {
   const auto along = [](Kind kind, const Vector3& direction) {
     return MeasureFeature{kind, Vector3::Zero(), Vector3::Zero(), direction, direction.normalized(), Vector3::Zero(),
