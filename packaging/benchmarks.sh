@@ -2,20 +2,22 @@
 # Measures Glissade beside its peers, all in one run on this machine, and writes one page of results:
 # OUT/benchmarks.html. Leave the machine alone meanwhile. Takes hours; --quick, some minutes. What OUT holds
 # of a study already is gone on with.
-# usage: packaging/benchmarks.sh OUT [--quick] [--jobs N]
+# With --products, the STEP files and scenarios of a folder are taken apart as others do it, too: OUT/six_axes.md.
+# usage: packaging/benchmarks.sh OUT [--quick] [--jobs N] [--products FOLDER]
 set -euo pipefail
 caller=$PWD
 cd "$(dirname "$0")/.."
 
 usage() {
-  echo "usage: packaging/benchmarks.sh OUT [--quick] [--jobs N]" >&2
+  echo "usage: packaging/benchmarks.sh OUT [--quick] [--jobs N] [--products FOLDER]" >&2
   exit 2
 }
-out='' quick='' jobs=1
+out='' quick='' jobs=1 products=''
 while [ $# -gt 0 ]; do
   case "$1" in
     --quick) quick=--quick ;;
     --jobs) [ $# -ge 2 ] || usage; jobs=$2; shift ;;
+    --products) [ $# -ge 2 ] || usage; products=$(cd "$caller" && realpath -- "$2"); shift ;;
     -*) usage ;;
     *) [ -z "$out" ] || usage; out=$1 ;;
   esac
@@ -29,7 +31,7 @@ studies=(automatic public-problems)
 
 packaging/setup.sh build run bench
 # shellcheck disable=SC2086
-packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" -- -DGLISSADE_BENCHMARKS=ON
+packaging/build.sh release glissade-cli glissade-import "${programs[@]/%/_benchmark}" six_axes_comparison -- -DGLISSADE_BENCHMARKS=ON
 
 mkdir -p "$out"
 : >"$out/commands.txt"
@@ -53,6 +55,12 @@ for program in "${programs[@]}"; do
   fi
   measure "${program}_benchmark" "${options[@]}"
 done
+
+if [ -n "$products" ]; then
+  mapfile -t files < <(find "$products" -maxdepth 1 \( -name '*.st*p' -o -name '*.json' \) | sort)
+  echo "six_axes_comparison FOLDER/* >OUT/six_axes.md" | tee -a "$out/commands.txt"
+  build/release/bin/six_axes_comparison "${files[@]}" >"$out/six_axes.md"
+fi
 
 for study in "${studies[@]}"; do
   if [ "$study" = public-problems ] && [ ! -d ../shared/problems/omplapp ]; then

@@ -136,6 +136,12 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
                       "has a strategy, a seed, staying bodies and a deflection of its own",
                       "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
   }
+  const bool demands =
+      !options.together.empty() || !options.before.empty() || !options.gravity.empty() || !options.cost.empty();
+  if (demands && plan->demands != SequenceDemands()) {
+    return Diagnostic{ErrorKind::Usage, options.resume, "", "has demands of its own",
+                      "Leave out --together, --before, --gravity and --cost, or plan anew."};
+  }
   return plan;
 }
 
@@ -240,7 +246,8 @@ int runSequence(const SequenceOptions& options) {
       return reportError(same.error(), options.format);
     }
   }
-  const auto demands = demandsOf(options, earlier ? earlier->demands : loaded->demands);
+  const bool hasDemands = earlier && earlier->demands != SequenceDemands();
+  const auto demands = demandsOf(options, hasDemands ? earlier->demands : loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
   const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
   if (!staying) return reportError(staying.error(), options.format);

@@ -95,7 +95,8 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& b
     if (!sound) return sound;
   }
   for (const auto& [id, attributes] : edits.bodies) {
-    if (std::find(bodyIds.begin(), bodyIds.end(), id) == bodyIds.end()) {
+    // A part "stand/bar" of a body has attributes of its own.
+    if (std::find(bodyIds.begin(), bodyIds.end(), bodyIdOf(id)) == bodyIds.end()) {
       return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is no body of this scenario",
                         "Correct the id."};
     }

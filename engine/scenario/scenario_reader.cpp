@@ -173,9 +173,9 @@ Scenario readScenario(const JsonCursor& root) {
   }
   if (const auto planner = root.find("planner")) scenario.planner = planner->nonEmptyText();
   scenario.parameters = readParameters(root.find("parameters"));
+  if (const auto sequence = root.find("sequence")) scenario.sequence = readSequence(*sequence);
   readSemantics(root, scenario);
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
-  if (const auto sequence = root.find("sequence")) scenario.sequence = readSequence(*sequence);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   if (const auto paths = root.find("paths")) scenario.paths = readKeptPaths(*paths);
   return scenario;

@@ -134,6 +134,12 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
         why.location = "/bodies/" + std::to_string(i) + "/attributes/" + why.location.substr(byId.size());
       }
     }
+    for (const auto& [id, attributes] : scenario.sequence.attributes) {
+      const std::string byPart = "/bodies/" + id + "/attributes/";
+      if (why.location.rfind(byPart, 0) != 0) continue;
+      why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + id.substr(bodyIdOf(id).size() + 1) + "/" +
+                     why.location.substr(byPart.size());
+    }
     const std::string byObject = "/bodies/" + scenario.object.id + "/attributes/";
     if (why.location.rfind(byObject, 0) == 0)
       why.location = "/object/attributes/" + why.location.substr(byObject.size());
@@ -229,6 +235,9 @@ Json toJson(const StrategyRules& rules) {
   return {{"node", rules.node}, {"edge", rules.edge}, {"fine", fine}, {"loop", rules.loop}, {"fitted", rules.fitted}};
 }
 
+/// The id is that of a part of a body. What is known of parts is kept in the section about the sequence.
+bool isPart(const std::string& id) { return bodyIdOf(id) != id; }
+
 template <class Range>
 void addList(const char* key, const Range& range, Json& json) {
   if (range.empty()) return;
@@ -261,6 +270,9 @@ SemanticEdits semanticEditsOf(const Scenario& scenario) {
     if (!body.attributes.empty()) edits.bodies[body.id] = body.attributes;
   }
   if (!scenario.object.attributes.empty()) edits.bodies[scenario.object.id] = scenario.object.attributes;
+  for (const auto& [id, attributes] : scenario.sequence.attributes) {
+    if (isPart(id)) edits.bodies[id] = attributes;
+  }
   return edits;
 }
 
@@ -274,6 +286,11 @@ void setSemanticEdits(const SemanticEdits& edits, Scenario& scenario) {
   };
   for (BodyDescription& body : scenario.bodies) body.attributes = attributesOf(body.id);
   scenario.object.attributes = attributesOf(scenario.object.id);
+  auto& ofParts = scenario.sequence.attributes;
+  std::erase_if(ofParts, [](const auto& each) { return isPart(each.first); });
+  for (const auto& [id, attributes] : edits.bodies) {
+    if (isPart(id) && !attributes.empty()) ofParts[id] = attributes;
+  }
 }
 
 }  // namespace glissade

@@ -95,7 +95,9 @@ class GreedySearch {
 
   /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
   bool wave() {
-    if (askAll(openUnits(0, true), 0) || leave()) return true;
+    if (askAll(openUnits(0, true), 0)) return true;
+    if (stopped()) return false;  // what was not asked to the end might have left
+    if (leave()) return true;
     const int efforts = question_.trial.efforts();
     for (int effort = 0; effort < efforts && !stopped(); ++effort) {
       if (effort == kShortEffort + 1 && groupsLeave(kFewBodies)) return true;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -21,6 +22,56 @@ std::map<std::string, std::string> idsInProduct(const AssembledProduct& product,
   return ids;
 }
 
+/// Gives bodies the ids of the product. Names that are no ids stay: demands may name bodies by the ends of their ids.
+class Renaming {
+ public:
+  explicit Renaming(const std::map<std::string, std::string>& ids) : ids_(ids) {}
+
+  void one(std::string& id) const {
+    const auto known = ids_.find(id);
+    if (known != ids_.end()) id = known->second;
+  }
+  void all(std::vector<std::string>& list) const {
+    for (std::string& id : list) one(id);
+  }
+  void step(AssemblyStep& step) const {
+    one(step.body);
+    all(step.with);
+    all(step.falling);
+    all(step.tool.blockedBy);
+    one(step.proof.nearest);
+    for (StepAllowance& allowance : step.allowances) {
+      one(allowance.body);
+      one(allowance.moving);
+    }
+  }
+  void demands(SequenceDemands& demands) const {
+    for (auto& group : demands.together) all(group);
+    for (auto& [first, then] : demands.before) {
+      one(first);
+      one(then);
+    }
+    all(demands.stay);
+    all(demands.fragile);
+    for (auto* weights : {&demands.densities, &demands.masses}) {
+      for (auto& each : *weights) one(each.first);
+    }
+    for (auto* texts : {&demands.tools, &demands.fasteners}) {
+      for (auto& each : *texts) one(each.first);
+    }
+    std::map<std::string, Attributes> attributes;
+    for (auto& [id, own] : demands.attributes) {
+      std::string name = id;
+      one(name);
+      attributes[name] = own;
+    }
+    demands.attributes = std::move(attributes);
+  }
+
+ private:
+  const std::map<std::string, std::string>& ids_;
+};
+
 }  // namespace
 
 std::vector<std::size_t> bodiesOf(const AssemblyStep& step, const AssembledProduct& product) {
@@ -33,33 +84,22 @@ std::optional<AssemblyPlan> planAbout(const AssembledProduct& product, const Ass
   if (plan.bodies.size() != product.bodies.size()) return std::nullopt;
   const auto ids = idsInProduct(product, plan);
   if (ids.size() != plan.bodies.size()) return std::nullopt;
-  const auto rename = [&ids](std::string& id) {
-    if (!id.empty()) id = ids.at(id);
-  };
-  const auto renameAll = [&rename](std::vector<std::string>& list) {
-    for (std::string& id : list) rename(id);
-  };
+  const Renaming rename(ids);
   AssemblyPlan renamed = plan;
   for (std::size_t i = 0; i < renamed.bodies.size(); ++i) renamed.bodies[i] = product.bodies[i].id;
-  renameAll(renamed.staying);
-  for (AssemblyStep& step : renamed.steps) {
-    rename(step.body);
-    renameAll(step.with);
-    rename(step.proof.nearest);
-    for (StepAllowance& allowance : step.allowances) {
-      rename(allowance.body);
-      rename(allowance.moving);
-    }
-  }
+  rename.all(renamed.staying);
+  for (AssemblyStep& step : renamed.steps) rename.step(step);
+  for (AssemblyStep& step : renamed.waiting) rename.step(step);
   for (RefusedRemoval& refused : renamed.refusals) {
-    rename(refused.body);
-    renameAll(refused.with);
-    renameAll(refused.blockedBy);
+    rename.one(refused.body);
+    rename.all(refused.with);
+    rename.all(refused.blockedBy);
   }
   for (StuckBody& stuck : renamed.stuck) {
-    rename(stuck.body);
-    renameAll(stuck.blockedBy);
+    rename.one(stuck.body);
+    rename.all(stuck.blockedBy);
   }
+  rename.demands(renamed.demands);
   return renamed;
 }
 

@@ -669,6 +669,12 @@ TEST_F(Cli, DemandsAboutASequenceAreKeptAndCheapestOrdersAreCertified) {
   EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
   EXPECT_EQ(Json::parse(run(command + " --strategy best-first").out)["removed"], 6);
   EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  const Finished costly = run(command + " --strategy best-first --cost lenght");
+  EXPECT_EQ(costly.exitCode, 2);
+  EXPECT_NE(costly.err.find("lenght"), std::string::npos) << costly.err;
+  EXPECT_EQ(Json::parse(run(command + " --strategy best-first --cost '5 * tool_change'").out)["sequence"]["cost"],
+            "5 * tool_change");
+  EXPECT_EQ(run("sequence " + product + " --resume " + plan + " --cost short").exitCode, 2) << "the plan has its own";
   EXPECT_EQ(run(command + " --before rod").exitCode, 2);
   EXPECT_EQ(run(command + " --before rod,lid").exitCode, 2);
   EXPECT_EQ(run(command + " --before rod,screw --before screw,rod").exitCode, 2);

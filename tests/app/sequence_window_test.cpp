@@ -31,12 +31,12 @@ TEST_F(SequenceWindow, AProductIsPlannedPlayedAndExploded) {
 }
 
 TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
-  expectGood(
-      runOnStand(QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexport-sequence %1\n"
-                                "action sequence.resume\nexpect-sequence end complete\nexpect-sequence steps 10\n"
-                                "open-sequence %1\nexpect-sequence end interrupted\naction sequence.resume\n"
-                                "expect-sequence steps 10\n")
-                     .arg(file("begun.json"))));
+  expectGood(runOnStand(
+      QStringLiteral("plan-sequence 4\nexpect-sequence end interrupted\nexpect-sequence steps 4\nexport-sequence %1\n"
+                     "action sequence.resume\nexpect-sequence end complete\nexpect-sequence steps 10\n"
+                     "open-sequence %1\nexpect-sequence end interrupted\naction sequence.resume\n"
+                     "expect-sequence steps 10\n")
+          .arg(file("begun.json"))));
 }
 
 TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {

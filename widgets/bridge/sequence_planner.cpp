@@ -52,12 +52,30 @@ class AnnouncingHost final : public SequenceHost {
   }
 
   GrownPlan ended(AssemblyPlan plan) {
+    if (job_.mostSteps) keepFirst(*job_.mostSteps, plan);
+    grown_.foundAfter.resize(
+        std::min(grown_.foundAfter.size(), plan.steps.size() - std::min(known_, plan.steps.size())));
     grown_.plan = std::make_shared<const AssemblyPlan>(std::move(plan));
     grown_.asking = 0;
     return grown_;
   }
 
  private:
+  /// Steps are found in waves. Those that are too many wait.
+  static void keepFirst(std::size_t most, AssemblyPlan& plan) {
+    if (plan.steps.size() <= most) return;
+    const auto rest = plan.steps.begin() + static_cast<std::ptrdiff_t>(most);
+    for (auto step = rest; step != plan.steps.end(); ++step) {
+      if (step->proof.afterSteps > most) continue;  // proved when other bodies had left
+      plan.waiting.push_back(*step);
+      plan.waiting.back().after.clear();
+    }
+    plan.steps.erase(rest, plan.steps.end());
+    std::erase_if(plan.refusals, [&](const RefusedRemoval& refused) { return refused.afterSteps > most; });
+    plan.stuck.clear();
+    plan.end = PlanEnd::Interrupted;
+  }
+
   void stopWhereEnough(std::size_t steps) {
     if (job_.mostSteps && steps >= *job_.mostSteps) stop_.requestStop();
   }

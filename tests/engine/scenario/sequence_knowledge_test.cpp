@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/environment/semantic_model.h"
 #include "engine/scenario/body_classes_json.h"
 #include "engine/sequence/step_cost.h"
 #include "tests/engine/scenario/scenario_fixture.h"
@@ -63,6 +64,23 @@ TEST(SequenceKnowledge, GroupsThatHaveABodyInCommonAreOne) {
   const SequenceDemands demands = known.demands();
   ASSERT_EQ(demands.together.size(), 1U);
   EXPECT_EQ(demands.together[0].size(), 3U);
+}
+
+TEST(SequenceKnowledge, PartsHaveAttributesOfTheirOwnThatTheScenarioKeeps) {
+  KnownScenario known;
+  known.scenario.bodies[1].attributes = {{"class", std::string("nut")}};
+  SemanticEdits edits = semanticEditsOf(known.scenario);
+  edits.bodies["screws/one"] = {{"stays", true}};
+  edits.bodies["screws/two"] = {};
+  setSemanticEdits(edits, known.scenario);
+  EXPECT_EQ(semanticEditsOf(known.scenario).bodies.at("screws/one"), (Attributes{{"stays", true}}));
+  EXPECT_EQ(known.demands().stay, std::vector<std::string>{"screws/one"});
+  EXPECT_EQ(known.demands().fasteners.size(), 2U);
+  edits.bodies.erase("screws/one");
+  setSemanticEdits(edits, known.scenario);
+  EXPECT_TRUE(known.scenario.sequence.attributes.empty());
+  edits.bodies["screw/one"] = {{"stays", true}};
+  EXPECT_FALSE(checkEdits(edits, {"rail", "screws"}));
 }
 
 TEST(SequenceKnowledge, ClassesOfTheScenarioAreAdded) {

@@ -18,12 +18,24 @@ TEST(PlanBodies, APlanOfTheFileIsAboutTheScenarioThatWasMadeOfIt) {
   const AssembledProduct product = test::lockedDrawer();
   AssemblyPlan plan = test::planOf(product, "cabinet");
   plan.stuck.push_back({"drawer", {"pin"}});
+  plan.steps[0].falling = {"pin"};
+  plan.steps[0].tool.blockedBy = {"drawer"};
+  plan.waiting = {plan.steps[1]};
+  plan.demands.before = {{"cap", "end-of-an-id"}};
+  plan.demands.masses = {{"pin", 2.0}};
+  plan.demands.attributes["pin"] = {{"price", 1.0}};
   const AssembledProduct ours = renamed(product);
   const auto about = planAbout(ours, plan);
   ASSERT_TRUE(about);
   EXPECT_EQ(test::orderOf(*about), (std::vector<std::string>{"part.cap", "part.pin", "part.drawer"}));
   EXPECT_EQ(about->staying, std::vector<std::string>{"part.cabinet"});
   EXPECT_EQ(about->stuck[0].blockedBy, std::vector<std::string>{"part.pin"});
+  EXPECT_EQ(about->steps[0].falling, std::vector<std::string>{"part.pin"});
+  EXPECT_EQ(about->steps[0].tool.blockedBy, std::vector<std::string>{"part.drawer"});
+  EXPECT_EQ(about->waiting[0].body, "part.pin");
+  EXPECT_EQ(about->demands.before[0], (std::pair<std::string, std::string>{"part.cap", "end-of-an-id"}));
+  EXPECT_EQ(about->demands.masses[0].first, "part.pin");
+  EXPECT_EQ(about->demands.attributes.count("part.pin"), 1U);
   for (std::size_t i = 0; i < ours.bodies.size(); ++i) EXPECT_EQ(about->bodies[i], ours.bodies[i].id);
   for (const AssemblyStep& step : about->steps) {
     EXPECT_TRUE(step.proof.nearest.empty() || ours.indexOf(step.proof.nearest));

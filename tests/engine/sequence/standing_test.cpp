@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/sequence/contact_points.h"
 #include "engine/sequence/solid_mass.h"
 #include "tests/engine/sequence/products.h"
@@ -89,6 +91,41 @@ TEST(Standing, WhatWaitsIsKeptInAPlanThatIsCut) {
     }
   }
   EXPECT_TRUE(waited) << "the posts wait for the beam";
+}
+
+/// Is interrupted when bodies are asked for the n-th time.
+class AskedOften final : public SequenceHost {
+ public:
+  explicit AskedOften(std::size_t most) : left_(most) {}
+  const StopToken& stopToken() const override { return stop_; }
+  ThreadTeam& team() override { return team_; }
+  void asking(std::size_t, int) override {
+    if (left_-- == 0) source_.requestStop();
+  }
+  void stepFound(const AssemblyPlan&) override {}
+
+ private:
+  ThreadTeam team_{0};
+  std::size_t left_;
+  StopSource source_;
+  StopToken stop_ = source_.token();
+};
+
+TEST(Standing, APlanThatIsInterruptedWhileBodiesAreAskedIsTheBeginningOfTheWhole) {
+  BeamFixture beam;
+  const auto planned = [&](std::size_t asked) {
+    MotionTrial trial(beam.product, beam.fits, 1, 0);
+    AskedOften host(asked);
+    SequenceQuestion question{beam.product, {true, false, false, false, false}, 1, trial};
+    question.standing = &beam.standing;
+    return makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
+  };
+  const std::vector<std::string> whole = test::orderOf(planned(1000));
+  for (std::size_t asked = 0; asked < 8; ++asked) {
+    const std::vector<std::string> begun = test::orderOf(planned(asked));
+    ASSERT_LE(begun.size(), whole.size());
+    EXPECT_TRUE(std::equal(begun.begin(), begun.end(), whole.begin())) << asked;
+  }
 }
 
 TEST(Standing, AMassThatIsKnownTakesThePlaceOfVolumeAndDensity) {
