@@ -14,13 +14,13 @@ namespace glissade {
 namespace {
 
 /// Pictures have this width at most, pixels: what a page needs.
-constexpr int kPictureWidth = 900;
+constexpr int kReportPictureWidth = 900;
 /// What is seen of the tightest place: a box with this half side, in radii of the object.
-constexpr double kSurroundings = 1.2;
+constexpr double kTightestSurroundings = 1.2;
 
 std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
 
-SaveResult writeReport(const StudyReport& report, const QString& file) {
+SaveResult writePathReport(const StudyReport& report, const QString& file) {
   if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
   const auto page = reportHtml(report);
   return page ? saveFile(file.toStdString(), *page) : notSaved(page.error());
@@ -55,7 +55,7 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
                    finished](const WorkWatch&) -> BackgroundTask::Delivery {
                     const StudyReport report = pathReport(
                         {*results.path, *scenario, results.provenance, profile.get(), pictures}, words, lengthWords);
-                    const SaveResult written = writeReport(report, file);
+                    const SaveResult written = writePathReport(report, file);
                     return [finished, written] { finished(written); };
                   });
 }
@@ -63,7 +63,8 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
 SaveResult PathReportJob::takePicture(const QString& file) const {
   bench_.scene.refresh();
   QImage picture = bench_.scene.picture();
-  if (picture.width() > kPictureWidth) picture = picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation);
+  if (picture.width() > kReportPictureWidth)
+    picture = picture.scaledToWidth(kReportPictureWidth, Qt::SmoothTransformation);
   return savePicture(picture, file);
 }
 
@@ -72,7 +73,7 @@ SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const QStr
   SceneView& view = bench_.scene.view();
   const CameraController before = view.camera();
   const Pose shown = view.objectPose();
-  const double radius = kSurroundings * bench_.document.scenario()->problem.world->objectRadius();
+  const double radius = kTightestSurroundings * bench_.document.scenario()->problem.world->objectRadius();
   view.setPlaybackPose(sample.q);
   view.camera().zoomTo(
       Box3(sample.q.position - Vector3::Constant(radius), sample.q.position + Vector3::Constant(radius)));
