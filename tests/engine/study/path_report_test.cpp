@@ -17,12 +17,15 @@ class PathReport : public testing::Test {
     scenario.name = "Shelf & box";
     scenario.object.name = "box";
     scenario.object.geometry = BoxGeometry{{0.1, 0.1, 0.1}};
-    scenario.bodies.push_back(
-        {"shelf", "shelf", Mobility::Static, BoxGeometry{{1.0, 0.02, 1.0}}, Pose::translation({0.0, 0.1, 0.0})});
+    BodyDescription shelf;
+    shelf.id = shelf.name = "shelf";
+    shelf.geometry = BoxGeometry{{1.0, 0.02, 1.0}};
+    shelf.pose = Pose::translation({0.0, 0.1, 0.0});
+    scenario.bodies.push_back(shelf);
     scenario.goal = Pose::translation({0.5, 0.0, 0.0});
     scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
     loaded_ = test::loadedFrom(scenario);
-    path_.points = {{Pose::identity()}, {Pose::translation({0.5, 0.0, 0.0})}};
+    path_.points = {PathPoint{Pose::identity()}, PathPoint{Pose::translation({0.5, 0.0, 0.0})}};
     const auto query = loaded_.problem.world->makeQuery();
     path_.certificate = certifyPath(*query, path_.points, loaded_.parameters);
     profile_ = clearanceProfile(*query, path_.configurations(), loaded_.problem.metric(), 300);
