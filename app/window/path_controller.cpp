@@ -35,6 +35,7 @@ PathController::PathController(const Workbench& bench)
       panel_(new PathPanel(bench.actions, &bench.window)),
       report_(bench, nullptr) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
+    shownPose_ = pose;
     bench_.scene.view().setPlaybackPose(pose);
     bench_.scene.refresh();
   });
@@ -175,7 +176,7 @@ void PathController::reportTo(const QString& file, const PathReportJob::Finished
     finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to report", "Solve first."}));
     return;
   }
-  report_.start(results_, profile_, file, finished);
+  report_.start(results_, profile_, shownPose_, file, finished);
 }
 
 std::string PathController::verdict() const {

@@ -45,6 +45,7 @@ class PathController final : public QObject {
   PathPanel* panel_;
   RunResults results_;                               ///< that are shown
   std::shared_ptr<const ClearanceProfile> profile_;  ///< of the path that is shown; null: not measured yet
+  std::optional<Pose> shownPose_;                    ///< of the playback; nothing: the object is where the hand has it
   BackgroundTask measuring_;
   PathReportJob report_;
 };

@@ -29,7 +29,8 @@ SaveResult writePathReport(const StudyReport& report, const QString& file) {
 }  // namespace
 
 void PathReportJob::start(const RunResults& results, const std::shared_ptr<const ClearanceProfile>& profile,
-                          const QString& file, const Finished& finished) {
+                          const std::optional<Pose>& shownPose, const QString& file, const Finished& finished) {
+  shownPose_ = shownPose;
   if (!file.endsWith(QLatin1String(".html"), Qt::CaseInsensitive) &&
       !file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
     finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "the report of a path is written as .html or .pdf",
@@ -37,48 +38,43 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
     return;
   }
   const auto folder = std::make_shared<QTemporaryDir>();
-  std::vector<ReportPicture> pictures;
   const StudyWords words(windowLanguage());
-  const auto add = [&](const QString& name, std::string_view caption, const auto& take) {
-    const QString picture = folder->filePath(name);
-    if (take(picture)) pictures.push_back({picture.toStdString(), words(caption)});
-  };
-  add(QStringLiteral("path.png"), "The path", [this](const QString& picture) { return takePicture(picture).ok(); });
-  const auto tightest = profile ? profile->tightest() : std::nullopt;
-  if (tightest) {
-    add(QStringLiteral("tightest.png"), "The place with the smallest clearance",
-        [&](const QString& picture) { return takeTightest(profile->samples[*tightest], picture).ok(); });
-  }
+  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path")};
+  if (!takePicture(overview.file)) overview = {};
+  ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
+                         words("The place with the smallest clearance")};
+  const auto place = profile ? profile->tightest() : std::nullopt;
+  if (!place || !takeTightest(profile->samples[*place], tightest.file)) tightest = {};
   const ScenarioPtr scenario = bench_.document.scenario();
   bench_.work.run(tr("Writing the report"),
-                  [results, profile, scenario, folder, pictures, words, file,
+                  [results, profile, scenario, folder, overview, tightest, words, file,
                    finished](const WorkWatch&) -> BackgroundTask::Delivery {
-                    const StudyReport report = pathReport(
-                        {*results.path, *scenario, results.provenance, profile.get(), pictures}, words, lengthWords);
+                    const StudyReport report =
+                        pathReport({*results.path, *scenario, results.provenance, profile.get(), overview, tightest},
+                                   words, lengthWords);
                     const SaveResult written = writePathReport(report, file);
                     return [finished, written] { finished(written); };
                   });
 }
 
-SaveResult PathReportJob::takePicture(const QString& file) const {
+SaveResult PathReportJob::takePicture(const std::string& file) const {
   bench_.scene.refresh();
   QImage picture = bench_.scene.picture();
   if (picture.width() > kReportPictureWidth)
     picture = picture.scaledToWidth(kReportPictureWidth, Qt::SmoothTransformation);
-  return savePicture(picture, file);
+  return savePicture(picture, QString::fromStdString(file));
 }
 
 /// The camera and the object are as before afterwards.
-SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const QString& file) const {
+SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const std::string& file) const {
   SceneView& view = bench_.scene.view();
   const CameraController before = view.camera();
-  const Pose shown = view.objectPose();
   const double radius = kTightestSurroundings * bench_.document.scenario()->problem.world->objectRadius();
   view.setPlaybackPose(sample.q);
   view.camera().zoomTo(
       Box3(sample.q.position - Vector3::Constant(radius), sample.q.position + Vector3::Constant(radius)));
   const SaveResult taken = takePicture(file);
-  view.setPlaybackPose(shown);
+  view.setPlaybackPose(shownPose_);
   view.camera() = before;
   bench_.scene.refresh();
   return taken;

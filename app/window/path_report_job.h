@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/window/workbench.h"
 #include "engine/base/file_save.h"
@@ -22,16 +23,17 @@ class PathReportJob final : public QObject {
   PathReportJob(const Workbench& bench, QObject* parent) : QObject(parent), bench_(bench) {}
 
   using Finished = std::function<void(const SaveResult&)>;
-  /// `profile`: along the path; null: the report has no curve and one picture. Errors: those of writing; Usage for
-  /// another ending.
-  void start(const RunResults& results, const std::shared_ptr<const ClearanceProfile>& profile, const QString& file,
-             const Finished& finished);
+  /// `profile`: along the path; null: the report has no curve and one picture. `shownPose`: of the playback, which is
+  /// shown again afterwards. Errors: those of writing; Usage for another ending.
+  void start(const RunResults& results, const std::shared_ptr<const ClearanceProfile>& profile,
+             const std::optional<Pose>& shownPose, const QString& file, const Finished& finished);
 
  private:
-  SaveResult takePicture(const QString& file) const;
-  SaveResult takeTightest(const ClearanceSample& sample, const QString& file) const;
+  SaveResult takePicture(const std::string& file) const;
+  SaveResult takeTightest(const ClearanceSample& sample, const std::string& file) const;
 
   const Workbench& bench_;
+  std::optional<Pose> shownPose_;
 };
 
 }  // namespace glissade

@@ -8,6 +8,7 @@
 
 #include "engine/base/number_text.h"
 #include "engine/scenario/scenario_fits.h"
+#include "engine/study/cell_value.h"
 
 namespace glissade {
 namespace {
@@ -28,7 +29,7 @@ class PathReportComposer {
     report_.title = words_("Report of a path: %1", {content_.scenario.scenario.name});
     addProblem();
     addCertificate();
-    for (const ReportPicture& picture : content_.pictures) report_.blocks.emplace_back(picture);
+    if (!content_.overview.file.empty()) report_.blocks.emplace_back(content_.overview);
     addCurve();
     addParameters();
     addParts();
@@ -75,8 +76,9 @@ class PathReportComposer {
     std::vector<std::vector<std::string>> rows{{words_("Required clearance"), length_(certificate.tolerance)}};
     if (isNear) {
       rows.push_back({words_("Proved clearance"), length_(certificate.provedClearance)});
-      rows.push_back({words_("Smallest clearance met"),
-                      words_("%1 to %2", {length_(certificate.minClearance), nameOf(certificate.nearest.body)})});
+      const NearestObstacle least = smallestMet();
+      rows.push_back(
+          {words_("Smallest clearance met"), words_("%1 to %2", {length_(least.distance), nameOf(least.body)})});
     }
     if (const std::size_t sliding = certificate.slidingEdges(); sliding > 0) {
       rows.push_back({words_("Edges that slide"),
@@ -92,6 +94,17 @@ class PathReportComposer {
       rows.push_back({words_("32-bit coordinates"), words_("surfaces may be %1 nearer", {length_(spacing)})});
     }
     facts(std::move(rows));
+  }
+
+  /// By the certificate or in the profile: either may have met a smaller one than the other.
+  NearestObstacle smallestMet() const {
+    NearestObstacle least = content_.path.certificate.nearest;
+    least.distance = content_.path.certificate.minClearance;
+    const auto tightest = content_.profile != nullptr ? content_.profile->tightest() : std::nullopt;
+    if (tightest && content_.profile->samples[*tightest].nearest.distance < least.distance) {
+      least = content_.profile->samples[*tightest].nearest;
+    }
+    return least;
   }
 
   /// Every n-th sample, and the tightest.
@@ -112,6 +125,8 @@ class PathReportComposer {
       clearances.push_back(point.y);
       series.points.push_back(std::move(point));
     }
+    heading("Clearance along the path", true);
+    if (!content_.tightest.file.empty()) report_.blocks.emplace_back(content_.tightest);
     Plot plot;
     plot.name = "clearance";
     plot.title = words_("Clearance along the path");
@@ -124,14 +139,13 @@ class PathReportComposer {
   }
 
   void addParameters() {
-    heading("Parameters");
-    ReportTable table{"",
-                      {{words_("Parameter"), ReportColumn::Kind::Text},
-                       {words_("Value"), ReportColumn::Kind::Number},
-                       {words_("Unit"), ReportColumn::Kind::Text}},
-                      {}};
+    heading("Parameters", true);
+    ReportTable table{
+        "", {{words_("Parameter"), ReportColumn::Kind::Text}, {words_("Value"), ReportColumn::Kind::Number}}, {}};
     for (const ParameterSpec& spec : parameterTable()) {
-      table.rows.push_back({words_(spec.label), toText(content_.scenario.parameters[spec.id]), std::string(spec.unit)});
+      const double value = content_.scenario.parameters[spec.id];
+      const std::string unit = spec.unit.empty() ? "" : " " + std::string(spec.unit);
+      table.rows.push_back({words_(spec.label), spec.unit == "m" ? length_(value) : shortNumber(value) + unit});
     }
     report_.blocks.emplace_back(std::move(table));
   }

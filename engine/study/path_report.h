@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "engine/planning/clearance_profile.h"
 #include "engine/scenario/scenario.h"
@@ -15,7 +14,8 @@ struct PathReportContent {
   const LoadedScenario& scenario;
   PathProvenance provenance;
   const ClearanceProfile* profile = nullptr;  ///< along the path; null: no curve
-  std::vector<ReportPicture> pictures;
+  ReportPicture overview{};                   ///< no file: none
+  ReportPicture tightest{};                   ///< of the place with the smallest clearance
 };
 
 /// The report of one path: problem, certificate with what is allowed and what it is about, pictures, the clearance

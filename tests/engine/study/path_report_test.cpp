@@ -33,7 +33,7 @@ class PathReport : public testing::Test {
 
   std::string page(Language language) const {
     const StudyWords words(language);
-    const auto html = reportHtml(pathReport({path_, loaded_, {"auto", 7}, &profile_, {}}, words, lengthInMillimetres));
+    const auto html = reportHtml(pathReport({path_, loaded_, {"auto", 7}, &profile_}, words, lengthInMillimetres));
     EXPECT_TRUE(html.ok());
     return *html;
   }
@@ -56,13 +56,16 @@ TEST_F(PathReport, IsWhollyFrench) {
   for (const char* part : {"Certificat", "Jeu prouvé", "Jeu le long du chemin", "Pièce mobile"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
-  for (const char* part : {"Certificate", "clearance", "Parameters", "Length"}) {
+  for (const ParameterSpec& spec : parameterTable()) {
+    EXPECT_TRUE(StudyWords(Language::French).knows(spec.label)) << spec.label;
+  }
+  for (const char* part : {"Certificate", "Clearance", "Parameters", "Length"}) {
     EXPECT_EQ(text.find(part), std::string::npos) << part;
   }
 }
 
 TEST_F(PathReport, ACurveHasFewPointsAndTheSmallestClearance) {
-  const StudyReport report = pathReport({path_, loaded_, {}, &profile_, {}}, StudyWords(), lengthInMillimetres);
+  const StudyReport report = pathReport({path_, loaded_, {}, &profile_}, StudyWords(), lengthInMillimetres);
   const Plot* plot = nullptr;
   for (const ReportBlock& block : report.blocks) {
     if (const auto* found = std::get_if<Plot>(&block)) plot = found;
