@@ -32,6 +32,8 @@ constexpr double kReach = kLevel + 2.0 * kWorldError + kBodyError;
 
 constexpr double kMostPoints = 1e9;
 constexpr double kUsualPoints = 3e7;
+/// Way of the motion times surface of the body's box, in spacings: about a minute of the processor.
+constexpr double kUsualWork = 5e7;
 /// Metres: a body without size has no lattice of its own.
 constexpr double kLeastSpacing = 1e-9;
 constexpr std::size_t kMostThreads = 8;
@@ -75,6 +77,16 @@ double leastBound(const Box3& box, double points) {
   spacing = std::max({spacing, box.diagonal().norm() / 1e5, kLeastSpacing});
   while (pointsIn(box, spacing) > points) spacing *= 1.05;
   return kBound * spacing;
+}
+
+/// The bound with which the poses of a motion, times what is near the body's surface at each, is the usual work.
+double boundOfUsualWork(const TriangleMesh& body, const std::vector<Pose>& path) {
+  const MotionBound speed(body);
+  double way = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) way += speed(path[i - 1], path[i]);
+  const Vector3 sizes = boundingBox(body).sizes();
+  const double surface = 2.0 * (sizes.x() * sizes.y() + sizes.y() * sizes.z() + sizes.z() * sizes.x());
+  return kBound * std::cbrt(way * surface / kUsualWork);
 }
 
 /// A lattice of the world and, at its points, the least distance from the surface of the body at any of the poses.
@@ -190,7 +202,7 @@ double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path) 
   if (body.empty() || path.empty()) return 0.0;
   const Box3 box = boundingBox(body);
   return std::max({box.diagonal().norm() / 200.0, leastBound(boxOfMotion(body, path), kUsualPoints),
-                   leastBound(box, 2.0 * kUsualPoints) / kBodySpacing});
+                   leastBound(box, 2.0 * kUsualPoints) / kBodySpacing, boundOfUsualWork(body, path)});
 }
 
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,
