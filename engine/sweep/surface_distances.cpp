@@ -7,8 +7,6 @@
 namespace glissade {
 namespace {
 
-constexpr int kPoints = SurfaceDistances::kCells + 1;
-
 /// Lowers the squared distances of the points near one triangle.
 void lowerNear(const std::array<Vector3, 3>& triangle, const Lattice& lattice, double reach,
                std::vector<float>& squared) {
@@ -52,11 +50,15 @@ SurfaceDistances::SurfaceDistances(const TriangleMesh& mesh, double spacing, dou
       for (int z = 0; z + kCells < lattice.counts[2]; z += kCells) {
         Block block{lattice.point(x, y, z), {}};
         bool near = false;
-        for (int i = 0; i < kPoints * kPoints * kPoints; ++i) {
-          const float value =
-              squared[lattice.at(x + i / (kPoints * kPoints), y + i / kPoints % kPoints, z + i % kPoints)];
-          near = near || value < far;
-          block.distances[static_cast<std::size_t>(i)] = std::sqrt(value);
+        std::size_t corner = 0;
+        for (int i = 0; i <= kCells; ++i) {
+          for (int j = 0; j <= kCells; ++j) {
+            for (int k = 0; k <= kCells; ++k, ++corner) {
+              const float value = squared[lattice.at(x + i, y + j, z + k)];
+              near = near || value < far;
+              block.distances[corner] = std::sqrt(value);
+            }
+          }
         }
         if (near) blocks_.push_back(block);
       }
@@ -65,17 +67,17 @@ SurfaceDistances::SurfaceDistances(const TriangleMesh& mesh, double spacing, dou
 }
 
 float SurfaceDistances::interpolated(const Block& block, const Vector3& at_block) {
-  std::array<int, 3> cell{};
+  std::array<std::size_t, 3> cell{};
   std::array<float, 3> t{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value = at_block[static_cast<int>(axis)];
-    cell[axis] = std::clamp(static_cast<int>(value), 0, kCells - 1);
-    t[axis] = static_cast<float>(value - cell[axis]);
+    const int first = std::clamp(static_cast<int>(value), 0, kCells - 1);
+    cell[axis] = static_cast<std::size_t>(first);
+    t[axis] = static_cast<float>(value - first);
   }
-  const float* const least =
-      &block.distances[static_cast<std::size_t>((cell[0] * kPoints + cell[1]) * kPoints + cell[2])];
-  const auto alongZ = [&](int offset) { return least[offset] + t[2] * (least[offset + 1] - least[offset]); };
-  const auto alongY = [&](int offset) {
+  const float* const least = &block.distances[(cell[0] * kPoints + cell[1]) * kPoints + cell[2]];
+  const auto alongZ = [&](std::size_t offset) { return least[offset] + t[2] * (least[offset + 1] - least[offset]); };
+  const auto alongY = [&](std::size_t offset) {
     const float first = alongZ(offset);
     return first + t[1] * (alongZ(offset + kPoints) - first);
   };

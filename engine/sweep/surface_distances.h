@@ -12,12 +12,13 @@ namespace glissade {
 /// Distances from a mesh's surface at the points of a lattice in the body's frame B, in blocks, near the surface only.
 class SurfaceDistances {
  public:
-  static constexpr int kCells = 4;  ///< of a block, along each axis
+  static constexpr int kCells = 4;                    ///< of a block, along each axis
+  static constexpr std::size_t kPoints = kCells + 1;  ///< the corners of its cells
 
   /// Cells of the lattice with the distances of their corners, metres; those beyond the reach are the reach.
   struct Block {
     Vector3 least_B;
-    std::array<float, (kCells + 1) * (kCells + 1) * (kCells + 1)> distances;  ///< x slowest, z fastest
+    std::array<float, kPoints * kPoints * kPoints> distances;  ///< x slowest, z fastest
   };
 
   /// Points farther than `reach` from the surface are left out. Unfinished after a stop.
