@@ -1,5 +1,6 @@
 #include "widgets/panels/placement_panel.h"
 
+#include <QAction>
 #include <QGridLayout>
 #include <QSignalBlocker>
 
