@@ -10,6 +10,8 @@ namespace {
 
 enum Column { kCommand, kShortcut, kColumns };
 
+constexpr int kRowSpace = 8;
+
 /// A letter, a digit or a sign alone is for steering and for texts.
 bool isPlainKey(const QKeySequence& keys) {
   if (keys.isEmpty()) return false;
@@ -41,7 +43,10 @@ ShortcutsDialog::ShortcutsDialog(const ActionCatalogue& actions, QWidget* parent
   table_->setAccessibleName(tr("Commands"));
   table_->setHorizontalHeaderLabels({tr("Command"), tr("Shortcut")});
   table_->horizontalHeader()->setSectionResizeMode(kCommand, QHeaderView::Stretch);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowSpace);
+  table_->setShowGrid(false);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -86,7 +91,7 @@ void ShortcutsDialog::addRow(const ActionSpec& spec) {
   const QAction& action = *actions_[QLatin1String(spec.id)];
   const int row = table_->rowCount();
   table_->insertRow(row);
-  auto* name = new QTableWidgetItem(action.icon(), action.text().remove(QLatin1Char('&')));
+  auto* name = new QTableWidgetItem(action.text().remove(QLatin1Char('&')));
   name->setData(Qt::UserRole, QLatin1String(spec.id));
   name->setToolTip(action.statusTip());
   table_->setItem(row, kCommand, name);
