@@ -175,7 +175,7 @@ TEST(PathExporterRegistry, NoTwoShareAnIdOrAnEnding) {
 
 TEST(PathExporterRegistry, EndingsMayBeInUpperCaseAndUnknownOnesAreOneErrorThatListsThem) {
   EXPECT_EQ(pathExporterFor("A.GLB")->id, "glb");
-  for (const char* file : {"path", "path.", "path.xyz", "folder.csv/path", ".csv"}) {
+  for (const char* file : {"path", "path.", "path.unknown", "folder.csv/path", ".csv"}) {
     const Result<PathExporter> none = pathExporterFor(file);
     ASSERT_FALSE(none.ok()) << file;
     EXPECT_EQ(none.error().kind, ErrorKind::Usage);
@@ -184,8 +184,8 @@ TEST(PathExporterRegistry, EndingsMayBeInUpperCaseAndUnknownOnesAreOneErrorThatL
     EXPECT_THAT(none.error().advice, testing::HasSubstr(".glb"));
   }
   const test::TemporaryFolder folder;
-  EXPECT_FALSE(writePath({}, {}, {}, folder / "path.xyz").ok());
-  EXPECT_FALSE(std::filesystem::exists(folder / "path.xyz"));
+  EXPECT_FALSE(writePath({}, {}, {}, folder / "path.unknown").ok());
+  EXPECT_FALSE(std::filesystem::exists(folder / "path.unknown"));
 }
 
 }  // namespace
