@@ -49,6 +49,11 @@ int runSweep(const SweepOptions& options) {
   for (const std::size_t body : bodiesWithin(*sweep, loaded->obstacles, interrupt.token())) {
     within.push_back(loaded->obstacles[body].name);
   }
+  if (interrupt.requested()) {
+    return reportError(
+        {ErrorKind::Interrupted, options.output, "", "the swept volume was not written", "Start it again."},
+        options.format);
+  }
   Warnings warnings;
   const Outcome saved = saveSweptVolume(*sweep, "Swept volume of " + loaded->object.name, loaded->object.colour,
                                         options.output, warnings);

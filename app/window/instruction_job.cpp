@@ -1,27 +1,23 @@
 #include "app/window/instruction_job.h"
 
-#include <QImage>
 #include <QTimer>
 
 #include <utility>
 
+#include "app/window/report_file.h"
 #include "app/window/sequence_controller.h"
 #include "engine/sequence/step_view.h"
 #include "engine/study/plan_graph.h"
-#include "engine/study/report_html.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/studies/plan_graph_view.h"
-#include "widgets/studies/report_pdf.h"
 
 namespace glissade {
 namespace {
 
 /// The part of a step is shown when so much of its way lies behind it, from where it is assembled.
 constexpr double kShownShare = 0.35;
-/// Pictures have this width at most, pixels: what a page needs.
-constexpr int kPictureWidth = 900;
 constexpr double kGraphScale = 1.5;
 
 }  // namespace
@@ -105,10 +101,7 @@ SaveResult InstructionJob::takeNextPicture() {
 SaveResult InstructionJob::takePicture(const QString& name, std::string& file) {
   const QString path = content_->folder.filePath(name + QStringLiteral(".png"));
   file = path.toStdString();
-  bench_.scene.refresh();
-  QImage picture = bench_.scene.picture();
-  if (picture.width() > kPictureWidth) picture = picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation);
-  return savePicture(picture, path);
+  return saveScenePicture(bench_.scene, path);
 }
 
 void InstructionJob::write() {
@@ -130,12 +123,7 @@ void InstructionJob::write() {
                         workInstruction({*content->plan, *content->product, content->name, content->deviation,
                                          content->checks, content->exploded, graph.toStdString(), content->pictures},
                                         words);
-                    if (content->file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
-                      return finish(writeReportPdf(report, content->file));
-                    }
-                    const auto page = reportHtml(report);
-                    if (!page) return finish(notSaved(page.error()));
-                    return finish(saveFile(content->file.toStdString(), *page));
+                    return finish(saveReport(report, content->file));
                   });
 }
 

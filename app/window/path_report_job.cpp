@@ -1,30 +1,18 @@
 #include "app/window/path_report_job.h"
 
-#include <QImage>
-
+#include "app/window/report_file.h"
 #include "engine/study/path_report.h"
-#include "engine/study/report_html.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/panels/sequence_panel.h"
-#include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
-#include "widgets/studies/report_pdf.h"
 
 namespace glissade {
 namespace {
 
-/// Pictures have this width at most, pixels: what a page needs.
-constexpr int kReportPictureWidth = 900;
 /// What is seen of the tightest place: a box with this half side, in radii of the object.
 constexpr double kTightestSurroundings = 1.2;
 
 std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
-
-SaveResult writePathReport(const StudyReport& report, const QString& file) {
-  if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
-  const auto page = reportHtml(report);
-  return page ? saveFile(file.toStdString(), *page) : notSaved(page.error());
-}
 
 }  // namespace
 
@@ -40,7 +28,7 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
   const auto folder = std::make_shared<QTemporaryDir>();
   const StudyWords words(windowLanguage());
   ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path")};
-  if (!takePicture(overview.file)) overview = {};
+  if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};
   ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
                          words("The place with the smallest clearance")};
   const auto place = profile ? profile->tightest() : std::nullopt;
@@ -52,17 +40,9 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
                     const StudyReport report =
                         pathReport({*results.path, *scenario, results.provenance, profile.get(), overview, tightest},
                                    words, lengthWords);
-                    const SaveResult written = writePathReport(report, file);
+                    const SaveResult written = saveReport(report, file);
                     return [finished, written] { finished(written); };
                   });
-}
-
-SaveResult PathReportJob::takePicture(const std::string& file) const {
-  bench_.scene.refresh();
-  QImage picture = bench_.scene.picture();
-  if (picture.width() > kReportPictureWidth)
-    picture = picture.scaledToWidth(kReportPictureWidth, Qt::SmoothTransformation);
-  return savePicture(picture, QString::fromStdString(file));
 }
 
 /// The camera and the object are as before afterwards.
@@ -73,7 +53,7 @@ SaveResult PathReportJob::takeTightest(const ClearanceSample& sample, const std:
   view.setPlaybackPose(sample.q);
   view.camera().zoomTo(
       Box3(sample.q.position - Vector3::Constant(radius), sample.q.position + Vector3::Constant(radius)));
-  const SaveResult taken = takePicture(file);
+  const SaveResult taken = saveScenePicture(bench_.scene, QString::fromStdString(file));
   view.setPlaybackPose(shownPose_);
   view.camera() = before;
   bench_.scene.refresh();

@@ -14,8 +14,8 @@
 namespace glissade {
 
 /// Writes the report of a path as HTML or PDF, by the ending of the file: with a picture of the scene as it is seen,
-/// and one of the place with the smallest clearance. Pictures are taken at once, the clearance is measured and the file
-/// is written in the background.
+/// and one of the place with the smallest clearance. Pictures are taken at once; the file is written in the
+/// background.
 class PathReportJob final : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,6 @@ class PathReportJob final : public QObject {
              const std::optional<Pose>& shownPose, const QString& file, const Finished& finished);
 
  private:
-  SaveResult takePicture(const std::string& file) const;
   SaveResult takeTightest(const ClearanceSample& sample, const std::string& file) const;
 
   const Workbench& bench_;

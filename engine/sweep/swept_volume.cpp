@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <thread>
 
 #include "engine/base/number_text.h"
 #include "engine/base/thread_team.h"
 #include "engine/collision/motion_bound.h"
+#include "engine/geometry/mesh_volume.h"
 #include "engine/sweep/level_surface.h"
 #include "engine/sweep/surface_distances.h"
 
@@ -23,11 +25,11 @@ constexpr double kBodySpacing = 0.5;
 constexpr double kBodyError = kBodySpacing * kWorldError;
 /// Of numbers in single precision, and of the vertices that levelSurface() moves.
 constexpr double kRounding = 0.005;
-/// Where interpolated distances are as large, the body is not.
+/// The body is never where interpolated distances are above this.
 constexpr double kLevel = kTimeError + kWorldError + kBodyError + kRounding;
-/// From the surface to the body.
+/// The distance from a point of the surface to the body, at the time when the body is nearest, is at most this.
 constexpr double kBound = kLevel + kWorldError + kBodyError + kRounding;
-/// Distances count as far as a cell whose corner is within the level.
+/// Larger distances are not told apart: no cell that the surface crosses has a corner that is farther.
 constexpr double kReach = kLevel + 2.0 * kWorldError + kBodyError;
 
 constexpr double kMostPoints = 1e9;
@@ -38,34 +40,49 @@ constexpr double kUsualWork = 5e7;
 constexpr double kLeastSpacing = 1e-9;
 constexpr std::size_t kMostThreads = 8;
 
-/// Poses of the motion so near to each other that no point of the body moves farther than `step` from one of them.
-std::vector<Pose> posesAlong(const TriangleMesh& body, const std::vector<Pose>& path, double step) {
-  const MotionBound speed(body);
-  std::vector<Pose> poses{path.front()};
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const int pieces = std::max(1, static_cast<int>(std::ceil(speed(path[i - 1], path[i]) / (2.0 * step))));
-    for (int k = 1; k <= pieces; ++k) {
-      poses.push_back(interpolate(path[i - 1], path[i], static_cast<double>(k) / pieces));
-    }
+/// A body on its path.
+class BodyMotion {
+ public:
+  BodyMotion(const TriangleMesh& body, const std::vector<Pose>& path) : body_(body), path_(path) {
+    const MotionBound speed(body);
+    for (std::size_t i = 1; i < path.size(); ++i) ways_.push_back(speed(path[i - 1], path[i]));
   }
-  return poses;
-}
 
-/// A box that holds the body during the motion.
-Box3 boxOfMotion(const TriangleMesh& body, const std::vector<Pose>& path) {
-  const MotionBound speed(body);
-  Box3 box = boundingBox(body, path.front());
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    Box3 ends = boundingBox(body, path[i - 1]).merged(boundingBox(body, path[i]));
-    // A point is at most half the way from where it begins or ends; straight translations stay between the ends.
-    if (path[i - 1].orientation.coeffs() != path[i].orientation.coeffs()) {
-      ends.min().array() -= 0.5 * speed(path[i - 1], path[i]);
-      ends.max().array() += 0.5 * speed(path[i - 1], path[i]);
+  /// The farthest that a point of the body moves, at most.
+  double way() const { return std::accumulate(ways_.begin(), ways_.end(), 0.0); }
+
+  /// Poses so near to each other that no point of the body is ever farther than `step` from where it is at one of them.
+  std::vector<Pose> poses(double step) const {
+    std::vector<Pose> poses{path_.front()};
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const int pieces = std::max(1, static_cast<int>(std::ceil(ways_[i - 1] / (2.0 * step))));
+      for (int k = 1; k <= pieces; ++k) {
+        poses.push_back(interpolate(path_[i - 1], path_[i], static_cast<double>(k) / pieces));
+      }
     }
-    box.extend(ends);
+    return poses;
   }
-  return box;
-}
+
+  /// Holds the body during the motion.
+  Box3 box() const {
+    Box3 box = boundingBox(body_, path_.front());
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      Box3 ends = boundingBox(body_, path_[i - 1]).merged(boundingBox(body_, path_[i]));
+      // A point is at most half of its way from one of the ends; straight translations stay between them.
+      const bool turns = path_[i - 1].orientation.coeffs() != path_[i].orientation.coeffs();
+      const double aside = turns ? 0.5 * ways_[i - 1] : 0.0;
+      ends.min().array() -= aside;
+      ends.max().array() += aside;
+      box.extend(ends);
+    }
+    return box;
+  }
+
+ private:
+  const TriangleMesh& body_;
+  const std::vector<Pose>& path_;
+  std::vector<double> ways_;  ///< that a point moves at most, by edge of the path
+};
 
 double pointsIn(const Box3& box, double spacing) {
   return ((box.sizes().array() + 2.0 * kReach * spacing) / spacing + 2.0).prod();
@@ -79,14 +96,17 @@ double leastBound(const Box3& box, double points) {
   return kBound * spacing;
 }
 
-/// The bound with which the poses of a motion, times what is near the body's surface at each, is the usual work.
-double boundOfUsualWork(const TriangleMesh& body, const std::vector<Pose>& path) {
-  const MotionBound speed(body);
-  double way = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) way += speed(path[i - 1], path[i]);
-  const Vector3 sizes = boundingBox(body).sizes();
+/// The bound with which the way of the motion times the surface of the body's box, in spacings, is the usual work.
+double boundOfUsualWork(const Box3& body, double way) {
+  const Vector3 sizes = body.sizes();
   const double surface = 2.0 * (sizes.x() * sizes.y() + sizes.y() * sizes.z() + sizes.z() * sizes.x());
   return kBound * std::cbrt(way * surface / kUsualWork);
+}
+
+/// The least bound for which coordinates of 32 bits, as files have them, are within what is added for rounding.
+double boundOfSinglePrecision(const Box3& box) {
+  const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return kBound * std::numeric_limits<float>::epsilon() * farthest / (0.5 * kRounding);
 }
 
 /// A lattice of the world and, at its points, the least distance from the surface of the body at any of the poses.
@@ -183,15 +203,6 @@ class WorldDistances {
   std::vector<float> values_;
 };
 
-double enclosedVolume(const TriangleMesh& mesh) {
-  double volume = 0.0;
-  const Vector3 about = mesh.vertices.empty() ? Vector3::Zero() : mesh.vertices.front();
-  for (const auto& [a, b, c] : mesh.triangles) {
-    volume += (mesh.vertices[a] - about).dot((mesh.vertices[b] - about).cross(mesh.vertices[c] - about)) / 6.0;
-  }
-  return volume;
-}
-
 Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string& advice) {
   return {kind, "", "", reason, advice};
 }
@@ -201,8 +212,9 @@ Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string&
 double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path) {
   if (body.empty() || path.empty()) return 0.0;
   const Box3 box = boundingBox(body);
-  return std::max({box.diagonal().norm() / 200.0, leastBound(boxOfMotion(body, path), kUsualPoints),
-                   leastBound(box, 2.0 * kUsualPoints) / kBodySpacing, boundOfUsualWork(body, path)});
+  const BodyMotion motion(body, path);
+  return std::max({box.diagonal().norm() / 200.0, leastBound(motion.box(), kUsualPoints),
+                   leastBound(box, 2.0 * kUsualPoints) / kBodySpacing, boundOfUsualWork(box, motion.way())});
 }
 
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,
@@ -214,7 +226,13 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
     return refusal(ErrorKind::Usage, "the bound of the swept volume is not above 0", "Give a length as 0.5mm.");
   }
   const double spacing = bound / kBound;
-  Box3 box = boxOfMotion(body, path);
+  const BodyMotion motion(body, path);
+  Box3 box = motion.box();
+  if (const double least = boundOfSinglePrecision(box); bound < least) {
+    return refusal(ErrorKind::LimitReached,
+                   "the bound of the swept volume is finer than 32-bit coordinates are so far from the origin",
+                   "Give at least " + toText(1e3 * least) + " mm.");
+  }
   const double bodyPoints = pointsIn(boundingBox(body), kBodySpacing * spacing);
   if (std::max(pointsIn(box, spacing), bodyPoints) > kMostPoints) {
     const double least =
@@ -227,7 +245,7 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
   const Lattice lattice = Lattice::over(box, spacing);
   const SurfaceDistances distances(body, kBodySpacing * spacing, kReach * spacing, stop);
   WorldDistances world(lattice, distances);
-  world.lowerAll(posesAlong(body, path, kTimeError * spacing), stop);
+  world.lowerAll(motion.poses(kTimeError * spacing), stop);
   if (stop.stopRequested())
     return refusal(ErrorKind::Interrupted, "the swept volume was not finished", "Start it again.");
   const auto level = static_cast<float>(kLevel * spacing);
@@ -235,7 +253,7 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
   SweptVolume result;
   result.surface_W = levelSurface(lattice, world.values(), level);
   result.bound = bound;
-  result.volume = enclosedVolume(result.surface_W);
+  result.volume = signedVolume(result.surface_W);
   return result;
 }
 

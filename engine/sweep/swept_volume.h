@@ -11,7 +11,7 @@ namespace glissade {
 /// What a body covers while it moves.
 struct SweptVolume {
   TriangleMesh surface_W;  ///< closed; contains every point of the body at every time of the motion
-  double bound = 0.0;      ///< metres: the body comes at least so near to every point of the surface
+  double bound = 0.0;      ///< metres: no point of the surface is farther from the body at its nearest
   double volume = 0.0;     ///< of what the surface encloses, cubic metres
 };
 
@@ -28,8 +28,8 @@ double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path);
 /// are as large as all errors together. Deviation from the usual construction (Abdel-Malek et al. 2006: envelopes): no
 /// swept surfaces are made, so that a motion may turn and come back.
 ///
-/// Errors: no pose, a mesh without triangles, a bound that needs more than 4 GiB (LimitReached, with the least possible
-/// bound), a stop (Interrupted).
+/// Errors: no pose, a mesh without triangles, a bound that needs more than 4 GiB or is finer than 32-bit coordinates
+/// are (LimitReached, with the least possible bound), a stop (Interrupted).
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,
                                 const StopToken& stop = {});
 

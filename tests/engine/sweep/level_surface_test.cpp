@@ -2,25 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "engine/base/random_stream.h"
+#include "engine/geometry/mesh_audit.h"
 
 namespace glissade {
 namespace {
-
-/// How often each directed edge occurs: in a closed surface as often as its reverse.
-bool isClosed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const TriangleIndices& triangle : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i];
-      const std::uint32_t to = triangle[(i + 1) % 3];
-      edges[std::minmax(from, to)] += from < to ? 1 : -1;
-    }
-  }
-  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
-}
 
 TEST(LevelSurface, OfRandomValuesIsClosedAndHasTheSmallerValuesInside) {
   RandomStream random(7, "level surface");
@@ -34,12 +20,10 @@ TEST(LevelSurface, OfRandomValuesIsClosedAndHasTheSmallerValuesInside) {
     }
     const TriangleMesh surface = levelSurface(lattice, values, 0.4F);
     ASSERT_FALSE(surface.empty());
-    EXPECT_TRUE(isClosed(surface));
-    double volume = 0.0;
-    for (const auto& [a, b, c] : surface.triangles) {
-      volume += surface.vertices[a].dot(surface.vertices[b].cross(surface.vertices[c])) / 6.0;
-    }
-    EXPECT_GT(volume, 0.0);
+    const MeshAudit report = audit(surface);
+    EXPECT_TRUE(report.closed());
+    EXPECT_TRUE(report.consistentlyOriented);
+    EXPECT_GT(report.volume, 0.0);
   }
 }
 

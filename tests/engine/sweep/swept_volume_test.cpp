@@ -5,27 +5,12 @@
 #include <numbers>
 
 #include "engine/base/random_stream.h"
-#include "engine/environment/point_clearance.h"
+#include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
 #include "engine/sweep/swept_bodies.h"
 
 namespace glissade {
 namespace {
-
-/// The solid angle under which a surface is seen, over 4 pi: 1 inside, 0 outside (Van Oosterom and Strackee 1983).
-double windingNumber(const TriangleMesh& mesh, const Vector3& p) {
-  double sum = 0.0;
-  for (const auto& [i, j, k] : mesh.triangles) {
-    const Vector3 a = mesh.vertices[i] - p;
-    const Vector3 b = mesh.vertices[j] - p;
-    const Vector3 c = mesh.vertices[k] - p;
-    const double numerator = a.dot(b.cross(c));
-    const double denominator =
-        a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm();
-    sum += 2.0 * std::atan2(numerator, denominator);
-  }
-  return sum / (4.0 * std::numbers::pi);
-}
 
 /// A random point of a box about the origin.
 Vector3 pointOf(const Vector3& sizes, RandomStream& random) {
@@ -130,6 +115,8 @@ TEST(SweptVolume, RefusesWhatItCannotMake) {
   EXPECT_EQ(sweptVolume(box, {}, 0.01).error().kind, ErrorKind::Usage);
   EXPECT_EQ(sweptVolume(box, path, 0.0).error().kind, ErrorKind::Usage);
   EXPECT_EQ(sweptVolume(box, path, 1e-6).error().kind, ErrorKind::LimitReached);
+  const Pose far = Pose::translation({1e5, 0.0, 0.0});
+  EXPECT_EQ(sweptVolume(box, {far, far}, 1e-3).error().kind, ErrorKind::LimitReached);
   StopSource stop;
   stop.requestStop();
   EXPECT_EQ(sweptVolume(box, path, 0.01, stop.token()).error().kind, ErrorKind::Interrupted);

@@ -1,0 +1,30 @@
+#include "app/window/report_file.h"
+
+#include <QImage>
+
+#include "engine/study/report_html.h"
+#include "widgets/plots/picture_file.h"
+#include "widgets/studies/report_pdf.h"
+
+namespace glissade {
+namespace {
+
+/// Pixels.
+constexpr int kPageWidth = 900;
+
+}  // namespace
+
+SaveResult saveReport(const StudyReport& report, const QString& file) {
+  if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
+  const auto page = reportHtml(report);
+  return page ? saveFile(file.toStdString(), *page) : notSaved(page.error());
+}
+
+SaveResult saveScenePicture(SceneWidget& scene, const QString& file) {
+  scene.refresh();
+  const QImage picture = scene.picture();
+  if (picture.width() <= kPageWidth) return savePicture(picture, file);
+  return savePicture(picture.scaledToWidth(kPageWidth, Qt::SmoothTransformation), file);
+}
+
+}  // namespace glissade

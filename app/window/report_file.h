@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QString>
+
+#include "engine/base/file_save.h"
+#include "engine/study/study_report.h"
+#include "widgets/scene3d/scene_widget.h"
+
+namespace glissade {
+
+/// Writes a report as PDF where the file's name ends so, else as HTML.
+SaveResult saveReport(const StudyReport& report, const QString& file);
+
+/// The scene as it is seen, as a PNG that is as wide as a page of a report needs, at most.
+SaveResult saveScenePicture(SceneWidget& scene, const QString& file);
+
+}  // namespace glissade

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+/// What a closed surface encloses, cubic metres; below 0 where it is inside out. Summed about a vertex, so that nothing
+/// is lost far from the origin.
+inline double signedVolume(const TriangleMesh& mesh) {
+  if (mesh.vertices.empty()) return 0.0;
+  const Vector3& about = mesh.vertices.front();
+  double sixfold = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sixfold += (mesh.vertices[a] - about).dot((mesh.vertices[b] - about).cross(mesh.vertices[c] - about));
+  }
+  return sixfold / 6.0;
+}
+
+}  // namespace glissade
