@@ -104,21 +104,6 @@ Diagnostic fitsAreOff(const std::string& file) {
           "Run again with --fits on, or switch them on in the scenario."};
 }
 
-/// The bodies of these ids, or whose ids end in "/" and this; the largest where none is named.
-Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& ids) {
-  BodySet staying(product.bodies.size(), false);
-  if (ids.empty()) staying[largestBody(product)] = true;
-  for (const std::string& id : ids) {
-    const BodyGroup bodies = bodiesNamed(product, id);
-    for (const std::size_t body : bodies) staying[body] = true;
-    if (bodies.empty()) {
-      return Diagnostic{ErrorKind::Usage, "", "--stay", "names '" + id + "', which is no body of the product",
-                        "See 'glissade-cli fits' for the names."};
-    }
-  }
-  return staying;
-}
-
 /// Those of the options and those that the product's attributes name.
 std::vector<std::string> stayingNames(const SequenceOptions& options, const SequenceDemands& demands) {
   std::vector<std::string> names = options.staying;
@@ -250,7 +235,11 @@ int runSequence(const SequenceOptions& options) {
   const auto demands = demandsOf(options, hasDemands ? earlier->demands : loaded->demands);
   if (!demands) return reportError(demands.error(), options.format);
   const auto staying = stayingBodies(product, earlier ? earlier->staying : stayingNames(options, *demands));
-  if (!staying) return reportError(staying.error(), options.format);
+  if (!staying) {
+    Diagnostic why = staying.error();
+    why.location = "--stay";
+    return reportError(why, options.format);
+  }
   ThreadTeam team(options.lanes - 1);
   const auto fits = ProductFits::find(product, team, interrupt.token());
   if (!fits) return reportError(fits.error(), options.format);

@@ -37,16 +37,6 @@ AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) 
   return plan;
 }
 
-/// What a person has said of the bodies, else the largest.
-BodySet stayingBodies(const AssembledProduct& product, const SequenceDemands& demands) {
-  BodySet staying(product.bodies.size(), false);
-  for (const std::string& name : demands.stay) {
-    for (const std::size_t body : bodiesNamed(product, name)) staying[body] = true;
-  }
-  if (bodiesIn(staying).empty()) staying[largestBody(product)] = true;
-  return staying;
-}
-
 }  // namespace
 
 SequenceController::SequenceController(const Workbench& bench)
@@ -113,7 +103,12 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
     return;
   }
   job.demands = *demands;
-  job.staying = stayingBodies(*job.product, job.demands);
+  const auto staying = stayingBodies(*job.product, job.demands.stay);
+  if (!staying) {
+    bench_.messages.showError(tr("The sequence cannot be planned"), staying.error());
+    return;
+  }
+  job.staying = *staying;
   job.seed = bench_.document.settings().seed;
   job.mostSteps = mostSteps;
   if (goesOn) {

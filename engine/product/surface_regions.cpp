@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/geometry/mesh_volume.h"
 #include "engine/product/cylinder_fit.h"
 
 namespace glissade {
@@ -42,7 +43,7 @@ class RegionFinder {
     result_.labels.resize(mesh.triangles.size());
     measure();
     connect();
-    if (closed_ && signedVolume() < 0.0) {
+    if (closed_ && signedVolume(mesh_) < 0.0) {
       for (Vector3& normal : normals_) normal = -normal;
     }
   }
@@ -75,16 +76,6 @@ class RegionFinder {
       neighbours_[users[0].first][static_cast<std::size_t>(users[0].second)] = users[1].first;
       neighbours_[users[1].first][static_cast<std::size_t>(users[1].second)] = users[0].first;
     }
-  }
-
-  /// Times six; about a vertex, so that nothing is lost far from the origin. Below 0: the surface is inside out.
-  double signedVolume() const {
-    double volume = 0.0;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Vector3& origin = vertex(0, 0);
-      volume += (vertex(t, 0) - origin).dot((vertex(t, 1) - origin).cross(vertex(t, 2) - origin));
-    }
-    return volume;
   }
 
   std::uint32_t corner(std::uint32_t t, int i) const { return mesh_.triangles[t][static_cast<std::size_t>(i)]; }

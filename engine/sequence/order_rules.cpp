@@ -53,6 +53,20 @@ BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) 
   return bodies;
 }
 
+Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names) {
+  BodySet staying(product.bodies.size(), false);
+  if (names.empty()) staying[largestBody(product)] = true;
+  for (const std::string& name : names) {
+    const BodyGroup bodies = bodiesNamed(product, name);
+    for (const std::size_t body : bodies) staying[body] = true;
+    if (bodies.empty()) {
+      return Diagnostic{ErrorKind::Usage, "", "stay", "names '" + name + "', which is no body of the product",
+                        "See 'glissade-cli fits' for the names."};
+    }
+  }
+  return staying;
+}
+
 Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProduct& product) {
   OrderRules rules;
   std::set<std::size_t> grouped;

@@ -48,6 +48,10 @@ struct OrderRules {
 /// The bodies of these ids, or whose ids end in "/" and this; empty where there is none.
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name);
 
+/// The bodies of these names, which do not leave; the largest where none is named. Error, Usage with `location` "stay":
+/// a name that no body has.
+Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names);
+
 /// The demands by index. A name that several bodies have stands for all of them. Errors, Usage with `location`: a name
 /// that no body has; a body in two groups; demands in a circle.
 Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProduct& product);

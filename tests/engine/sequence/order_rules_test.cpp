@@ -52,5 +52,14 @@ TEST(OrderRules, RefuseWhatCannotBe) {
   EXPECT_EQ(reasonOf(demanded({Names{"a", "c"}}, {{"a", "b"}, {"d", "b"}})), "");
 }
 
+TEST(OrderRules, WhoStaysIsNamedOrTheLargest) {
+  const AssembledProduct product = named({"a", "stand/b", "c"});
+  const auto staying = stayingBodies(product, {"b", "c"});
+  ASSERT_TRUE(staying);
+  EXPECT_EQ(*staying, (BodySet{false, true, true}));
+  EXPECT_EQ(bodiesIn(*stayingBodies(product, {})), std::vector<std::size_t>{largestBody(product)});
+  EXPECT_EQ(stayingBodies(product, {"x"}).error().kind, ErrorKind::Usage);
+}
+
 }  // namespace
 }  // namespace glissade
