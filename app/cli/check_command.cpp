@@ -71,11 +71,11 @@ Judgement outsideWorkspace(std::size_t configuration) {
 
 int runCheck(const CheckOptions& options) {
   if (isPlanFile(options.path)) return runPlanCheck(options);
-  auto loaded = loadScenario(options.scenario);
-  if (!loaded) return reportError(loaded.error(), options.format);
   const Interrupt interrupt;
-  const Outcome fitted = applyOptions(options.fits, *loaded, interrupt.token());
-  if (!fitted) return reportError(fitted.error(), options.format);
+  auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->fits.warnings);
   const auto read = readPath(options.path);
   if (!read) return reportError(read.error(), options.format);
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
+#include "engine/scenario/fit_options.h"
 
 namespace glissade::cli {
 

@@ -37,7 +37,7 @@ Json toJson(const PairFit& row) {
   return json;
 }
 
-void printJson(const std::vector<PairFit>& rows) {
+void printPairs(const std::vector<PairFit>& rows) {
   Json json{{"pairs", Json::array()}, {"counts", Json::object()}};
   for (const PairFit& row : rows) json["pairs"].push_back(toJson(row));
   for (const auto& [kind, count] : countsByKind(rows)) json["counts"][kind] = count;
@@ -110,7 +110,7 @@ int runFits(const FitsOptions& options) {
     return reportError({ErrorKind::Interrupted, options.file, "", "was interrupted", "Start again."}, options.format);
   }
   if (options.format == Format::Json) {
-    printJson(rows);
+    printPairs(rows);
   } else if (options.csv) {
     printCsv(rows);
   } else {

@@ -1,12 +1,17 @@
 #include "app/cli/info_command.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cli/environment_report.h"
+#include "app/cli/interrupt.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/scenario/part_files.h"
+#include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade::cli {
@@ -49,6 +54,19 @@ class MeshAudits {
   std::map<MeshPtr, MeshAudit> audits_;
 };
 
+/// The number of meshes, each once.
+std::size_t differentMeshes(const std::vector<RigidBody>& bodies) {
+  std::set<MeshPtr> meshes;
+  for (const RigidBody& body : bodies) meshes.insert(body.mesh);
+  return meshes.size();
+}
+
+std::size_t trianglesOf(const std::vector<RigidBody>& bodies) {
+  std::size_t triangles = 0;
+  for (const RigidBody& body : bodies) triangles += body.mesh->triangles.size();
+  return triangles;
+}
+
 Json toJson(const RigidBody& body, const Uncertainty& uncertainty, MeshAudits& audits) {
   const MeshAudit& result = audits.of(body.mesh);
   return {{"id", body.id},
@@ -73,10 +91,17 @@ Json toJson(const Asset& asset) {
           {"up_axis", asset.up == UpAxis::Y ? "y" : "z"}};
 }
 
-void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role, MeshAudits& audits) {
+/// Of the column of names.
+int nameWidth(const std::vector<RigidBody>& bodies) {
+  std::size_t width = 23;
+  for (const RigidBody& body : bodies) width = std::max(width, body.name.size());
+  return static_cast<int>(width + 1);
+}
+
+void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role, int width, MeshAudits& audits) {
   const MeshAudit& result = audits.of(body.mesh);
   const Vector3 size = result.box.sizes();
-  std::cout << "  " << std::left << std::setw(24) << body.name << std::setw(8) << role << std::right << std::setw(8)
+  std::cout << "  " << std::left << std::setw(width) << body.name << std::setw(8) << role << std::right << std::setw(8)
             << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
             << " x " << size.y() << " x " << size.z() << " m";
   if (uncertainty.deflection > 0.0) {
@@ -94,10 +119,12 @@ void printText(const LoadedScenario& loaded) {
   if (!scenario.description.empty()) std::cout << scenario.description << "\n";
   std::cout << "\nbodies\n";
   MeshAudits audits;
+  const int width = nameWidth(loaded.obstacles);
   for (const RigidBody& body : loaded.obstacles) {
-    printBody(body, uncertaintyOf(body, loaded), body.mobility == Mobility::Static ? "static" : "mobile", audits);
+    const char* role = body.mobility == Mobility::Static ? "static" : "mobile";
+    printBody(body, uncertaintyOf(body, loaded), role, width, audits);
   }
-  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object", audits);
+  printBody(loaded.object, uncertaintyOf(loaded.object, loaded), "object", width, audits);
   const auto& min = loaded.problem.bounds.min();
   const auto& max = loaded.problem.bounds.max();
   std::cout << "\nworkspace  x " << min.x() << " ... " << max.x() << ", y " << min.y() << " ... " << max.y() << ", z "
@@ -109,10 +136,53 @@ void printText(const LoadedScenario& loaded) {
   }
 }
 
+/// The bodies of a part file, which has neither an object nor a problem.
+void printProduct(const std::string& file, const AssembledProduct& product) {
+  std::cout << file << "\n"
+            << product.bodies.size() << " bodies, " << differentMeshes(product.bodies) << " different meshes, "
+            << trianglesOf(product.bodies) << " triangles\n\nbodies\n";
+  MeshAudits audits;
+  const int width = nameWidth(product.bodies);
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    printBody(product.bodies[i], {product.deflections[i], 0.0}, "", width, audits);
+  }
+}
+
+Json toJson(const std::string& file, const AssembledProduct& product) {
+  Json report{{"file", file},
+              {"meshes", differentMeshes(product.bodies)},
+              {"triangles", trianglesOf(product.bodies)},
+              {"bodies", Json::array()}};
+  MeshAudits audits;
+  for (std::size_t i = 0; i < product.bodies.size(); ++i) {
+    report["bodies"].push_back(toJson(product.bodies[i], {product.deflections[i], 0.0}, audits));
+  }
+  return report;
+}
+
+int runProductInfo(const InfoOptions& options) {
+  if (options.places) {
+    return reportError({ErrorKind::Usage, options.file, "--places", "needs a scenario: a part file has no object",
+                        "Make a scenario of the file with glissade-cli new."},
+                       options.format);
+  }
+  const Interrupt interrupt;
+  const auto loaded = readProduct(options.file, interrupt.token());
+  if (!loaded) return reportError(loaded.error(), options.format);
+  reportWarnings(loaded->warnings);
+  if (options.format == Format::Json) {
+    printJson(toJson(options.file, loaded->product));
+  } else {
+    printProduct(options.file, loaded->product);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
-  const auto loaded = loadScenario(options.scenario);
+  if (isPartFile(usualPart(options.file).path)) return runProductInfo(options);
+  const auto loaded = loadScenario(options.file);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
   SceneKnowledgePtr knowledge;

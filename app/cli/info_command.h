@@ -7,13 +7,13 @@
 namespace glissade::cli {
 
 struct InfoOptions {
-  std::string scenario;
+  std::string file;
   bool places = false;  ///< build the environment model, too
   Format format = Format::Text;
 };
 
 /// glissade-cli info: bodies, triangles, units, what the meshes are worth as solids, and on
-/// request octree, places and borders.
+/// request octree, places and borders. Of a part file its bodies.
 int runInfo(const InfoOptions& options);
 
 }  // namespace glissade::cli

@@ -152,7 +152,7 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
 
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and what the meshes are worth");
-  info->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
+  info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, mesh, URDF)")->required();
   info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
   addFormat(*info, options.format);
   return info;

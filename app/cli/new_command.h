@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
+#include "engine/scenario/fit_options.h"
 #include "engine/scenario/part_files.h"
 
 namespace glissade::cli {

@@ -46,10 +46,10 @@ Outcome knowsOutput(const PlanOptions& options) {
 int runPlan(const PlanOptions& options) {
   if (const Outcome known = knowsOutput(options); !known) return reportError(known.error(), options.format);
   const Interrupt interrupt;
-  auto loaded = loadScenario(options.scenario);
+  auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
   if (!loaded) return reportError(loaded.error(), options.format);
-  const Outcome fitted = applyOptions(options.fits, *loaded, interrupt.token());
-  if (!fitted) return reportError(fitted.error(), options.format);
+  reportWarnings(loaded->warnings);
+  reportWarnings(loaded->fits.warnings);
   if (options.collision != loaded->problem.world->backend()) {
     loaded->problem.world = loaded->problem.world->withBackend(options.collision);
   }

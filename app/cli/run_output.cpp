@@ -10,6 +10,7 @@
 #include "app/cli/difficulty_report.h"
 #include "engine/base/file.h"
 #include "engine/collision/thread_rule.h"
+#include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/screw_motion.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/path_exporter.h"
@@ -176,16 +177,37 @@ bool foundNone(const SessionSnapshot& end) {
   return end.problem && (end.problem->kind == ErrorKind::NoPath || end.problem->kind == ErrorKind::LimitReached);
 }
 
-/// What keeps the object in its threads, by id: the bodies that have to leave first.
-void addBlocking(const LoadedScenario& scenario, const SessionSnapshot& end, const StopToken& stop, Json& report) {
+/// The bodies that have to leave first: those that keep the object in its threads; where it is in none, those that stop
+/// it on its way straight out.
+std::vector<const RigidBody*> blockingBodies(const LoadedScenario& scenario, const StopToken& stop) {
   const Problem& problem = scenario.problem;
-  if (!foundNone(end) || problem.world->threads().empty()) return;
   const double required = scenario.parameters[ParameterId::RequiredClearance];
   const auto query = problem.world->makeQuery();
-  report["blocked_by"] = Json::array();
-  for (const int body : findScrewWays(*problem.world, *query, problem.start, required, stop).blockedBy) {
-    report["blocked_by"].push_back(scenario.obstacles[static_cast<std::size_t>(body)].id);
+  const ScrewSearch screws = problem.world->threads().empty()
+                                 ? ScrewSearch{}
+                                 : findScrewWays(*problem.world, *query, problem.start, required, stop);
+  std::vector<const RigidBody*> bodies;
+  for (const int body : screws.engaged ? screws.blockedBy : firstInTheWay(problem, *query, required, stop)) {
+    bodies.push_back(&scenario.obstacles[static_cast<std::size_t>(body)]);
   }
+  return bodies;
+}
+
+Json idsOf(const std::vector<const RigidBody*>& bodies) {
+  Json ids = Json::array();
+  for (const RigidBody* body : bodies) ids.push_back(body->id);
+  return ids;
+}
+
+void printBlocking(const std::vector<const RigidBody*>& bodies) {
+  if (bodies.empty()) return;
+  std::cout << "held at its start by";
+  const char* separator = " '";
+  for (const RigidBody* body : bodies) {
+    std::cout << separator << body->name << "'";
+    separator = ", '";
+  }
+  std::cout << "\n";
 }
 
 SaveResult writeRecord(const PlanOptions& options, const LoadedScenario& scenario, const SessionSnapshot& end) {
@@ -218,17 +240,22 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
 
   const CollisionWorld& world = *scenario.problem.world;
   std::optional<Difficulty> difficulty;
-  if (options.difficulty && foundNone(end)) difficulty = difficultyOf(scenario, end, stop);
+  std::vector<const RigidBody*> blockedBy;
+  if (foundNone(end)) {
+    if (options.difficulty) difficulty = difficultyOf(scenario, end, stop);
+    blockedBy = blockingBodies(scenario, stop);
+  }
   if (options.format == Format::Json) {
     Json report = toJson(end, world, options.edges);
     if (end.path) addUncertainties(scenario, end.path->points, report["certificate"]);
-    addBlocking(scenario, end, stop, report);
+    if (foundNone(end)) report["blocked_by"] = idsOf(blockedBy);
     if (difficulty) report["difficulty"] = toJson(*difficulty, world);
     printJson(report);
   } else {
     printText(end, world);
     if (end.path) std::cout << deviationInWords(scenario, end.path->points);
     if (end.path && options.edges) printEdges(end.path->certificate, world);
+    printBlocking(blockedBy);
     if (difficulty) printDifficulty(*difficulty, world);
   }
   if (end.problem) std::cerr << "glissade-cli: " << toString(*end.problem) << "\n";

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/fit_options.h"
 #include "app/cli/report.h"
+#include "engine/scenario/fit_options.h"
 
 namespace glissade::cli {
 

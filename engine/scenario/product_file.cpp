@@ -7,6 +7,7 @@
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/scenario/sequence_knowledge.h"
+#include "engine/scenario/unit_guess.h"
 
 namespace glissade {
 namespace {
@@ -16,7 +17,11 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
   PartFile part = usualPart(file);
   part.deflection = deflection;
   ProductFile loaded;
-  const auto geometry = readPart(part, read, stop, &loaded.warnings);
+  std::vector<PartFile> guessed{part};
+  const auto guesses = guessUnits(guessed, read, stop);
+  if (!guesses) return guesses.error();
+  loaded.warnings = *guesses;
+  const auto geometry = readPart(guessed.front(), read, stop, &loaded.warnings);
   if (!geometry) return geometry.error();
   warnOfMissingFaces(**geometry, "", file, loaded.warnings);
   for (const GeometryPart& solid : (*geometry)->parts) {

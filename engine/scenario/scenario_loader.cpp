@@ -10,7 +10,9 @@
 #include "engine/import/omplapp_config.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/extent_check.h"
+#include "engine/scenario/fit_options.h"
 #include "engine/scenario/geometry_loader.h"
+#include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -165,6 +167,10 @@ Result<ReadScenario> readScenario(const std::string& file) {
     if (!config) return config.error();
     return ReadScenario{toScenario(*config), "", {}};
   }
+  if (isPartFile(file)) {
+    return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
+                      "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
+  }
   const auto text = readFile(file, kMostScenarioBytes);
   if (!text) return text.error();
   Warnings warnings;
@@ -173,21 +179,39 @@ Result<ReadScenario> readScenario(const std::string& file) {
   return ReadScenario{std::move(*scenario), sha256(*text), std::move(warnings)};
 }
 
+Result<ScenarioFile> openScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
+  auto read = readScenario(file);
+  if (!read) return read.error();
+  read->scenario.fits = withOptions(read->scenario.fits, options);
+  auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop);
+  if (!loaded) return loaded.error();
+  loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
+  return ScenarioFile{std::move(*loaded), std::move(read->sha256)};
+}
+
 }  // namespace
 
+FitSettings withOptions(FitSettings settings, const FitOptions& options) {
+  if (options.acceptedClash) {
+    settings.acceptedClash = *options.acceptedClash;
+    settings.on = true;
+  }
+  if (options.on) settings.on = *options.on;
+  return settings;
+}
+
 Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop) {
-  auto opened = openScenarioFile(file, stop);
+  return loadScenario(file, FitOptions{}, stop);
+}
+
+Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
+  auto opened = openScenario(file, options, stop);
   if (!opened) return opened.error();
   return std::move(opened->scenario);
 }
 
 Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop) {
-  auto read = readScenario(file);
-  if (!read) return read.error();
-  auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop);
-  if (!loaded) return loaded.error();
-  loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
-  return ScenarioFile{std::move(*loaded), std::move(read->sha256)};
+  return openScenario(file, {}, stop);
 }
 
 Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder, const std::string& file,

@@ -3232,8 +3232,12 @@
         <translation>Type</translation>
     </message>
     <message>
-        <source>Gap or overlap</source>
-        <translation>Jeu ou recouvrement</translation>
+        <source>Gap</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Negative where the bodies overlap</source>
+        <translation>Négatif là où les corps se recouvrent</translation>
     </message>
     <message>
         <source>Allowance</source>

@@ -532,6 +532,13 @@ TEST_F(Cli, AProductInOneStepFileIsPlannedPartByPart) {
   EXPECT_EQ(info["bodies"][1]["name"], "pin#2");
   EXPECT_EQ(info["bodies"][1]["deflection_m"], 1e-4);
   EXPECT_EQ(info["object"]["closed"], true);
+  const Json file = Json::parse(run("info " + unit + " --json").out);
+  EXPECT_EQ(file["bodies"].size(), 5U);
+  EXPECT_LT(file["meshes"], 5U) << "the pins share their mesh";
+  EXPECT_EQ(run("info " + unit + " --places").exitCode, 2);
+  const Finished part = run("plan " + unit);
+  EXPECT_EQ(part.exitCode, 2);
+  EXPECT_NE(part.err.find("glissade-cli new"), std::string::npos) << part.err;
   EXPECT_NE(run("info " + made).out.find("within 0.1 mm"), std::string::npos);
   const Finished plan = run("plan " + made + " --out " + path);
   ASSERT_EQ(plan.exitCode, 0);
@@ -570,6 +577,17 @@ TEST_F(Cli, PartsThatFitComeOutAndTheAllowanceIsStated) {
   EXPECT_EQ(run("check " + made + " " + path + " --fits off").exitCode, 1) << "the whole screw does not come out";
   EXPECT_EQ(run("plan " + made + " --fits off").exitCode, 4);
   EXPECT_EQ(run("plan " + made + " --fits auto").exitCode, 2);
+}
+
+TEST_F(Cli, WhereNoPathIsFoundThoseThatHoldTheObjectAreNamed) {
+  const std::string made = (folder / "bracket.json").string();
+  const std::string product = glissade::test::stepFile("fits.step");
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":bracket --static " + product).exitCode, 0);
+  const Finished plan = run("plan " + made + " --max-steps 500");
+  ASSERT_EQ(plan.exitCode, 5) << plan.err;
+  EXPECT_NE(plan.out.find("held at its start by 'plate', 'bolt'"), std::string::npos) << plan.out;
+  const Json report = Json::parse(run("plan " + made + " --max-steps 500 --json").out);
+  EXPECT_EQ(report["blocked_by"], Json({"plate", "bolt"}));
 }
 
 TEST_F(Cli, AClashIsAcceptedByAPersonOnly) {

@@ -56,7 +56,7 @@ TEST_F(FitsPanelTest, LengthsAreSortedByTheirValues) {
       table().sortByColumn(column, Qt::AscendingOrder);
   }
   QStringList order;
-  for (int i = 0; i < 3; ++i) order << table().topLevelItem(i)->text(1);
+  for (int i = 0; i < 3; ++i) order << table().topLevelItem(i)->text(2);
   EXPECT_EQ(order, (QStringList{QStringLiteral("arm"), QStringLiteral("nut"), QStringLiteral("screw")}));
 }
 

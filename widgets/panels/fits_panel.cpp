@@ -2,16 +2,17 @@
 
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
-enum Column { Kind, BodyA, BodyB, Amount, Allowance, Status, ColumnCount };
+enum Column { Kind, Amount, BodyA, BodyB, Allowance, Status, ColumnCount };
 
-/// Names are long: their columns show their ends.
-constexpr int kNameWidth = 100;
+/// Pixels. Names are long: their columns share what the others leave, and show the ends of the names.
+constexpr int kLeastNameWidth = 60;
 
 constexpr int kIndexRole = Qt::UserRole;     // of the pair
 constexpr int kSortRole = Qt::UserRole + 1;  // of lengths: metres
@@ -48,6 +49,10 @@ void setLength(QTreeWidgetItem& item, int column, double sortedBy, const QString
 /// An overlap sorts before a gap.
 double signedGap(const Contact& contact) { return contact.overlap > 0.0 ? -contact.overlap : contact.gap; }
 
+QString signedLengthText(double metres) {
+  return metres < 0.0 ? QStringLiteral("−") + lengthText(-metres) : lengthText(metres);
+}
+
 QString amountText(const Contact& contact) {
   const QString amount = contact.overlap > 0.0 ? FitsPanel::tr("%1 overlap").arg(lengthText(contact.overlap))
                          : contact.gap > 0.0   ? FitsPanel::tr("%1 gap").arg(lengthText(contact.gap))
@@ -78,8 +83,8 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(true);
   table_->setColumnCount(ColumnCount);
-  table_->setHeaderLabels(
-      {tr("Kind"), tr("Body A"), tr("Body B"), tr("Gap or overlap"), tr("Allowance"), tr("Status")});
+  table_->setHeaderLabels({tr("Kind"), tr("Gap"), tr("Body A"), tr("Body B"), tr("Allowance"), tr("Status")});
+  table_->headerItem()->setToolTip(Amount, tr("Negative where the bodies overlap"));
   table_->setRootIsDecorated(false);
   table_->setUniformRowHeights(true);
   table_->setAlternatingRowColors(true);
@@ -108,17 +113,29 @@ void FitsPanel::setFits(const PairFitsPtr& fits) {
   table_->clear();
   for (std::size_t i = 0; fits_ && i < fits_->size(); ++i) addRow(i);
   table_->setSortingEnabled(true);
-  for (const int column : {Kind, Amount, Allowance}) table_->resizeColumnToContents(column);
-  for (const int column : {BodyA, BodyB}) table_->setColumnWidth(column, kNameWidth);
+  for (const int column : {Kind, Amount, Allowance, Status}) table_->resizeColumnToContents(column);
+  shareWidth();
   summary_->setText(summary());
   filter(filter_->text());
+}
+
+void FitsPanel::shareWidth() {
+  int rest = table_->viewport()->width();
+  for (const int column : {Kind, Amount, Allowance}) rest -= table_->columnWidth(column);
+  for (const int column : {BodyA, BodyB}) table_->setColumnWidth(column, std::max(kLeastNameWidth, rest / 2));
+}
+
+void FitsPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  shareWidth();
 }
 
 void FitsPanel::addRow(std::size_t index) {
   const PairFit& fit = (*fits_)[index];
   auto* row = new FitItem(table_);
   row->setText(Kind, contactKindText(fit.decision.kind));
-  setLength(*row, Amount, signedGap(fit.contact), amountText(fit.contact));
+  setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
+  row->setToolTip(Amount, amountText(fit.contact));
   setLength(*row, Allowance, fit.allowance(),
             fit.allowance() > 0.0 ? lengthText(fit.allowance()) : QStringLiteral("–"));
   row->setText(Status, statusText(fit.status()));

@@ -36,7 +36,11 @@ class FitsPanel final : public QWidget {
   /// Double click or Enter on a row.
   void activated();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void shareWidth();
   void addRow(std::size_t index);
   void filter(const QString& text);
   QString summary() const;

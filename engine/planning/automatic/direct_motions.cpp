@@ -1,60 +1,26 @@
 #include "engine/planning/automatic/direct_motions.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
-#include "engine/planning/automatic/contact_faces.h"
+#include "engine/planning/automatic/straight_ways_out.h"
 #include "engine/planning/path_certificate.h"
 
 namespace glissade {
 namespace {
 
-constexpr std::size_t kSlideFaces = 6;
 /// How far an object is lifted before it crosses, in its radii.
 constexpr double kLifts[] = {0.5, 2.0};
 /// A screw's turn on the way out, and in how many straight motions.
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kScrewPieces = 16;
 
-/// Axes of the world and normals of the object's large faces at the start, both ways, no two alike.
-std::vector<Vector3> directionsOf(const Problem& problem) {
-  std::vector<Vector3> directions;
-  const auto add = [&](const Vector3& direction) {
-    const auto same = [&](const Vector3& other) { return other.dot(direction) > 0.999; };
-    if (std::none_of(directions.begin(), directions.end(), same)) directions.push_back(direction);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    add(Vector3::Unit(axis));
-    add(-Vector3::Unit(axis));
-  }
-  for (const Vector3& normal_B : largestFaceNormals(problem.world->object(), kSlideFaces)) {
-    add(problem.start.orientation * normal_B);
-    add(-(problem.start.orientation * normal_B));
-  }
-  return directions;
-}
-
-/// How far until the object's ball is clear of the box.
-double wayOut(const Problem& problem, const Vector3& direction) {
-  const Box3& box = problem.world->obstaclesBox();
-  const double margin = problem.world->objectRadius() * (1.0 + 1e-9);
-  double least = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(direction[axis]) < 1e-6) continue;
-    const double face = direction[axis] > 0.0 ? box.max()[axis] + margin : box.min()[axis] - margin;
-    least = std::min(least, (face - problem.start.position[axis]) / direction[axis]);
-  }
-  return std::max(0.0, least);
-}
-
 }  // namespace
 
 DirectMotions::DirectMotions(const Problem& problem) : problem_(problem), query_(problem.world->makeQuery()) {
   nodes_.push_back({problem_.start, Author::Computer, TreeSide::Start});
   counts_.nodes = 1;
-  const std::vector<Vector3> directions = directionsOf(problem_);
+  const std::vector<Vector3> directions = likelyDirections(problem_);
   if (const Pose* goal = std::get_if<Pose>(&problem_.goal)) {
     acrossIdeas(*goal, directions);
   } else if (!problem_.world->obstaclesBox().isEmpty()) {
@@ -65,16 +31,17 @@ DirectMotions::DirectMotions(const Problem& problem) : problem_(problem), query_
 void DirectMotions::outIdeas(const std::vector<Vector3>& directions) {
   for (const Vector3& direction : directions) {
     Pose out = problem_.start;
-    out.position += wayOut(problem_, direction) * direction;
+    out.position += distanceOut(problem_, direction) * direction;
     add({problem_.start, out});
   }
   for (const Vector3& direction : directions) {
+    const double distance = distanceOut(problem_, direction);
     for (const double turn : {kTurn, -kTurn}) {
       std::vector<Pose> screw;
       for (int piece = 0; piece <= kScrewPieces; ++piece) {
         const double t = static_cast<double>(piece) / kScrewPieces;
         Pose q = problem_.start;
-        q.position += t * wayOut(problem_, direction) * direction;
+        q.position += t * distance * direction;
         q.orientation = (Quaternion(Eigen::AngleAxisd(t * turn, direction)) * q.orientation).normalized();
         screw.push_back(piece == 0 ? problem_.start : q);
       }

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
 
-namespace glissade::cli {
+namespace glissade {
 
-/// What a command line says about fits, before what the scenario says.
+/// What is asked of the fits besides what a scenario says.
 struct FitOptions {
   std::optional<bool> on;
   std::optional<double> acceptedClash;  ///< metres; turns fits on unless they are turned off
@@ -16,8 +17,7 @@ struct FitOptions {
 /// The settings with what the options say.
 FitSettings withOptions(FitSettings settings, const FitOptions& options);
 
-/// Finds the fits again where the options change the scenario's settings, and prints warnings of the scenario and of
-/// its fits.
-Outcome applyOptions(const FitOptions& options, LoadedScenario& loaded, const StopToken& stop);
+/// loadScenario with these options in place of what the file says. Fits that are turned off are not looked for.
+Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop = {});
 
-}  // namespace glissade::cli
+}  // namespace glissade
