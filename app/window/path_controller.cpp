@@ -33,7 +33,8 @@ PathController::PathController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
       panel_(new PathPanel(bench.actions, &bench.window)),
-      report_(bench, nullptr) {
+      report_(bench, nullptr),
+      film_(bench.work, [&bench] { return bench.scene.picture(); }) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
     shownPose_ = pose;
     bench_.scene.view().setPlaybackPose(pose);
@@ -65,6 +66,7 @@ void PathController::connectActions() {
   bench_.onAction("file.open-path", this, [this] { chooseFile(); });
   bench_.onAction("file.export", this, [this] { chooseExport(); });
   bench_.onAction("path.report", this, [this] { chooseReport(); });
+  bench_.onAction("path.film", this, [this] { chooseFilm(); });
 }
 
 void PathController::bringToFront() { bench_.actions["panel.path"]->trigger(); }
@@ -110,6 +112,7 @@ void PathController::show() {
   const RunResults results = bench_.run.isLive() ? bench_.document.results() : replayed;
   const bool isOther = results.path != results_.path;
   const bool isNew = results.path && isOther;
+  if (isOther) film_.cancel();
   results_ = results;
   panel_->setPath(results.path, results.refused, *bench_.document.scenario());
   enableActions();
@@ -179,6 +182,33 @@ void PathController::reportTo(const QString& file, const PathReportJob::Finished
   report_.start(results_, profile_, shownPose_, file, finished);
 }
 
+void PathController::chooseFilm() {
+  const QString file =
+      QFileDialog::getSaveFileName(&bench_.window, tr("Film the path"), QStringLiteral("path.mp4"), filmFilter());
+  if (file.isEmpty()) return;
+  filmTo(file, [this, file](const SaveResult& saved) {
+    if (saved) return bench_.messages.showStatus(tr("The film was saved as %1").arg(file));
+    if (saved.why.kind != ErrorKind::Interrupted) return showError(saved.why);
+    bench_.messages.showStatus(tr("The film was cancelled"));
+  });
+}
+
+void PathController::filmTo(const QString& file, const FilmJob::Finished& finished) {
+  if (!results_.path) {
+    finished(notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no path to film", "Solve first."}));
+    return;
+  }
+  bench_.actions["path.play"]->setChecked(false);
+  const auto restore = [this, pose = shownPose_, share = panel_->slider().share()] {
+    panel_->showAt(share);
+    shownPose_ = pose;
+    bench_.scene.view().setPlaybackPose(pose);
+    bench_.scene.refresh();
+  };
+  film_.start({panel_->slider().playedSeconds(), [this](double share) { panel_->showPlayed(share); }, restore}, file,
+              finished);
+}
+
 std::string PathController::verdict() const {
   if (results_.path) return "certified";
   if (!results_.refused) return "none";
@@ -199,6 +229,7 @@ void PathController::enableActions() {
   bench_.enable("path.first-blocked", refused && !results_.refused->blocked.empty());
   bench_.enable("file.export", path);
   bench_.enable("path.report", path);
+  bench_.enable("path.film", path);
   bench_.enable("file.open-path", live && !isRunning(*snapshot));
 }
 

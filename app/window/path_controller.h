@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/window/film_job.h"
 #include "app/window/path_report_job.h"
 #include "app/window/workbench.h"
 #include "widgets/bridge/background_task.h"
@@ -25,6 +26,8 @@ class PathController final : public QObject {
   SaveResult exportTo(const QString& file);
   /// Writes the report of the path: HTML or PDF, by the ending.
   void reportTo(const QString& file, const PathReportJob::Finished& finished);
+  /// Films the path as it is played: MP4, WebM or a series of pictures, by the ending.
+  void filmTo(const QString& file, const FilmJob::Finished& finished);
   /// "none", "certified", or the id of the body that blocks it first ("-": its ends do not fit, or none is near).
   std::string verdict() const;
 
@@ -39,6 +42,7 @@ class PathController final : public QObject {
   void chooseFile();
   void chooseExport();
   void chooseReport();
+  void chooseFilm();
   void enableActions();
 
   const Workbench& bench_;
@@ -48,6 +52,7 @@ class PathController final : public QObject {
   std::optional<Pose> shownPose_;                    ///< of the playback; nothing: the object is where the hand has it
   BackgroundTask measuring_;
   PathReportJob report_;
+  FilmJob film_;
 };
 
 }  // namespace glissade

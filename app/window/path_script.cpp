@@ -13,6 +13,11 @@ void addPathCommands(ScriptCommands& scripts, PathController& path) {
     path.reportTo(QString::fromStdString(words[0]), [&result](const SaveResult& saved) { result = saved; });
     return outcomeOf(result);
   });
+  scripts.add("film-path", 1, [&path](const Words& words) -> Outcome {
+    SaveResult result;
+    path.filmTo(QString::fromStdString(words[0]), [&result](const SaveResult& saved) { result = saved; });
+    return outcomeOf(result);
+  });
   scripts.add("open-path", 1,
               [&path](const Words& words) { return outcomeOf(path.open(QString::fromStdString(words[0]))); });
   scripts.add("expect-path", 1, [&path](const Words& words) -> Outcome {

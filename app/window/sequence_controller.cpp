@@ -43,7 +43,8 @@ SequenceController::SequenceController(const Workbench& bench)
     : QObject(&bench.window),
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
-      instruction_(new InstructionJob(bench, *this)) {
+      instruction_(new InstructionJob(bench, *this)),
+      film_(bench.work, [&bench] { return bench.scene.picture(); }) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
   connect(&planner_, &SequencePlanner::judged, this, &SequenceController::takeJudged);
@@ -145,6 +146,7 @@ void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>
 }
 
 void SequenceController::setPlan(const ShownPlan& shown) {
+  film_.cancel();
   const bool there = shown.product && shown.plan;
   playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
   offsets_ = there ? explodedOffsets(*shown.product, *shown.plan) : std::vector<Vector3>();
@@ -261,10 +263,19 @@ void SequenceController::exportTo(const QString& file, const InstructionJob::Fin
         notSaved({ErrorKind::Usage, file.toStdString(), "", "there is no plan to write", "Plan the sequence first."}));
   } else if (isInstruction(file)) {
     instruction_->start(file, finished);
+  } else if (isFilm(file)) {
+    film(file, finished);
   } else {
     const std::string& product = bench_.document.scenario()->file;
     finished(writeSequence(shown(), panel_->order(), product.empty() ? productName() : product, productName(), file));
   }
+}
+
+void SequenceController::film(const QString& file, const FilmJob::Finished& finished) {
+  bench_.actions["sequence.play"]->setChecked(false);
+  const auto restore = [this, time = panel_->time()] { panel_->showTime(time); };
+  film_.start({panel_->slider().playedSeconds(), [this](double share) { panel_->showPlayed(share); }, restore}, file,
+              finished);
 }
 
 void SequenceController::chooseFile() {
@@ -278,10 +289,13 @@ void SequenceController::chooseExport() {
   const QString file = QFileDialog::getSaveFileName(
       &bench_.window, tr("Save the assembly plan"), QStringLiteral("plan.json"),
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
-         "Animation (*.glb)"));
+         "Animation (*.glb)") +
+          QStringLiteral(";;") + filmFilter());
   if (file.isEmpty()) return;
   exportTo(file, [this, file](const SaveResult& saved) {
-    if (!saved) {
+    if (!saved && saved.why.kind == ErrorKind::Interrupted) {
+      bench_.messages.showStatus(tr("The film was cancelled"));
+    } else if (!saved) {
       bench_.messages.showError(tr("The assembly plan cannot be saved"), saved.why);
     } else {
       bench_.messages.showStatus(tr("The assembly plan was saved as %1").arg(file));

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/window/film_job.h"
 #include "app/window/instruction_job.h"
 #include "app/window/workbench.h"
 #include "engine/sequence/plan_playback.h"
@@ -29,8 +30,8 @@ class SequenceController final : public QObject {
   /// Reads a plan of the product that is open and judges it; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
   /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or
-  /// PDF, by the ending of the file.
-  /// `finished` is called when it is done: at once, or later for a work instruction.
+  /// PDF, a film as MP4, WebM or a series of pictures, by the ending of the file.
+  /// `finished` is called when it is done: at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
   /// The name of the scenario, or of its file.
   std::string productName() const;
@@ -52,6 +53,7 @@ class SequenceController final : public QObject {
   void toggleStays();
   void chooseFile();
   void chooseExport();
+  void film(const QString& file, const FilmJob::Finished& finished);
   void enableActions();
 
   const Workbench& bench_;
@@ -62,6 +64,7 @@ class SequenceController final : public QObject {
   std::vector<Vector3> offsets_;  ///< of the exploded view
   PlanGraphView* graph_ = nullptr;
   InstructionJob* instruction_;
+  FilmJob film_;
 };
 
 }  // namespace glissade

@@ -27,7 +27,7 @@ SaveResult writeSequence(const ShownPlan& shown, PlanOrder order, const std::str
     return content ? saveFile(path, *content) : notSaved(content.error());
   }
   return notSaved({ErrorKind::Usage, path, "", "assembly plans are not written in this format",
-                   "Choose one of: .json, .csv, .glb, .html, .pdf."});
+                   "Choose one of: .json, .csv, .glb, .html, .pdf, .mp4, .webm, .png."});
 }
 
 bool isInstruction(const QString& file) {

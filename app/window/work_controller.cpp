@@ -44,19 +44,25 @@ void WorkController::run(const Job& job) {
 }
 
 void WorkController::show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel) {
-  connect(&task, &BackgroundTask::started, this, [this, what, cancel] {
-    cancelOther_ = cancel;
-    if (!task_.isBusy()) busy_->begin(what);
-    enable();
-  });
-  connect(&task, &BackgroundTask::progressed, this, [this](double share) {
-    if (!task_.isBusy()) busy_->setShare(share);
-  });
-  connect(&task, &BackgroundTask::ended, this, [this] {
-    cancelOther_ = nullptr;
-    if (!task_.isBusy()) busy_->end();
-    enable();
-  });
+  connect(&task, &BackgroundTask::started, this, [this, what, cancel] { beginOther(what, cancel); });
+  connect(&task, &BackgroundTask::progressed, this, &WorkController::showShare);
+  connect(&task, &BackgroundTask::ended, this, &WorkController::endOther);
+}
+
+void WorkController::beginOther(const QString& what, const std::function<void()>& cancel) {
+  cancelOther_ = cancel;
+  if (!task_.isBusy()) busy_->begin(what);
+  enable();
+}
+
+void WorkController::showShare(double share) {
+  if (!task_.isBusy()) busy_->setShare(share);
+}
+
+void WorkController::endOther() {
+  cancelOther_ = nullptr;
+  if (!task_.isBusy()) busy_->end();
+  enable();
 }
 
 void WorkController::begin(const Job& job) {

@@ -31,6 +31,10 @@ class WorkController final : public QObject {
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
   /// Shows another task in the status bar, too, while none of its own is under way.
   void show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel);
+  /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end.
+  void beginOther(const QString& what, const std::function<void()>& cancel);
+  void showShare(double share);
+  void endOther();
   /// Ends what need not be finished.
   void cancel();
 

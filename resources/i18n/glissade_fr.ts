@@ -940,6 +940,14 @@
         <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
+        <source>&amp;Film of the path...</source>
+        <translation>&amp;Film du chemin...</translation>
+    </message>
+    <message>
+        <source>Film the 3D view while the path is played: MP4, WebM or pictures</source>
+        <translation>Filmer la vue 3D pendant que le chemin est joué : MP4, WebM ou images</translation>
+    </message>
+    <message>
         <source>&amp;Report of the path...</source>
         <translation>&amp;Rapport du chemin...</translation>
     </message>
@@ -1637,6 +1645,38 @@
         <translation>il n&apos;y a pas de chemin à exporter</translation>
     </message>
     <message>
+        <source>there is no path to report</source>
+        <translation>il n&apos;y a pas de chemin dont faire le rapport</translation>
+    </message>
+    <message>
+        <source>there is no path to film</source>
+        <translation>il n&apos;y a pas de chemin à filmer</translation>
+    </message>
+    <message>
+        <source>ffmpeg is needed for films, and is not installed</source>
+        <translation>ffmpeg est nécessaire pour les films, et n&apos;est pas installé</translation>
+    </message>
+    <message>
+        <source>Install the package ffmpeg, or give a name that ends with .png for a series of pictures.</source>
+        <translation>Installer le paquet ffmpeg, ou donner un nom qui finit par .png pour une série d&apos;images.</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not write the film: %1</source>
+        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
+    </message>
+    <message>
+        <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
+        <translation>Vérifier le dossier, sa place libre, et que ffmpeg a les codecs libx264 et libvpx-vp9.</translation>
+    </message>
+    <message>
+        <source>films are not written in this format</source>
+        <translation>les films ne sont pas écrits dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose one of: .mp4, .webm, .png.</source>
+        <translation>Choisir parmi : .mp4, .webm, .png.</translation>
+    </message>
+    <message>
         <source>Solve first.</source>
         <translation>Chercher d&apos;abord un chemin.</translation>
     </message>
@@ -2327,6 +2367,20 @@
     <message>
         <source>Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.</source>
         <translation>Glissade s&apos;est arrêté de façon inattendue. Les modifications du %1 sont endommagées et ne peuvent pas être ouvertes.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmWriter</name>
+    <message>
+        <source>Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)</source>
+        <translation>Film (*.mp4);;Film (*.webm);;Série d&apos;images (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FilmJob</name>
+    <message>
+        <source>Making the film</source>
+        <translation>Création du film</translation>
     </message>
 </context>
 <context>
@@ -3969,6 +4023,18 @@
         <translation>Écrire le rapport du chemin</translation>
     </message>
     <message>
+        <source>Film the path</source>
+        <translation>Filmer le chemin</translation>
+    </message>
+    <message>
+        <source>The film was saved as %1</source>
+        <translation>Le film a été enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>The film was cancelled</source>
+        <translation>Le film a été annulé</translation>
+    </message>
+    <message>
         <source>Web page (*.html);;PDF (*.pdf)</source>
         <translation>Page web (*.html);;PDF (*.pdf)</translation>
     </message>
@@ -5047,6 +5113,10 @@
 </context>
 <context>
     <name>glissade::SequenceController</name>
+    <message>
+        <source>The film was cancelled</source>
+        <translation>Le film a été annulé</translation>
+    </message>
     <message>
         <source>The sequence cannot be planned</source>
         <translation>La séquence ne peut pas être planifiée</translation>

@@ -201,6 +201,8 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"path.report", QT_TRANSLATE_NOOP("Actions", "&Report of the path..."), "Ctrl+Alt+D",
        QT_TRANSLATE_NOOP("Actions", "Write problem, certificate, clearance and pictures of the path as HTML or PDF"),
        false},
+      {"path.film", QT_TRANSLATE_NOOP("Actions", "&Film of the path..."), "Ctrl+Alt+F",
+       QT_TRANSLATE_NOOP("Actions", "Film the 3D view while the path is played: MP4, WebM or pictures"), false},
       {"path.sweep", QT_TRANSLATE_NOOP("Actions", "S&wept volume"), "Ctrl+Alt+W",
        QT_TRANSLATE_NOOP("Actions", "Show all that the object covers along the path, never less"), true},
       {"path.export-sweep", QT_TRANSLATE_NOOP("Actions", "E&xport the swept volume..."), "",

@@ -29,6 +29,10 @@ class PathPanel final : public QWidget {
   /// The clearance along the path that is shown; null: not known yet.
   void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
+  /// For films: what playing shows (PlaySlider).
+  const PlaySlider& slider() const { return *slider_; }
+  void showPlayed(double share) { slider_->showPlayed(share); }
+  void showAt(double share) { slider_->showAt(share); }
   void showFirstBlocked();
   /// The object at the place of the smallest clearance.
   void showTightest();

@@ -39,6 +39,9 @@ class SequencePanel final : public QWidget {
   /// Of removal: from 0 to the number of steps.
   double time() const;
   void showTime(double time);
+  /// For films: what playing shows (PlaySlider).
+  const PlaySlider& slider() const { return *play_; }
+  void showPlayed(double share) { play_->showPlayed(share); }
   double exploded() const { return explode_->share(); }
   void showExploded(double share) { explode_->showAt(share); }
   /// Makes the step's row the current one and shows the step; counted in the plan, from 0. False: there is none.

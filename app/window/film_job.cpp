@@ -1,0 +1,75 @@
+#include "app/window/film_job.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace glissade {
+namespace {
+
+/// Seconds for which the first and the last picture stand.
+constexpr double kStanding = 0.6;
+
+}  // namespace
+
+void FilmJob::start(FilmSubject subject, const QString& file, Finished finished) {
+  cancel();
+  auto writer = makeFilmWriter(file);
+  if (!writer) return finished(notSaved(writer.error()));
+  subject_ = std::move(subject);
+  finished_ = std::move(finished);
+  file_ = file;
+  writer_ = std::move(*writer);
+  taken_ = 0;
+  pictures_ = 1 + static_cast<int>(std::lround(kFilmRate * (subject_.seconds + 2.0 * kStanding)));
+  connect(writer_.get(), &FilmWriter::ended, this, &FilmJob::end);
+  connect(writer_.get(), &FilmWriter::ready, this, &FilmJob::takePictures);
+  work_.beginOther(tr("Making the film"), [this] { cancel(); });
+  takePictures();
+}
+
+void FilmJob::cancel() {
+  if (!writer_) return;
+  end(notSaved({ErrorKind::Interrupted, file_.toStdString(), "", "the film was cancelled", "Start it again."}));
+}
+
+/// One picture now, the others at later turns of the event loop.
+void FilmJob::takePictures() {
+  do {
+    if (!writer_) return;
+    if (writer_->isBusy()) {
+      if (!work_.isAtOnce()) return;  // until it is ready
+      writer_->wait();
+    } else if (taken_ < pictures_) {
+      takePicture();
+      if (writer_ && taken_ == pictures_) writer_->close();
+    } else if (work_.isAtOnce()) {
+      writer_->wait();
+    } else {
+      return;
+    }
+  } while (work_.isAtOnce());
+  if (writer_) QTimer::singleShot(0, writer_.get(), [this] { takePictures(); });
+}
+
+void FilmJob::takePicture() {
+  const double second = static_cast<double>(taken_) / kFilmRate - kStanding;
+  subject_.show(std::clamp(second / std::max(subject_.seconds, 1.0 / kFilmRate), 0.0, 1.0));
+  ++taken_;
+  work_.showShare(static_cast<double>(taken_) / pictures_);
+  writer_->add(picture_());
+}
+
+void FilmJob::end(const SaveResult& result) {
+  if (!writer_) return;
+  // The writer may be what calls.
+  writer_->disconnect(this);
+  writer_.release()->deleteLater();
+  work_.endOther();
+  subject_.restore();
+  std::exchange(finished_, nullptr)(result);
+}
+
+}  // namespace glissade

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "app/window/film_writer.h"
+#include "app/window/work_controller.h"
+
+namespace glissade {
+
+/// What a film shows.
+struct FilmSubject {
+  double seconds = 0.0;              ///< at the speed that is chosen for playing
+  std::function<void(double)> show;  ///< the scene at a share of the time, in [0, 1]
+  std::function<void()> restore;     ///< the scene as it was before
+};
+
+/// Films the 3D view as it is seen: a picture at each turn of the event loop, with its share in the status bar, where
+/// it is cancelled, too. In scripts all of it is done at once. GUI thread.
+class FilmJob final : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `picture`: of the scene as it is.
+  FilmJob(WorkController& work, std::function<QImage()> picture) : work_(work), picture_(std::move(picture)) {}
+
+  using Finished = std::function<void(const SaveResult&)>;
+  /// A film that is under way is cancelled. Errors: those of makeFilmWriter() and of writing, and Interrupted.
+  void start(FilmSubject subject, const QString& file, Finished finished);
+  /// The film has no file then.
+  void cancel();
+  bool isFilming() const { return writer_ != nullptr; }
+
+ private:
+  void takePictures();
+  void takePicture();
+  void end(const SaveResult& result);
+
+  WorkController& work_;
+  std::function<QImage()> picture_;
+  FilmSubject subject_;
+  Finished finished_;
+  std::unique_ptr<FilmWriter> writer_;
+  QString file_;
+  int taken_ = 0;
+  int pictures_ = 0;
+};
+
+}  // namespace glissade

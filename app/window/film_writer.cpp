@@ -1,0 +1,68 @@
+#include "app/window/film_writer.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "app/window/ffmpeg_writer.h"
+#include "widgets/plots/picture_file.h"
+
+namespace glissade {
+namespace {
+
+QString endingOf(const QString& file) { return QFileInfo(file).suffix().toLower(); }
+
+/// film.png: film-0001.png and so on.
+class PictureSeries final : public FilmWriter {
+ public:
+  explicit PictureSeries(const QString& file) : file_(file) {}
+
+  bool isBusy() const override { return false; }
+
+  void add(const QImage& picture) override {
+    const SaveResult saved = savePicture(picture, nextFile());
+    if (!saved) emit ended(saved);
+  }
+
+  void close() override { emit ended({SaveStatus::Saved, {}, {}, {}}); }
+  void wait() override {}
+
+ private:
+  QString nextFile() {
+    const QFileInfo info(file_);
+    const QString number = QStringLiteral("-%1.").arg(++pictures_, 4, 10, QLatin1Char('0'));
+    return info.path() + QLatin1Char('/') + info.completeBaseName() + number + info.suffix();
+  }
+
+  QString file_;
+  int pictures_ = 0;
+};
+
+Diagnostic noFfmpeg(const QString& file) {
+  return {ErrorKind::Usage, file.toStdString(), "", "ffmpeg is needed for films, and is not installed",
+          "Install the package ffmpeg, or give a name that ends with .png for a series of pictures."};
+}
+
+}  // namespace
+
+bool isFilm(const QString& file) {
+  const QString ending = endingOf(file);
+  return ending == QLatin1String("png") || isFfmpegFilm(ending);
+}
+
+QString filmFilter() {
+  return QCoreApplication::translate("FilmWriter", "Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)");
+}
+
+Result<std::unique_ptr<FilmWriter>> makeFilmWriter(const QString& file) {
+  if (!isFilm(file)) {
+    return Diagnostic{ErrorKind::Usage, file.toStdString(), "", "films are not written in this format",
+                      "Choose one of: .mp4, .webm, .png."};
+  }
+  if (!isFfmpegFilm(endingOf(file))) return std::unique_ptr<FilmWriter>(std::make_unique<PictureSeries>(file));
+  const QString program = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
+  if (program.isEmpty()) return noFfmpeg(file);
+  return std::unique_ptr<FilmWriter>(std::make_unique<FfmpegWriter>(program, file));
+}
+
+}  // namespace glissade
