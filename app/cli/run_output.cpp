@@ -178,12 +178,13 @@ bool foundNone(const SessionSnapshot& end) {
 }
 
 /// The bodies that have to leave first: those that keep the object in its threads; where it is in none, those that stop
-/// it on its way straight out.
-std::vector<const RigidBody*> blockingBodies(const LoadedScenario& scenario, const StopToken& stop) {
+/// it on its way straight out. After a limit the ways out of threads are not searched for again.
+std::vector<const RigidBody*> blockingBodies(const LoadedScenario& scenario, const SessionSnapshot& end,
+                                             const StopToken& stop) {
   const Problem& problem = scenario.problem;
   const double required = scenario.parameters[ParameterId::RequiredClearance];
   const auto query = problem.world->makeQuery();
-  const ScrewSearch screws = problem.world->threads().empty()
+  const ScrewSearch screws = problem.world->threads().empty() || end.problem->kind == ErrorKind::LimitReached
                                  ? ScrewSearch{}
                                  : findScrewWays(*problem.world, *query, problem.start, required, stop);
   std::vector<const RigidBody*> bodies;
@@ -243,7 +244,7 @@ int deliver(const PlanOptions& options, const LoadedScenario& scenario, const Se
   std::vector<const RigidBody*> blockedBy;
   if (foundNone(end)) {
     if (options.difficulty) difficulty = difficultyOf(scenario, end, stop);
-    blockedBy = blockingBodies(scenario, stop);
+    blockedBy = blockingBodies(scenario, end, stop);
   }
   if (options.format == Format::Json) {
     Json report = toJson(end, world, options.edges);

@@ -138,6 +138,7 @@ bool ThreadedPlanner::deliver(PlannerHost& host, const std::vector<PathPoint>& m
   }
   path.certificate = certifyPath(*query_, path.points, host.parameters(), host.stopToken());
   if (path.certificate.status != CertificateStatus::Certified) {
+    if (host.stopToken().stopRequested()) return false;
     failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the path through the threads could not be certified",
                           "Require less clearance."};
     return false;

@@ -190,8 +190,10 @@ void SessionCore::plan(const Hooks& hooks) {
   if (planner_->solve(host)) {
     deliverPath(hooks.stop);
     endRun(SessionState::Solved);
-  } else if (const auto why = planner_->failure(); why && state_ == SessionState::Planning) {
-    fail(*why);
+  } else if (state_ == SessionState::Planning) {
+    // The time limit may have ended a step in its middle, after which the host was not asked.
+    const auto failure = planner_->failure();
+    if (auto why = failure ? failure : limitReached()) fail(*std::move(why));
   }
   stopClock();
 }

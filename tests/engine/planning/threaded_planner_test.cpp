@@ -82,6 +82,20 @@ TEST(ThreadedPlanner, ScrewsANutOn) {
   EXPECT_EQ(planner->path()->points.back().q.position, bolted.object.X_WB.position);
 }
 
+TEST(ThreadedPlanner, AStopIsNoFailureAndTheNextTurnDelivers) {
+  const Bolted bolted(true);
+  const auto planner = makePlannerRegistry().find("auto")->make(bolted.problem, 1);
+  TestHost stopped(bolted.problem, 400);
+  StopSource source;
+  stopped.stop = source.token();
+  source.requestStop();
+  EXPECT_FALSE(planner->solve(stopped));
+  EXPECT_FALSE(planner->failure()) << toString(*planner->failure());
+  TestHost host(bolted.problem, 400);
+  EXPECT_TRUE(planner->solve(host));
+  EXPECT_NE(planner->path(), nullptr);
+}
+
 TEST(ThreadedPlanner, ShortcutsKeepTheThread) {
   const Bolted bolted(true);
   const auto planner = bolted.plan("auto");

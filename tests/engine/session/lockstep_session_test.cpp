@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
+#include "engine/session/session_with_planners.h"
 #include "tests/engine/support/session_support.h"
 
 namespace glissade {
@@ -42,6 +46,41 @@ TEST(LockstepSession, AStopTokenEndsAnAdvance) {
   session->advance(1000, source.token());
   EXPECT_LE(session->snapshot()->counts.steps, 1U);
   EXPECT_EQ(session->snapshot()->state, SessionState::Planning);
+}
+
+/// Works until it is stopped, in the middle of its first step.
+class EndlessStep final : public Planner {
+ public:
+  bool solve(PlannerHost& host) override {
+    while (!host.stopToken().stopRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return false;
+  }
+  const std::vector<RoadmapNode>& nodes() const override { return nodes_; }
+  const std::vector<RoadmapEdge>& edges() const override { return edges_; }
+  const std::vector<std::uint32_t>& droppedEdges() const override { return dropped_; }
+  const PlannerCounts& counts() const override { return counts_; }
+  const Path* path() const override { return nullptr; }
+  std::optional<Diagnostic> failure() const override { return std::nullopt; }
+
+ private:
+  std::vector<RoadmapNode> nodes_;
+  std::vector<RoadmapEdge> edges_;
+  std::vector<std::uint32_t> dropped_;
+  PlannerCounts counts_;
+};
+
+TEST(LockstepSession, TheTimeLimitEndsARunWithinItsFirstStep) {
+  PlannerRegistry planners = makePlannerRegistry();
+  planners.add({"endless", "Endless", "", false, true,
+                [](const Problem&, std::uint64_t) { return std::make_unique<EndlessStep>(); }});
+  SessionConfig config = sessionConfig(closedProblem());
+  config.plannerId = "endless";
+  ASSERT_TRUE(config.parameters.set(ParameterId::TimeLimit, 0.02));
+  const auto session = makeLockstepSession(std::move(config), std::move(planners));
+  session->post(command::Start{});
+  session->advance(10);
+  ASSERT_EQ(session->snapshot()->state, SessionState::Failed);
+  EXPECT_EQ(session->snapshot()->problem->kind, ErrorKind::LimitReached);
 }
 
 TEST(LockstepSession, TheLogHoldsWhatThePlannerSawOfTheOperator) {
