@@ -20,6 +20,7 @@
 #include "app/window/guarded_application.h"
 #include "app/window/main_window.h"
 #include "app/window/study_batch.h"
+#include "app/window/theme.h"
 #include "app/window/window_memory.h"
 #include "app/window/window_picture.h"
 #include "engine/base/file.h"
@@ -30,8 +31,6 @@
 namespace glissade {
 namespace {
 
-/// Small enough for three docks at 1280 x 720.
-constexpr double kFontPoints = 9.0;
 constexpr std::size_t kMostScriptBytes = 1U << 20;
 
 int fail(const Diagnostic& why) {
@@ -60,7 +59,7 @@ void addOptions(QCommandLineParser& parser) {
       {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
       {"report-pdf", "Write the report of the study (or the page of the benchmarks) in DIR as PDF there", "DIR"},
       {"theme", "light or dark", "THEME", "light"},
-      {"language", "en or fr", "LANGUAGE", "en"},
+      {"language", "en or fr (default: as in the preferences, or the desktop's; en in scripts)", "LANGUAGE"},
       {"seed", "Seed of everything random", "SEED"},
       {"help", "Show this help and leave"},
       {"version", "Show the version and leave"},
@@ -111,9 +110,14 @@ int runScriptFile(const std::string& file, const Workbench& bench) {
 
 Theme themeNamed(const QString& name) { return name == "dark" ? Theme::Dark : Theme::Light; }
 
+/// Nobody sits before the window.
+bool isBatch(const QCommandLineParser& parser) {
+  return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
+         parser.isSet("study-pictures") || parser.isSet("report-pdf");
+}
+
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
-  const bool batch = parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
-                     parser.isSet("study-pictures") || parser.isSet("report-pdf");
+  const bool batch = isBatch(parser);
   window.setBatch(batch);
   if (!batch && !parser.isSet("size")) {
     window.resize(window.size().boundedTo(QGuiApplication::primaryScreen()->availableSize()));
@@ -193,9 +197,6 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   QApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   GuardedApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // files hold decimal points, whatever the desktop's language
-  QFont font = QApplication::font();
-  font.setPointSizeF(kFontPoints);
-  QApplication::setFont(font);
   QApplication::setApplicationName(QStringLiteral("Glissade"));
   QApplication::setApplicationVersion(QLatin1String(kVersion));
 
@@ -208,8 +209,13 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   if (!size) return failUsage("--size", "is not WIDTHxHEIGHT", "Give for example 1280x720.");
   const QString theme = parser.value("theme");
   if (theme != "light" && theme != "dark") return failUsage("--theme", "is neither light nor dark", "");
-  const QString language = parser.value("language");
-  if (language != "en" && language != "fr") return failUsage("--language", "is neither en nor fr", "");
+  const QString asked = parser.value("language");
+  if (parser.isSet("language") && asked != "en" && asked != "fr") {
+    return failUsage("--language", "is neither en nor fr", "");
+  }
+  const Preferences preferences = isBatch(parser) ? Preferences{"en"} : WindowMemory().preferences();
+  const QString language = languageOf(asked, preferences, QLocale::system().name().section(QLatin1Char('_'), 0, 0));
+  setFontPoints(preferences.fontPoints);
   QTranslator translator;
   QLocale::setDefault(QLocale(language));
   if (language == "fr" && translator.load(QStringLiteral(":/i18n/glissade_fr.qm"))) {

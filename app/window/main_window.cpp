@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QSignalBlocker>
 #include <QStatusBar>
@@ -22,6 +23,7 @@
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/navigation_controller.h"
+#include "app/window/preferences_dialog.h"
 #include "app/window/recording_controller.h"
 #include "app/window/refusal_controller.h"
 #include "app/window/run_controller.h"
@@ -132,6 +134,7 @@ void MainWindow::connectActions() {
     palette->field().setFocus();
   });
   bench_.onAction("help.change-shortcuts", this, [this] { changeShortcuts(); });
+  bench_.onAction("edit.preferences", this, [this] { changePreferences(); });
   bench_.onAction("help.about", this, [this] { showAbout(this); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
@@ -153,6 +156,22 @@ void MainWindow::changeShortcuts() {
   for (auto entry = dialog.shortcuts().begin(); entry != dialog.shortcuts().end(); ++entry) {
     actions_.setShortcut(entry.key(), entry.value());
   }
+}
+
+/// Scripts have no memory: what they choose holds until the window closes.
+void MainWindow::changePreferences() {
+  Preferences present = memory_ ? memory_->preferences() : Preferences{};
+  present.fontPoints = QApplication::font().pointSizeF();
+  auto* dialog = new PreferencesDialog(actions_, present, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    const Preferences chosen = dialog->preferences();
+    setFontPoints(chosen.fontPoints);
+    if (!memory_) return;
+    memory_->savePreferences(chosen);
+    memory_->saveChoices(actions_);
+  });
+  dialog->open();
 }
 
 void MainWindow::setTheme(Theme theme) {

@@ -43,6 +43,7 @@ class MainWindow final : public QMainWindow {
   void addParts();
   void connectActions();
   void changeShortcuts();
+  void changePreferences();
 
   std::unique_ptr<SceneWidget> scene_;
   ActionCatalogue& actions_;

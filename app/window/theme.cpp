@@ -75,6 +75,12 @@ QString styleSheetFrom(const Tones& tones) {
 
 }  // namespace
 
+void setFontPoints(double points) {
+  QFont font = QApplication::font();
+  font.setPointSizeF(points);
+  QApplication::setFont(font);
+}
+
 void applyTheme(Theme theme) {
   const Tones tones = tonesOf(theme);
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

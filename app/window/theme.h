@@ -7,4 +7,7 @@ namespace glissade {
 /// Gives the whole application the palette and style sheet of a theme (Fusion style).
 void applyTheme(Theme theme);
 
+/// The size of all texts of the application.
+void setFontPoints(double points);
+
 }  // namespace glissade

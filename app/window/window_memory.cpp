@@ -15,6 +15,8 @@ const QLatin1String kFiles("recent-files");
 const QLatin1String kState("layout/panels");
 const QLatin1String kGeometry("layout/window");
 
+const QLatin1String kLanguage("preferences/language");
+const QLatin1String kFontPoints("preferences/font-points");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
@@ -58,6 +60,19 @@ void WindowMemory::saveLayout(const QMainWindow& window) {
 void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
   if (sizeToo) window.restoreGeometry(settings_.value(kGeometry).toByteArray());
   window.restoreState(settings_.value(kState).toByteArray(), kLayoutVersion);
+}
+
+Preferences WindowMemory::preferences() const {
+  Preferences preferences;
+  preferences.language = settings_.value(kLanguage).toString();
+  const double points = settings_.value(kFontPoints, preferences.fontPoints).toDouble();
+  if (points >= kLeastFontPoints && points <= kMostFontPoints) preferences.fontPoints = points;
+  return preferences;
+}
+
+void WindowMemory::savePreferences(const Preferences& preferences) {
+  settings_.setValue(kLanguage, preferences.language);
+  settings_.setValue(kFontPoints, preferences.fontPoints);
 }
 
 void WindowMemory::saveChoices(const ActionCatalogue& actions) {

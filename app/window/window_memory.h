@@ -4,13 +4,14 @@
 #include <QSettings>
 #include <QStringList>
 
+#include "app/window/preferences.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, where its panels lie, and a user's
-/// choices: navigation, theme, perspective, shortcuts. Kept as the platform keeps settings. Scripts and pictures have
-/// none.
+/// choices: language, size of texts, navigation, theme, perspective, shortcuts. Kept as the platform keeps settings.
+/// Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -26,6 +27,9 @@ class WindowMemory {
   void saveLayout(const QMainWindow& window);
   /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
   void restoreLayout(QMainWindow& window, bool sizeToo) const;
+
+  Preferences preferences() const;
+  void savePreferences(const Preferences& preferences);
 
   void saveChoices(const ActionCatalogue& actions);
   /// Choices that were never saved stay as they are.

@@ -940,6 +940,14 @@
         <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
     </message>
     <message>
+        <source>Pre&amp;ferences...</source>
+        <translation>&amp;Préférences...</translation>
+    </message>
+    <message>
+        <source>Language, theme, size of texts, navigation</source>
+        <translation>Langue, thème, taille des textes, navigation</translation>
+    </message>
+    <message>
         <source>&amp;Film of the path...</source>
         <translation>&amp;Film du chemin...</translation>
     </message>
@@ -2374,6 +2382,49 @@
     <message>
         <source>Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)</source>
         <translation>Film (*.mp4);;Film (*.webm);;Série d&apos;images (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation>Une autre langue sert à partir du prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>&amp;Size of texts</source>
+        <translation>Ta&amp;ille des textes</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
     </message>
 </context>
 <context>

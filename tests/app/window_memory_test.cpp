@@ -45,6 +45,23 @@ std::unique_ptr<QMainWindow> makeWindow() {
   return window;
 }
 
+TEST_F(Memory, KeepsPreferencesAndIgnoresSizesThatNobodyCouldRead) {
+  EXPECT_EQ(WindowMemory(file()).preferences().language, QString());
+  WindowMemory(file()).savePreferences({QStringLiteral("fr"), 12.5});
+  EXPECT_EQ(WindowMemory(file()).preferences().language, QStringLiteral("fr"));
+  EXPECT_EQ(WindowMemory(file()).preferences().fontPoints, 12.5);
+  WindowMemory(file()).savePreferences({QString(), 0.1});
+  EXPECT_EQ(WindowMemory(file()).preferences().fontPoints, Preferences{}.fontPoints);
+}
+
+TEST(Language, IsThatOfTheCommandLineThenOfThePreferencesThenOfTheDesktop) {
+  const QString fr = QStringLiteral("fr");
+  EXPECT_EQ(languageOf(fr, {QStringLiteral("en"), 9.0}, QStringLiteral("de")), fr);
+  EXPECT_EQ(languageOf(QString(), {fr, 9.0}, QStringLiteral("en")), fr);
+  EXPECT_EQ(languageOf(QString(), {}, fr), fr);
+  EXPECT_EQ(languageOf(QString(), {}, QStringLiteral("de")), QStringLiteral("en"));
+}
+
 TEST_F(Memory, TheLayoutComesBack) {
   {
     const auto window = makeWindow();

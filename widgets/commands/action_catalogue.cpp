@@ -52,6 +52,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Take the last edit back"), false},
       {"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "Ctrl+Shift+Z",
        QT_TRANSLATE_NOOP("Actions", "Do again what was taken back"), false},
+      {"edit.preferences", QT_TRANSLATE_NOOP("Actions", "Pre&ferences..."), "Ctrl+,",
+       QT_TRANSLATE_NOOP("Actions", "Language, theme, size of texts, navigation"), false},
       {"environment.build", QT_TRANSLATE_NOOP("Actions", "Find &places"), "F7",
        QT_TRANSLATE_NOOP("Actions", "Build the environment model: octree, places, borders, compatibility"), false},
       {"attribute.add", QT_TRANSLATE_NOOP("Actions", "&Add attribute..."), "",

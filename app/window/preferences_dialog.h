@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+
+#include "app/window/preferences.h"
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// What a user chooses for all scenarios. Theme and navigation are actions: the dialog sets these when it is accepted.
+class PreferencesDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  PreferencesDialog(const ActionCatalogue& actions, const Preferences& present, QWidget* parent);
+
+  Preferences preferences() const;
+  void accept() override;
+
+ private:
+  void fill(const Preferences& present);
+
+  const ActionCatalogue& actions_;
+  QComboBox* language_;
+  QDoubleSpinBox* font_;
+  QComboBox* theme_;
+  QComboBox* navigation_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,41 @@
+#include "app/window/preferences_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QtTest>
+
+namespace glissade {
+namespace {
+
+class PreferencesDialogTest : public testing::Test {
+ protected:
+  QComboBox* boxWith(const QString& item) {
+    for (QComboBox* box : dialog.findChildren<QComboBox*>()) {
+      if (box->findText(item) >= 0) return box;
+    }
+    return nullptr;
+  }
+
+  ActionCatalogue actions{nullptr};
+  PreferencesDialog dialog{actions, {QStringLiteral("fr"), 11.0}, nullptr};
+};
+
+TEST_F(PreferencesDialogTest, ShowsWhatIsChosen) {
+  EXPECT_EQ(dialog.preferences().language, QStringLiteral("fr"));
+  EXPECT_EQ(dialog.preferences().fontPoints, 11.0);
+  EXPECT_EQ(boxWith(QStringLiteral("Dark"))->currentText(), QStringLiteral("Light"));
+}
+
+TEST_F(PreferencesDialogTest, NothingChangesBeforeItIsAccepted) {
+  boxWith(QStringLiteral("Dark"))->setCurrentText(QStringLiteral("Dark"));
+  boxWith(QStringLiteral("Blender"))->setCurrentText(QStringLiteral("Blender"));
+  boxWith(QStringLiteral("English"))->setCurrentText(QStringLiteral("English"));
+  EXPECT_FALSE(actions["view.dark"]->isChecked());
+  dialog.accept();
+  EXPECT_TRUE(actions["view.dark"]->isChecked());
+  EXPECT_TRUE(actions["navigation.blender"]->isChecked());
+  EXPECT_EQ(dialog.preferences().language, QStringLiteral("en"));
+}
+
+}  // namespace
+}  // namespace glissade
