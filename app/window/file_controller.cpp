@@ -42,14 +42,15 @@ void FileController::connectActions() {
   for (const char* id : {"file.save", "file.save-as", "recent.forget"}) bench_.enable(id, false);
 }
 
-std::optional<Diagnostic> FileController::openScenario(const QString& file, bool quiet) {
+std::optional<Diagnostic> FileController::openScenario(const QString& file, bool quiet, FindFits fits) {
   if (!quiet && !mayDiscard()) return std::nullopt;
-  return take(openScenarioFile(file.toStdString()), file, quiet);
+  return take(openScenarioFile(file.toStdString(), {}, fits), file, quiet);
 }
 
 void FileController::openInBackground(const QString& file) {
   bench_.work.run(tr("Opening the scenario"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    const auto opened = std::make_shared<const Result<ScenarioFile>>(openScenarioFile(file.toStdString(), watch.stop));
+    const auto opened = std::make_shared<const Result<ScenarioFile>>(
+        openScenarioFile(file.toStdString(), watch.stop, FindFits::LaterIfLarge));
     // Asked now, because there may have been edits meanwhile.
     return [this, opened, file] {
       if (!*opened || mayDiscard()) (void)take(*opened, file, false);
@@ -66,11 +67,19 @@ std::optional<Diagnostic> FileController::take(Result<ScenarioFile> opened, cons
   const auto scenario = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
   bench_.document.open(scenario);
   if (memory_ != nullptr) memory_->noteFile(file);
-  const Warnings& warnings = scenario->warnings.empty() ? scenario->fits.warnings : scenario->warnings;
-  if (!quiet && !warnings.empty()) {
-    bench_.messages.showError(tr("The scenario was opened, with a warning"), warnings.front());
+  if (quiet) return std::nullopt;
+  if (scenario->fitsPending) {
+    bench_.document.whenArranged([this] { showWarnings(*bench_.document.scenario()); });
+  } else {
+    showWarnings(*scenario);
   }
   return std::nullopt;
+}
+
+void FileController::showWarnings(const LoadedScenario& scenario) {
+  const Warnings& warnings = scenario.warnings.empty() ? scenario.fits.warnings : scenario.warnings;
+  if (warnings.empty()) return;
+  bench_.messages.showError(tr("The scenario was opened, with a warning"), warnings.front());
 }
 
 std::optional<Diagnostic> FileController::saveAs(const QString& file) {

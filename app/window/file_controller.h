@@ -27,7 +27,7 @@ class FileController final : public QObject {
   void setMemory(WindowMemory* memory) { memory_ = memory; }
 
   /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
-  std::optional<Diagnostic> openScenario(const QString& file, bool quiet);
+  std::optional<Diagnostic> openScenario(const QString& file, bool quiet, FindFits fits = FindFits::Now);
   /// The same without waiting for it: reading STEP files takes its time. Cancelled as all background work.
   void openInBackground(const QString& file);
   /// Opens, imports or examines what was dropped on the window.
@@ -40,6 +40,7 @@ class FileController final : public QObject {
  private:
   void connectActions();
   std::optional<Diagnostic> take(Result<ScenarioFile> opened, const QString& file, bool quiet);
+  void showWarnings(const LoadedScenario& scenario);
   void fillRecentMenu();
   void chooseScenario();
   void chooseSaveFile();

@@ -93,6 +93,7 @@ KeptPathProof KeptPathsController::proofOf(const KeptPath& path) {
 
 /// The path that was found just now has its certificate already.
 void KeptPathsController::proveNext() {
+  if (bench_.document.scenario()->fitsPending) return;  // they are proved once the arrangement has its fits
   const KeptPaths& paths = bench_.document.paths().paths();
   while (!proving_.isBusy()) {
     const auto next = std::find_if(paths.begin(), paths.end(),
@@ -170,8 +171,10 @@ Outcome KeptPathsController::openPath(const std::string& name) {
   if (isRunning(*bench_.session.snapshot())) {
     return Diagnostic{ErrorKind::Usage, "", name, "a path is being looked for", "Stop the run first."};
   }
-  bench_.session.givePath({withUnitRotations(path->points), path->provenance});
-  bench_.actions["panel.path"]->trigger();
+  bench_.document.whenArranged([this, path] {
+    bench_.session.givePath({withUnitRotations(path->points), path->provenance});
+    bench_.actions["panel.path"]->trigger();
+  });
   return Done{};
 }
 

@@ -147,7 +147,7 @@ void MainWindow::connectActions() {
 }
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
-  return files_->openScenario(file, quiet);
+  return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
 }
 
 void MainWindow::changeShortcuts() {

@@ -38,7 +38,7 @@ BackgroundTask::Delivery PartImport::makeScenario(const std::vector<PartFile>& p
                                                   const StopToken& stop) {
   auto scenario = scenarioOfParts(parts, &read, stop);
   if (!scenario) return [this, why = scenario.error()] { emit importFailed(why); };
-  auto loaded = loadGeometry(std::move(*scenario), ".", "", read, stop);
+  auto loaded = loadGeometry(std::move(*scenario), ".", "", read, stop, nullptr, FindFits::LaterIfLarge);
   if (!loaded) return [this, why = loaded.error()] { emit importFailed(why); };
   const ScenarioPtr made = std::make_shared<LoadedScenario>(std::move(*loaded));
   return [this, made] { emit scenarioMade(made); };

@@ -100,8 +100,10 @@ std::optional<Diagnostic> PathController::open(const QString& file) {
   }
   auto points = readPath(name);
   if (!points) return points.error();
-  bench_.session.givePath({withUnitRotations(std::move(*points)), {}});
-  bringToFront();
+  bench_.document.whenArranged([this, given = withUnitRotations(std::move(*points))] {
+    bench_.session.givePath({given, {}});
+    bringToFront();
+  });
   return std::nullopt;
 }
 

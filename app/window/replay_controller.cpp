@@ -106,7 +106,7 @@ std::optional<Diagnostic> ReplayController::open(
     const RunRecord& record, const QString& file,
     const std::function<std::optional<Diagnostic>(const QString&)>& openOther) {
   const ScenarioPtr before = bench_.document.scenario();
-  if (!isOf(record, before)) {
+  if (!isOf(record, before) || before->fitsPending) {
     if (auto why = openOther(QString::fromStdString(record.scenario))) return why;
     if (bench_.document.scenario() == before) return std::nullopt;  // the user keeps the scenario that is open
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/base/child_launch.h"
+#include "engine/base/reserve_filled.h"
 
 namespace glissade {
 namespace {
@@ -59,7 +60,10 @@ std::vector<std::string> requiredEnvironment() {
 Result<ChildProcess> ChildProcess::start(const ChildCommand& command) {
   auto launched = launchChild(command);
   if (!launched) return launched.error();
-  return ChildProcess(std::move(*launched), command.limits);
+  ChildProcess child(std::move(*launched), command.limits);
+  // Programs that read a file mostly write less than they read.
+  reserveFilled(child.end_.output, std::min(command.limits.outputBytes, command.input.size()));
+  return child;
 }
 
 ChildProcess::ChildProcess(LaunchedChild launched, const ChildLimits& limits)

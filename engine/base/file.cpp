@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "engine/base/descriptor.h"
+#include "engine/base/reserve_filled.h"
 
 namespace glissade {
 namespace {
@@ -20,8 +21,10 @@ Diagnostic unreadable(const std::string& file, const std::string& reason, const 
   return {ErrorKind::MalformedInput, file, "", reason, advice};
 }
 
-Result<std::string> readAll(int fd, const std::string& file, std::size_t mostBytes) {
+/// `expected`: bytes; the file may hold more.
+Result<std::string> readAll(int fd, const std::string& file, std::size_t mostBytes, std::size_t expected) {
   std::string content;
+  reserveFilled(content, std::min(expected, mostBytes));
   std::array<char, 65536> buffer{};
   while (true) {
     const ssize_t count = ::read(fd, buffer.data(), buffer.size());
@@ -44,7 +47,7 @@ Result<std::string> readFile(const std::string& file, std::size_t mostBytes) {
   if (::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) {
     return unreadable(file, "is not a regular file", "Give a file, not a folder, a pipe or a device.");
   }
-  return readAll(descriptor.get(), file, mostBytes);
+  return readAll(descriptor.get(), file, mostBytes, static_cast<std::size_t>(status.st_size));
 }
 
 std::string sha256(const std::string& content) {

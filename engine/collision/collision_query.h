@@ -106,7 +106,8 @@ class ThreadPair;
 /// by all threads.
 class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
  public:
-  /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty.
+  /// Meshes must be finite, indices in range (importers guarantee it). The object may not be empty. Large worlds are
+  /// prepared when the first query is made.
   static std::shared_ptr<const CollisionWorld> build(std::vector<RigidBody> obstacles, MeshPtr object,
                                                      CollisionBackend backend = CollisionBackend::Kernel);
   /// A world of bodies that were prepared before, for this scale of the kernel. Nothing is prepared again. The kernel
@@ -151,6 +152,9 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   /// again, where that leaves every answer as build() would give it.
   std::shared_ptr<const CollisionWorld> updated(std::vector<RigidBody> obstacles, MeshPtr object) const;
 
+  /// A query can be made at once. Of a large world it takes seconds until all is prepared; makeQuery() does that, and
+  /// so do the functions that make another world of this one.
+  bool isPrepared() const;
   /// A query for one thread.
   std::unique_ptr<CollisionQuery> makeQuery() const;
 
@@ -159,6 +163,8 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
 
  private:
   explicit CollisionWorld(std::unique_ptr<const Impl> impl);
+  static std::shared_ptr<const CollisionWorld> buildLater(std::vector<RigidBody> obstacles, const MeshPtr& object,
+                                                          CollisionBackend backend);
   static std::shared_ptr<const CollisionWorld> finished(std::unique_ptr<Impl> impl, MeshPtr object);
   std::shared_ptr<const CollisionWorld> withThreaded(std::shared_ptr<const ThreadedWorld> threads) const;
   std::shared_ptr<const CollisionWorld> withoutThreads() const;

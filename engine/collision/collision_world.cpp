@@ -5,6 +5,7 @@
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
 #include "engine/collision/grouped_query.h"
+#include "engine/collision/later_geometry.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/prepared_bodies.h"
 #include "engine/collision/screw_profile.h"
@@ -15,9 +16,12 @@
 namespace glissade {
 
 struct CollisionWorld::Impl {
-  WorldGeometry geometry;
+  WorldGeometry geometry;  ///< where it is prepared later: backend, bodies and their box
   double objectRadius = 0.0;
   std::shared_ptr<const MotionBound> motionBound;
+  std::shared_ptr<const LaterGeometry> later;  ///< null: all is prepared
+
+  const WorldGeometry& prepared() const { return later ? later->get().geometry : geometry; }
   std::vector<ObjectVariant> variants;
   std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the geometry
   CollisionWorldPtr whole;                       ///< that withVariants() was asked of
@@ -144,6 +148,12 @@ std::unique_ptr<CollisionWorld::Impl> consistingOf(WorldGeometry geometry) {
   return impl;
 }
 
+RigidBody objectAlone(const MeshPtr& object) {
+  RigidBody body;
+  body.mesh = object;
+  return body;
+}
+
 void addTo(std::vector<ObjectVariant>& variants, const MeshPtr& object, int obstacle) {
   const auto known = std::find_if(variants.begin(), variants.end(),
                                   [&](const ObjectVariant& variant) { return variant.object == object; });
@@ -161,8 +171,25 @@ CollisionWorld::~CollisionWorld() = default;
 
 CollisionWorldPtr CollisionWorld::build(std::vector<RigidBody> obstacles, MeshPtr object, CollisionBackend backend) {
   const bool large = isLarge(obstacles);
+  if (large || isLarge({objectAlone(object)})) return buildLater(std::move(obstacles), object, backend);
   auto geometry = prepareGeometry(std::move(obstacles), object, backend, large, nullptr);
   return finished(consistingOf(std::move(geometry)), std::move(object));
+}
+
+CollisionWorldPtr CollisionWorld::buildLater(std::vector<RigidBody> obstacles, const MeshPtr& object,
+                                             CollisionBackend backend) {
+  auto impl = std::make_unique<Impl>();
+  WorldGeometry& outline = impl->geometry;
+  outline.backend = backend;
+  outline.object = object;
+  for (const RigidBody& body : obstacles) outline.obstaclesBox.extend(boundingBox(*body.mesh, body.X_WB));
+  outline.obstacles = std::make_shared<const std::vector<RigidBody>>(std::move(obstacles));
+  impl->objectRadius = radiusAboutOrigin(*object);
+  impl->later = std::make_shared<const LaterGeometry>([bodies = outline.obstacles, object, backend] {
+    return QueryGeometry{prepareGeometry(*bodies, object, backend, isLarge(*bodies), nullptr),
+                         std::make_shared<const MotionBound>(*object)};
+  });
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
 /// Obstacles that the object is taken alike against are one group.
@@ -215,7 +242,7 @@ CollisionWorldPtr CollisionWorld::compose(double scale, const PreparedObject& ob
 }
 
 CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
-  auto geometry = withOtherObject(impl_->geometry, object);
+  auto geometry = withOtherObject(impl_->prepared(), object);
   return finished(consistingOf(std::move(geometry)), std::move(object));
 }
 
@@ -240,7 +267,7 @@ CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> varian
     if (!impl_->groups.empty()) return build(obstacles(), impl_->geometry.object, backend());
     return impl_->threads ? withoutThreads() : shared_from_this();
   }
-  const WorldGeometry& known = impl_->geometry;
+  const WorldGeometry& known = impl_->prepared();
   auto impl = std::make_unique<Impl>();
   impl->geometry.backend = known.backend;
   impl->geometry.obstacles = known.obstacles;
@@ -285,7 +312,7 @@ CollisionWorldPtr CollisionWorld::withoutThreads() const { return withThreaded(n
 
 CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, MeshPtr object) const {
   if (impl_->whole) return impl_->whole->updated(std::move(obstacles), std::move(object));
-  const WorldGeometry& known = impl_->geometry;
+  const WorldGeometry& known = impl_->prepared();
   if (!known.solids) return build(std::move(obstacles), std::move(object), known.backend);
   const bool sameObject = object == known.object;
   auto impl = std::make_unique<Impl>();
@@ -299,7 +326,7 @@ CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, Mesh
   }
   if (!sameObject) return finished(std::move(impl), std::move(object));
   impl->objectRadius = impl_->objectRadius;
-  impl->motionBound = impl_->motionBound;
+  impl->motionBound = impl_->later ? impl_->later->get().motionBound : impl_->motionBound;
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
@@ -332,10 +359,13 @@ const std::vector<ThreadPair>& CollisionWorld::threads() const {
   return impl_->threads ? impl_->threads->pairs : none;
 }
 
+bool CollisionWorld::isPrepared() const { return !impl_->later || impl_->later->isPrepared(); }
+
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   if (impl_->threads) return std::make_unique<ThreadedQuery>(withoutThreads()->makeQuery(), impl_->threads);
   if (!impl_->groups.empty()) return std::make_unique<GroupedQuery>(impl_->groups, impl_->motionBound);
-  const WorldGeometry& geometry = impl_->geometry;
+  const WorldGeometry& geometry = impl_->prepared();
+  const auto& motionBound = impl_->later ? impl_->later->get().motionBound : impl_->motionBound;
   std::unique_ptr<SurfaceQuery> surfaces;
   if (geometry.kernel) {
     surfaces = std::make_unique<KernelQuery>(geometry.kernel);
@@ -344,7 +374,7 @@ std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
   } else {
     surfaces = std::make_unique<FclSurfaceQuery>(geometry.fcl);
   }
-  return std::make_unique<SolidQuery>(std::move(surfaces), geometry, impl_->motionBound);
+  return std::make_unique<SolidQuery>(std::move(surfaces), geometry, motionBound);
 }
 
 }  // namespace glissade

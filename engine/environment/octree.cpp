@@ -12,7 +12,7 @@ Octree::Octree(const std::vector<RigidBody>& bodies, const Box3& workspace, cons
                const StopToken& stop)
     : frame_(CellFrame::covering(workspace)), workspace_(workspace) {
   for (const RigidBody& body : bodies) {
-    bodies_.push_back({body.mesh, body.mobility, audit(*body.mesh).closed(), body.X_WB, {}});
+    bodies_.push_back({body.mesh, body.mobility, isClosedSurface(*body.mesh), body.X_WB, {}});
   }
   const auto rebuild = [&](int depth) {
     depth_ = depth;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/geometry/mesh_edges.h"
+
 namespace glissade {
 namespace {
 
@@ -31,53 +33,6 @@ Components connectedVertices(const TriangleMesh& mesh) {
     components.unite(b, c);
   }
   return components;
-}
-
-/// An edge as a triangle uses it, seen from its lower vertex.
-struct EdgeUse {
-  std::uint32_t higher = 0;  ///< the other vertex
-  bool forward = false;      ///< from the lower to the higher
-};
-
-/// The uses of all edges, by their lower vertex.
-struct EdgeUses {
-  std::vector<EdgeUse> uses;
-  std::vector<std::size_t> begins;  ///< of each vertex; one more at the end
-
-  explicit EdgeUses(const TriangleMesh& mesh) : uses(3 * mesh.triangles.size()), begins(mesh.vertices.size() + 1, 0) {
-    visit(mesh, [&](std::uint32_t lower, const EdgeUse&) { ++begins[lower + 1]; });
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    std::vector<std::size_t> next = begins;
-    visit(mesh, [&](std::uint32_t lower, const EdgeUse& use) { uses[next[lower]++] = use; });
-  }
-
- private:
-  template <class Take>
-  static void visit(const TriangleMesh& mesh, const Take& take) {
-    for (const auto& triangle : mesh.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t from = triangle[i];
-        const std::uint32_t to = triangle[(i + 1) % 3];
-        take(std::min(from, to), {std::max(from, to), from < to});
-      }
-    }
-  }
-};
-
-void auditEdges(const TriangleMesh& mesh, MeshAudit& result) {
-  EdgeUses edges(mesh);
-  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
-    const auto end = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex + 1]);
-    auto first = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex]);
-    std::sort(first, end, [](const EdgeUse& a, const EdgeUse& b) { return a.higher < b.higher; });
-    while (first != end) {
-      const auto last = std::find_if(first, end, [&](const EdgeUse& use) { return use.higher != first->higher; });
-      const auto forward = std::count_if(first, last, [](const EdgeUse& use) { return use.forward; });
-      if ((last - first) % 2 != 0) ++result.openEdges;
-      if (2 * forward != last - first) result.consistentlyOriented = false;
-      first = last;
-    }
-  }
 }
 
 std::vector<ConnectedSurface> connectedSurfaces(const TriangleMesh& mesh) {
@@ -121,8 +76,16 @@ MeshAudit audit(const TriangleMesh& input) {
     if ((pb - pa).cross(pc - pa).norm() == 0.0) ++result.degenerateTriangles;
     result.volume += pa.dot(pb.cross(pc)) / 6.0;
   }
-  auditEdges(mesh, result);
+  const EdgeFacts edges = edgeFactsOf(mesh);
+  result.openEdges = edges.open;
+  result.consistentlyOriented = edges.consistentlyOriented;
   return result;
+}
+
+bool isClosedSurface(const TriangleMesh& mesh) {
+  if (mesh.empty()) return false;
+  // Where every edge has an even number of triangles, it has so when vertices become one, too.
+  return edgeFactsOf(mesh).open == 0 || edgeFactsOf(welded(mesh)).open == 0;
 }
 
 double windingNumber(const TriangleMesh& mesh, const Vector3& p) {

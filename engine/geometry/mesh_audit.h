@@ -30,6 +30,9 @@ struct MeshAudit {
 
 MeshAudit audit(const TriangleMesh& mesh);
 
+/// audit(mesh).closed(), in less time.
+bool isClosedSurface(const TriangleMesh& mesh);
+
 /// Generalised winding number of the mesh about p (Jacobson et al. 2013; solid angles by van
 /// Oosterom and Strackee 1983): +-1 inside a closed surface, 0 outside.
 double windingNumber(const TriangleMesh& mesh, const Vector3& p);

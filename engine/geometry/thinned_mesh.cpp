@@ -2,11 +2,16 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
+
+#include "engine/base/in_threads.h"
+#include "engine/geometry/mesh_edges.h"
+#include "engine/geometry/mesh_volume.h"
 
 namespace glissade {
 namespace {
@@ -19,20 +24,8 @@ constexpr double kStill = 1e-6;
 constexpr double kLowest = 2e-6;
 /// Corners of moved triangles that meet the true surface go half as far, this often.
 constexpr int kMostHalvings = 8;
-
-/// Every edge has as many triangles on its one side as on its other.
-bool isClosed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const TriangleIndices& triangle : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i];
-      const std::uint32_t to = triangle[(i + 1) % 3];
-      edges[std::minmax(from, to)] += from < to ? 1 : -1;
-    }
-  }
-  return !mesh.triangles.empty() &&
-         std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
-}
+/// Faces that a thread takes at once.
+constexpr std::size_t kAtOnce = 2048;
 
 Triangle cornersOf(const TriangleMesh& mesh, const TriangleIndices& triangle) {
   return {mesh.vertices[triangle[0]], mesh.vertices[triangle[1]], mesh.vertices[triangle[2]]};
@@ -44,16 +37,6 @@ Vector3 normalOf(const Triangle& triangle, double lowest) {
   double longest = 0.0;
   for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (triangle[(i + 1) % 3] - triangle[i]).norm());
   return across.norm() > lowest * longest ? across.stableNormalized() : Vector3(Vector3::Zero());
-}
-
-double volumeOf(const TriangleMesh& mesh) {
-  double volume = 0.0;
-  const Vector3 middle = boundingBox(mesh).center();
-  for (const TriangleIndices& triangle : mesh.triangles) {
-    const auto [a, b, c] = cornersOf(mesh, triangle);
-    volume += (a - middle).dot((b - middle).cross(c - middle));
-  }
-  return volume;
 }
 
 /// The least thickness found below the middle of a triangle and below three points towards its corners.
@@ -87,8 +70,8 @@ std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
 
 std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
   TriangleMesh joined = welded(mesh);
-  if (!isClosed(joined)) return std::nullopt;
-  const double volume = volumeOf(joined);
+  if (joined.empty() || !edgeFactsOf(joined).consistentlyOriented) return std::nullopt;
+  const double volume = signedVolume(joined);
   if (!(std::abs(volume) > 0.0)) return std::nullopt;
   return ThinnableMesh(std::move(joined), volume < 0.0 ? -1.0 : 1.0);
 }
@@ -101,13 +84,18 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
       shells_(shellsOf(mesh_)) {
   const std::vector<Triangle>& triangles = surface_.triangles();
   const double diagonal = boundingBox(mesh_).diagonal().norm();
+  std::vector<double> thicknesses(triangles.size(), 0.0);
+  faces_.resize(triangles.size());
+  forEachInThreads(triangles.size(), kAtOnce, [&](std::size_t f) {
+    const Vector3 normal = sense * normalOf(triangles[f], kLowest * diagonal);
+    const bool flat = normal.isZero(0.0);
+    if (!flat) thicknesses[f] = thicknessBelow(surface_, triangles[f], normal, kSameSurface * diagonal);
+    faces_[f] = {normal, kMostThinning * thicknesses[f]};
+  });
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     const Triangle& triangle = triangles[f];
-    const Vector3 normal = sense * normalOf(triangle, kLowest * diagonal);
-    const bool flat = normal.isZero(0.0);
-    const double thickness = flat ? 0.0 : thicknessBelow(surface_, triangle, normal, kSameSurface * diagonal);
-    thickness_ = std::max(thickness_, std::isfinite(thickness) ? thickness : 0.0);
-    faces_.push_back({normal, kMostThinning * thickness});
+    const bool flat = faces_[f].normal.isZero(0.0);
+    thickness_ = std::max(thickness_, std::isfinite(thicknesses[f]) ? thicknesses[f] : 0.0);
     for (std::size_t i = 0; i < 3 && !flat; ++i) {
       const Vector3 one = (triangle[(i + 1) % 3] - triangle[i]).stableNormalized();
       const Vector3 other = (triangle[(i + 2) % 3] - triangle[i]).stableNormalized();
@@ -155,24 +143,27 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   std::vector<Triangle> triangles;
   for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
   const TriangleTree after(std::move(triangles));
-  std::vector<bool> outside(mesh_.vertices.size(), false);
+  // Several threads note vertices at the same time. None is taken back, so that their order does not count.
+  std::vector<std::uint8_t> outside(mesh_.vertices.size(), 0);
+  const auto isOutside = [&](std::uint32_t vertex) {
+    return std::atomic_ref(outside[vertex]).load(std::memory_order_relaxed) != 0;
+  };
   const auto shareStillVertex = [&](const TriangleIndices& one, const TriangleIndices& other) {
     return std::any_of(one.begin(), one.end(), [&](std::uint32_t vertex) {
       return thinned.vertices[vertex] == mesh_.vertices[vertex] &&
              std::find(other.begin(), other.end(), vertex) != other.end();
     });
   };
-  after.visitPairs(surface_, 0.0, [&](std::uint32_t i, std::uint32_t k) {
+  after.visitAllPairs(surface_, 0.0, [&](std::uint32_t i, std::uint32_t k) {
     const TriangleIndices& moved = thinned.triangles[among[i]];
-    if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return true;
-    if (std::all_of(moved.begin(), moved.end(), [&](std::uint32_t vertex) { return outside[vertex]; })) return true;
-    if (!trianglesMeet(after.triangles()[i], surface_.triangles()[k])) return true;
-    for (const std::uint32_t vertex : moved) outside[vertex] = true;
-    return true;
+    if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return;
+    if (std::all_of(moved.begin(), moved.end(), isOutside)) return;
+    if (!trianglesMeet(after.triangles()[i], surface_.triangles()[k])) return;
+    for (const std::uint32_t vertex : moved) std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
   });
   std::vector<std::uint32_t> vertices;
   for (std::uint32_t vertex = 0; vertex < outside.size(); ++vertex) {
-    if (outside[vertex]) vertices.push_back(vertex);
+    if (outside[vertex] != 0) vertices.push_back(vertex);
   }
   return vertices;
 }

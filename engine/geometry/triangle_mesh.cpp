@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/base/reserve_filled.h"
 #include "engine/geometry/vertex_welder.h"
 
 namespace glissade {
@@ -57,11 +58,12 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   // Each vertex is looked up once, however many triangles have it.
   VertexWelder welder(mesh.vertices.size());
   std::vector<std::uint32_t> positionOf;
-  positionOf.reserve(mesh.vertices.size());
+  reserveFilled(positionOf, mesh.vertices.size());
   for (const Vector3& vertex : mesh.vertices) positionOf.push_back(welder.indexOf(vertex));
   std::vector<std::uint32_t> numberOf(welder.vertices().size(), kNone);
   TriangleMesh result;
-  result.triangles.reserve(mesh.triangles.size());
+  reserveFilled(result.vertices, welder.vertices().size());
+  reserveFilled(result.triangles, mesh.triangles.size());
   for (const TriangleIndices& triangle : mesh.triangles) {
     TriangleIndices joined;
     for (std::size_t i = 0; i < 3; ++i) {

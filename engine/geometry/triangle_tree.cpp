@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "engine/base/in_threads.h"
+
 namespace glissade {
 namespace {
 
@@ -206,35 +208,72 @@ double TriangleTree::firstHit(const Vector3& origin, const Vector3& direction, d
   return least;
 }
 
+/// Adds the pairs below this one to `open`, or takes its triangles. False: `take` returned false.
+template <class Take>
+bool TriangleTree::visitPair(const TriangleTree& other, double distance, const NodePair& pair,
+                             std::vector<NodePair>& open, const Take& take) const {
+  const auto [a, b] = pair;
+  const Node& mine = nodes_[a];
+  const Node& theirs = other.nodes_[b];
+  if (!areNear(mine.box, theirs.box, distance)) return true;
+  if (mine.count > 0 && theirs.count > 0) {
+    for (std::uint32_t i = mine.first; i < mine.first + mine.count; ++i) {
+      for (std::uint32_t k = theirs.first; k < theirs.first + theirs.count; ++k) {
+        const bool near = areNear(boxes_[order_[i]], other.boxes_[other.order_[k]], distance);
+        if (near && !take(order_[i], other.order_[k])) return false;
+      }
+    }
+    return true;
+  }
+  const bool openMine =
+      theirs.count > 0 || (mine.count == 0 && mine.box.diagonal().norm() >= theirs.box.diagonal().norm());
+  if (openMine) {
+    open.push_back({mine.first, b});
+    open.push_back({a + 1, b});
+  } else {
+    open.push_back({a, theirs.first});
+    open.push_back({a, b + 1});
+  }
+  return true;
+}
+
 void TriangleTree::visitPairs(const TriangleTree& other, double distance,
                               const std::function<bool(std::uint32_t, std::uint32_t)>& take) const {
   if (nodes_.empty() || other.nodes_.empty()) return;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}};
+  std::vector<NodePair> open{{0, 0}};
   while (!open.empty()) {
-    const auto [a, b] = open.back();
+    const NodePair next = open.back();
     open.pop_back();
-    const Node& mine = nodes_[a];
-    const Node& theirs = other.nodes_[b];
-    if (!areNear(mine.box, theirs.box, distance)) continue;
-    if (mine.count > 0 && theirs.count > 0) {
-      for (std::uint32_t i = mine.first; i < mine.first + mine.count; ++i) {
-        for (std::uint32_t k = theirs.first; k < theirs.first + theirs.count; ++k) {
-          const bool near = areNear(boxes_[order_[i]], other.boxes_[other.order_[k]], distance);
-          if (near && !take(order_[i], other.order_[k])) return;
-        }
-      }
-      continue;
-    }
-    const bool openMine =
-        theirs.count > 0 || (mine.count == 0 && mine.box.diagonal().norm() >= theirs.box.diagonal().norm());
-    if (openMine) {
-      open.push_back({mine.first, b});
-      open.push_back({a + 1, b});
-    } else {
-      open.push_back({a, theirs.first});
-      open.push_back({a, b + 1});
-    }
+    if (!visitPair(other, distance, next, open, take)) return;
   }
+}
+
+void TriangleTree::visitAllPairs(const TriangleTree& other, double distance,
+                                 const std::function<void(std::uint32_t, std::uint32_t)>& take) const {
+  constexpr std::size_t kPieces = 256;
+  constexpr std::size_t kMostOfOneThread = 4096;
+  const auto takeAll = [&take](std::uint32_t i, std::uint32_t k) {
+    take(i, k);
+    return true;
+  };
+  if (triangles_.size() <= kMostOfOneThread || other.nodes_.empty()) {
+    visitPairs(other, distance, takeAll);
+    return;
+  }
+  std::vector<NodePair> pieces{{0, 0}};
+  while (!pieces.empty() && pieces.size() < kPieces) {
+    std::vector<NodePair> below;
+    for (const NodePair& pair : pieces) visitPair(other, distance, pair, below, takeAll);
+    pieces = std::move(below);
+  }
+  forEachInThreads(pieces.size(), 1, [&](std::size_t piece) {
+    std::vector<NodePair> open{pieces[piece]};
+    while (!open.empty()) {
+      const NodePair next = open.back();
+      open.pop_back();
+      visitPair(other, distance, next, open, takeAll);
+    }
+  });
 }
 
 }  // namespace glissade

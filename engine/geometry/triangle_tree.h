@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
@@ -42,7 +43,12 @@ class TriangleTree {
   void visitPairs(const TriangleTree& other, double distance,
                   const std::function<bool(std::uint32_t, std::uint32_t)>& take) const;
 
+  /// The same for every pair, in any order; among many triangles several threads call `take` at the same time.
+  void visitAllPairs(const TriangleTree& other, double distance,
+                     const std::function<void(std::uint32_t, std::uint32_t)>& take) const;
+
  private:
+  using NodePair = std::pair<std::uint32_t, std::uint32_t>;  ///< of this tree and the other
   struct Node {
     Box3 box;
     std::uint32_t first = 0;  ///< in `order_` of a leaf, else the node below that is not the next one
@@ -50,6 +56,9 @@ class TriangleTree {
   };
 
   void build(std::uint32_t first, std::uint32_t last);
+  template <class Take>
+  bool visitPair(const TriangleTree& other, double distance, const NodePair& pair, std::vector<NodePair>& open,
+                 const Take& take) const;
   template <class Enters, class Take>
   void walk(const Enters& enters, const Take& take) const;
 

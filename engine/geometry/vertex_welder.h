@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/reserve_filled.h"
 #include "engine/geometry/pose.h"
 
 namespace glissade {
@@ -16,9 +17,11 @@ namespace glissade {
 class VertexWelder {
  public:
   /// `expected`: positions, at most; more are taken, too.
-  explicit VertexWelder(std::size_t expected = 0)
-      : slots_(std::bit_ceil(std::max(kFewest, 2 * (expected + 1))), kFree) {
-    vertices_.reserve(expected);
+  explicit VertexWelder(std::size_t expected = 0) {
+    const std::size_t slots = std::bit_ceil(std::max(kFewest, 2 * (expected + 1)));
+    reserveFilled(slots_, slots);
+    slots_.assign(slots, kFree);
+    reserveFilled(vertices_, expected);
   }
 
   std::uint32_t indexOf(const Vector3& position) {

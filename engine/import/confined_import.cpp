@@ -45,8 +45,8 @@ void write(const MeshContent& content, const ImportOutput& output) {
   output.write(warnings.data(), warnings.size());
 }
 
-int import(const std::string& ending, const ImportOutput& output) {
-  const std::vector<char> bytes = readStandardInput(protocol::kMeshLimits.bytes);
+int import(const std::string& ending, std::size_t size, const ImportOutput& output) {
+  const std::vector<char> bytes = readStandardInput(protocol::kMeshLimits.bytes, size);
   const MeshContent content = readMesh(std::string_view(bytes.data(), bytes.size()), ending);
   if (content.mesh.empty()) return output.fail("holds no triangle");
   write(content, output);
@@ -58,10 +58,11 @@ int import(const std::string& ending, const ImportOutput& output) {
 int confinedImport(const std::string& ending) {
   rlimit memory{};
   ::getrlimit(RLIMIT_AS, &memory);  // set by the process that started this one
+  const std::size_t size = sizeOfStandardInput();
   const ImportOutput output;
   if (const Outcome confined = confine(protocol::kMeshLimits); !confined) return output.refuse(confined.error());
   try {
-    return import(ending, output);
+    return import(ending, size, output);
   } catch (const FormatError& error) {
     return output.fail(error.reason, error.location);
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include <cstring>
 
 #include "engine/base/child_process.h"
+#include "engine/base/reserve_filled.h"
 #include "engine/import/system_call_filter.h"
 
 namespace glissade {
@@ -69,8 +71,15 @@ Outcome confine(const protocol::Limits& limits) {
   return loadSystemCallFilter();
 }
 
-std::vector<char> readStandardInput(std::uint64_t mostBytes) {
+std::size_t sizeOfStandardInput() {
+  struct stat status {};
+  const bool file = ::fstat(kInputDescriptor, &status) == 0 && S_ISREG(status.st_mode);
+  return file ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
+std::vector<char> readStandardInput(std::uint64_t mostBytes, std::size_t expected) {
   std::vector<char> content;
+  reserveFilled(content, std::min<std::uint64_t>(expected, mostBytes));
   std::array<char, 65536> buffer{};
   ssize_t count = 0;
   while ((count = ::read(kInputDescriptor, buffer.data(), buffer.size())) > 0) {

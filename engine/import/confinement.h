@@ -15,8 +15,11 @@ namespace glissade {
 /// exist before. Errors are Internal: the process must then read nothing and end.
 Outcome confine(const import_protocol::Limits& limits);
 
-/// All of standard input; empty where it is larger than `mostBytes`.
-std::vector<char> readStandardInput(std::uint64_t mostBytes);
+/// Of standard input, where that is a file; else 0. To be asked before confine().
+std::size_t sizeOfStandardInput();
+
+/// All of standard input; empty where it is larger than `mostBytes`. `expected`: bytes; there may be more.
+std::vector<char> readStandardInput(std::uint64_t mostBytes, std::size_t expected = 0);
 
 /// Where an importing process writes its message: what was standard output when this was made
 /// (kOutputDescriptor). What libraries print to standard output is dropped from then on.

@@ -7,6 +7,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
+#include "engine/base/reserve_filled.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/importer_process.h"
 
@@ -35,21 +36,24 @@ Warnings warningsOf(const ImporterCall& call, const std::string& text) {
   return warnings;
 }
 
+bool takeVertices(ImportMessage& message, std::vector<Vector3>& vertices) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(double));
+  return vertices.empty() || message.take(vertices.front().data(), 3 * vertices.size());
+}
+
 Result<ImportedMesh> decode(const ImporterCall& call, ImporterAnswer& answer) {
   import_protocol::MeshFacts facts;
-  std::vector<double> coordinates(std::size_t{3} * answer.header.vertices);
   ImportedMesh result;
+  reserveFilled(result.mesh.vertices, answer.header.vertices);
+  reserveFilled(result.mesh.triangles, answer.header.triangles);
+  result.mesh.vertices.resize(answer.header.vertices);
   result.mesh.triangles.resize(answer.header.triangles);
-  if (!answer.message.take(&facts, 1) || !answer.message.take(coordinates.data(), coordinates.size()) ||
+  if (!answer.message.take(&facts, 1) || !takeVertices(answer.message, result.mesh.vertices) ||
       !answer.message.take(result.mesh.triangles.data(), result.mesh.triangles.size()) ||
       !(facts.coordinateSpacing >= 0.0)) {
     return refusalOf(call, "the importer failed on it");
   }
   if (result.mesh.empty()) return refusalOf(call, "holds no triangle");
-  result.mesh.vertices.reserve(answer.header.vertices);
-  for (std::size_t i = 0; i < coordinates.size(); i += 3) {
-    result.mesh.vertices.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-  }
   if (const auto fault = faultOf(result.mesh)) return refusalOf(call, *fault);
   result.coordinateSpacing = facts.coordinateSpacing;
   if (const auto coarse = refuseCoarseCoordinates(call, result)) return *coarse;

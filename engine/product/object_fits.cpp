@@ -325,9 +325,13 @@ class FitFinder {
     }
     auto& [obstacle, world] = alone_;
     const bool known = world && obstacle == fit.obstacle;
-    world = known ? world->withObject(thinned) : CollisionWorld::build({question_.obstacles[fit.obstacle]}, thinned);
+    world = known ? world->withObject(thinned) : worldOf(question_.obstacles[fit.obstacle], thinned);
     obstacle = fit.obstacle;
     return world->makeQuery();
+  }
+
+  CollisionWorldPtr worldOf(const RigidBody& obstacle, const MeshPtr& object) const {
+    return question_.world ? question_.world->updated({obstacle}, object) : CollisionWorld::build({obstacle}, object);
   }
 
   const FitQuestion& question_;

@@ -45,6 +45,8 @@ struct FitQuestion {
   const FitSettings& settings;
   /// The contacts of the object at its only end, where they are known: `b` is the object, `a` the obstacle's index.
   const std::vector<Contact>* contacts = nullptr;
+  /// A world of the obstacles: what it has prepared is not prepared again. Null: there is none.
+  CollisionWorldPtr world{};
 };
 
 /// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. What

@@ -7,6 +7,7 @@
 #include "engine/base/file.h"
 #include "engine/base/number_text.h"
 #include "engine/base/overloaded.h"
+#include "engine/geometry/mesh_edges.h"
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/t_junctions.h"
 #include "engine/import/hole_closing.h"
@@ -188,17 +189,19 @@ void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const
 Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   const auto content = readAsset(asset);
   if (!content) return content.error();
-  const auto imported = importMesh(*content, stop_);
+  auto imported = importMesh(*content, stop_);
   if (!imported) return imported.error();
-  TriangleMesh mesh = welded(interpreted(imported->mesh, asset.unit, asset.up));
+  const std::size_t triangles = imported->mesh.triangles.size();
+  TriangleMesh mesh = welded(interpreted(std::move(imported->mesh), asset.unit, asset.up));
   if (mesh.empty()) {
     return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
                       "Export the part again."};
   }
   Warnings warnings = imported->warnings;
-  warnOfRemovedTriangles(imported->mesh.triangles.size() - mesh.triangles.size(), content->file, warnings);
+  warnOfRemovedTriangles(triangles - mesh.triangles.size(), content->file, warnings);
   double moved = 0.0;
-  if (auto closed = closedAtTJunctions(mesh)) {
+  const bool isClosed = edgeFactsOf(mesh).consistentlyOriented;
+  if (auto closed = isClosed ? std::nullopt : closedAtTJunctions(mesh)) {
     warnOfTJunctions(*closed, content->file, warnings);
     mesh = std::move(closed->mesh);
     moved = closed->moved;
@@ -207,6 +210,7 @@ Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
   LoadedGeometry geometry = single(std::move(mesh));
   geometry.warnings = std::move(warnings);
   GeometryPart& part = geometry.parts.front();
+  part.isClosed = isClosed;
   part.coordinateSpacing = asset.unit * imported->coordinateSpacing + moved;
   TriangleMesh point;
   point.vertices = {imported->vertexMean};
@@ -314,10 +318,11 @@ Box3 boxOf(const LoadedGeometry& geometry) {
   return box;
 }
 
-TriangleMesh interpreted(const TriangleMesh& mesh, double unit, UpAxis up) {
+TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up) {
   const Pose upright{Vector3::Zero(),
                      up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
-  return transformed(scaled(mesh, Vector3::Constant(unit)), upright);
+  for (Vector3& vertex : mesh.vertices) vertex = upright * Vector3(unit * vertex);
+  return mesh;
 }
 
 }  // namespace glissade

@@ -75,6 +75,6 @@ TriangleMesh objectMesh(const ObjectDescription& object, const LoadedGeometry& g
 Box3 boxOf(const LoadedGeometry& geometry);
 
 /// Takes file coordinates to ours: metres, z up.
-TriangleMesh interpreted(const TriangleMesh& mesh, double unit, UpAxis up);
+TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up);
 
 }  // namespace glissade

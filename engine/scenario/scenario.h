@@ -120,6 +120,7 @@ struct GeometryPart {
   std::optional<Colour> colour;
   double deflection = 0.0;           ///< metres that the mesh is off a STEP surface, about; else 0
   std::size_t facesWithoutMesh = 0;  ///< of STEP, that are missing because they could not be tessellated
+  bool isClosed = false;             ///< known to be a closed surface; else it is to be found out
   double coordinateSpacing = 0.0;    ///< metres that the mesh may be off the file: want of digits, closed T-junctions
 };
 struct LoadedGeometry {
@@ -145,6 +146,7 @@ struct LoadedScenario {
   /// Metres that meshes may be off their files, by rigid body's id: 32-bit numbers, edges closed at T-junctions.
   std::map<std::string, double> coordinateSpacings;
   ObjectFits fits;                 ///< empty where the scenario's fits are off
+  bool fitsPending = false;        ///< they are on and still to be found: the object is not thinned yet
   std::map<MeshPtr, bool> closed;  ///< whether a mesh of the bodies or the object is a closed surface
   Problem problem;                 ///< its world has the object thinned as the fits allow
   ParameterValues parameters{1.0};

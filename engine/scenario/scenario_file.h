@@ -17,7 +17,8 @@ struct ScenarioFile {
 };
 
 /// loadScenario for who will save the scenario into its file again.
-Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop = {});
+Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop = {},
+                                      FindFits fits = FindFits::Now);
 
 /// Fills in the content hashes of the assets, then saves as saveFile does (file_save.h), with kKeptVersions earlier
 /// versions. `replaces` is the SHA-256 of the only content that may be replaced (ScenarioFile::sha256); nothing:

@@ -15,11 +15,13 @@ double deflectionOf(const LoadedScenario& scenario, const std::string& id) {
 
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
   scenario.fits = {};
+  scenario.fitsPending = false;
   if (scenario.scenario.fits.on) {
     FitQuestion question{scenario.obstacles, scenario.object, {scenario.problem.start}, {}, scenario.scenario.fits};
     if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.ends.push_back(*goal);
     for (const RigidBody& body : scenario.obstacles) question.deflections.push_back(deflectionOf(scenario, body.id));
     question.deflections.push_back(deflectionOf(scenario, scenario.object.id));
+    question.world = scenario.problem.world;
     auto fits = findObjectFits(question, stop);
     if (!fits) {
       Diagnostic why = fits.error();

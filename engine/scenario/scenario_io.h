@@ -20,12 +20,18 @@ std::string writeScenario(const Scenario& scenario);
 /// Takes its time where a STEP file is read; Interrupted is the error where it was stopped.
 Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& stop = {});
 
+/// When the fits of a scenario that has them on are found.
+enum class FindFits {
+  Now,
+  LaterIfLarge,  ///< where preparing the world takes seconds: LoadedScenario::fitsPending
+};
+
 /// Loads the geometry of a scenario value whose assets are relative to `folder`. What is in `known` (of a scenario
 /// loaded before) is not read again. What `before` (null: none) has prepared for collision queries is not prepared
 /// again.
 Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder, const std::string& file,
                                     const GeometryCache& known = {}, const StopToken& stop = {},
-                                    const LoadedScenario* before = nullptr);
+                                    const LoadedScenario* before = nullptr, FindFits fits = FindFits::Now);
 
 /// SHA-256 of what was loaded as the asset; of its file as it is now where nothing was. Errors: it cannot be read.
 Result<std::string> assetSha256(const Asset& asset, const std::string& scenarioFile);

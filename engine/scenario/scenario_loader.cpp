@@ -30,13 +30,24 @@ void warnIfOpen(const RigidBody& body, const std::string& file, const LoadedScen
   auto found = loaded.closed.find(body.mesh);
   if (found == loaded.closed.end()) {
     const bool known = before != nullptr && before->closed.count(body.mesh) > 0;
-    const bool closed = known ? before->closed.at(body.mesh) : audit(*body.mesh).closed();
+    const bool closed = known ? before->closed.at(body.mesh) : isClosedSurface(*body.mesh);
     found = loaded.closed.emplace(body.mesh, closed).first;
   }
   if (found->second) return;
   loaded.warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
                              "Being inside it is not seen as a collision; close its surface, or let planar holes be "
                              "closed (--close-holes)."});
+}
+
+/// What is known from reading is not looked at again.
+void noteClosed(const LoadedGeometry& geometry, LoadedScenario& loaded) {
+  for (const GeometryPart& part : geometry.parts) {
+    if (part.isClosed) loaded.closed.emplace(part.mesh, true);
+  }
+}
+
+bool allAreClosed(const LoadedGeometry& geometry) {
+  return std::all_of(geometry.parts.begin(), geometry.parts.end(), [](const GeometryPart& p) { return p.isClosed; });
 }
 
 bool isSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
@@ -179,11 +190,12 @@ Result<ReadScenario> readScenario(const std::string& file) {
   return ReadScenario{std::move(*scenario), sha256(*text), std::move(warnings)};
 }
 
-Result<ScenarioFile> openScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
+Result<ScenarioFile> openScenario(const std::string& file, const FitOptions& options, const StopToken& stop,
+                                  FindFits fits) {
   auto read = readScenario(file);
   if (!read) return read.error();
   read->scenario.fits = withOptions(read->scenario.fits, options);
-  auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop);
+  auto loaded = loadGeometry(std::move(read->scenario), folderOf(file), file, {}, stop, nullptr, fits);
   if (!loaded) return loaded.error();
   loaded->warnings.insert(loaded->warnings.begin(), read->warnings.begin(), read->warnings.end());
   return ScenarioFile{std::move(*loaded), std::move(read->sha256)};
@@ -205,17 +217,18 @@ Result<LoadedScenario> loadScenario(const std::string& file, const StopToken& st
 }
 
 Result<LoadedScenario> loadScenario(const std::string& file, const FitOptions& options, const StopToken& stop) {
-  auto opened = openScenario(file, options, stop);
+  auto opened = openScenario(file, options, stop, FindFits::Now);
   if (!opened) return opened.error();
   return std::move(opened->scenario);
 }
 
-Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop) {
-  return openScenario(file, {}, stop);
+Result<ScenarioFile> openScenarioFile(const std::string& file, const StopToken& stop, FindFits fits) {
+  return openScenario(file, {}, stop, fits);
 }
 
 Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder, const std::string& file,
-                                    const GeometryCache& known, const StopToken& stop, const LoadedScenario* before) {
+                                    const GeometryCache& known, const StopToken& stop, const LoadedScenario* before,
+                                    FindFits fits) {
   LoadedScenario loaded;
   loaded.file = file;
   GeometryLoader loader(scenario, folder, file, known, stop);
@@ -224,12 +237,14 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
     if (!geometry) return geometry.error();
     warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
     noteUncertainties(**geometry, body.id, false, loaded);
+    noteClosed(**geometry, loaded);
     for (RigidBody& rigid : toBodies(body, **geometry)) loaded.obstacles.push_back(std::move(rigid));
     if (const Outcome few = checkNumberOfBodies(loaded, file); !few) return few.error();
   }
   auto object = loadObject(scenario, file, loader);
   if (!object) return object.error();
-  noteUncertainties(**loader.load(scenario.object.geometry), scenario.object.id, true, loaded);
+  const auto geometryOfObject = loader.load(scenario.object.geometry);
+  noteUncertainties(**geometryOfObject, scenario.object.id, true, loaded);
   loader.noteHashes(scenario);
   loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
@@ -237,6 +252,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   if (before != nullptr && isSameMesh(*before->object.mesh, *loaded.object.mesh)) {
     loaded.object.mesh = before->object.mesh;  // prepared already
   }
+  if (allAreClosed(**geometryOfObject)) loaded.closed.emplace(loaded.object.mesh, true);
   for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, before, loaded);
   warnIfOpen(loaded.object, file, before, loaded);
 
@@ -253,7 +269,10 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   const Outcome parameters = applyParameters(scenario, file, loaded.parameters);
   if (!parameters) return parameters.error();
   loaded.scenario = std::move(scenario);
-  if (loaded.scenario.fits.on) {
+  const bool later = fits == FindFits::LaterIfLarge && !loaded.problem.world->isPrepared();
+  if (loaded.scenario.fits.on && later) {
+    loaded.fitsPending = true;
+  } else if (loaded.scenario.fits.on) {
     if (const Outcome fitted = applyFits(loaded, stop); !fitted) return fitted.error();
   }
   return loaded;

@@ -1,13 +1,24 @@
 #include "engine/session/operator_hand.h"
 
+#include <limits>
+
 #include "engine/base/guarded.h"
 
 namespace glissade {
+namespace {
+
+NearestObstacle noObstacle() {
+  NearestObstacle none;
+  none.distance = std::numeric_limits<double>::infinity();
+  return none;
+}
+
+}  // namespace
 
 OperatorHand::OperatorHand(const Problem& problem, std::unique_ptr<OperatorDevice> device)
     : bounds_(problem.bounds),
       start_(problem.start),
-      query_(problem.world->makeQuery()),
+      world_(problem.world),
       device_(std::move(device)),
       objectRadius_(problem.world->objectRadius()) {
   sample_.q_device = problem.start;
@@ -50,8 +61,9 @@ void OperatorHand::advance(double dt, const OperatorFrame& frame, const StartTre
 
 const OperatorSample& OperatorHand::sample() {
   if (!nearestIsKnown_) {
-    sample_.nearest = query_->nearestObstacle(sample_.q_device);
-    nearestIsKnown_ = true;
+    if (!query_ && world_->isPrepared()) query_ = world_->makeQuery();
+    nearestIsKnown_ = query_ != nullptr;
+    sample_.nearest = query_ ? query_->nearestObstacle(sample_.q_device) : noObstacle();
   }
   const auto rendered = device_ ? device_->rendered() : std::nullopt;
   sample_.guidance = rendered ? *rendered : guidanceWrench(guidance_, sample_.q_device, sample_.nearest, objectRadius_);

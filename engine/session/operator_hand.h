@@ -43,13 +43,14 @@ class OperatorHand {
     return held() ? std::make_optional(HandState{sample_.q_device, sample_.moves}) : std::nullopt;
   }
   /// q_device with Find_Nearest_Obstacle(q_device), computed once for each place, and the guidance there:
-  /// as the device renders it, or else as one would.
+  /// as the device renders it, or else as one would. While the world is not prepared there is no obstacle.
   const OperatorSample& sample();
 
  private:
   Box3 bounds_;
   Pose start_;
-  std::unique_ptr<CollisionQuery> query_;
+  CollisionWorldPtr world_;
+  std::unique_ptr<CollisionQuery> query_;  ///< null until it is needed and the world is prepared
   std::unique_ptr<OperatorDevice> device_;
   OperatorSample sample_;
   bool nearestIsKnown_ = false;

@@ -227,6 +227,54 @@ TEST_F(WorkbenchDocumentTest, InTheBackgroundEditsAreMadeInTheirOrderOfWhatTheOn
   EXPECT_EQ(wallAt(), Vector3(0, 0, 1));
 }
 
+/// A scenario as it is opened where its fits take long to find.
+ScenarioPtr withFitsToFind() {
+  auto loaded = loadScenario(test::sourceDirectory() + "/samples/teaching/scenario.json");
+  loaded->scenario.fits.on = true;
+  loaded->fitsPending = true;
+  return std::make_shared<const LoadedScenario>(std::move(*loaded));
+}
+
+TEST_F(WorkbenchDocumentTest, FitsThatWereLeftForLaterAreFoundInTheBackground) {
+  document.setAtOnce(false);
+  int rearranged = 0;
+  QObject::connect(&document, &WorkbenchDocument::changed, [&](Changes what) {
+    rearranged += what & Change::Arrangement && !(what & Change::Scenario) ? 1 : 0;
+  });
+  document.open(withFitsToFind());
+  document.noteSaved("opened.json", document.current());
+  EXPECT_TRUE(document.scenario()->fitsPending);
+  EXPECT_FALSE(document.isModified()) << "what is found is no edit";
+  bool startedWithFits = false;
+  document.whenArranged([&] { startedWithFits = !document.scenario()->fitsPending; });
+  EXPECT_FALSE(startedWithFits);
+  ASSERT_TRUE(arranged());
+  EXPECT_TRUE(startedWithFits);
+  EXPECT_EQ(rearranged, 1);
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(WorkbenchDocumentTest, WhereEditsAreDoneAtOnceFitsAreFoundWhenTheyAreNeeded) {
+  document.open(withFitsToFind());
+  EXPECT_TRUE(document.scenario()->fitsPending);
+  bool startedWithFits = false;
+  document.whenArranged([&] { startedWithFits = !document.scenario()->fitsPending; });
+  EXPECT_TRUE(startedWithFits);
+}
+
+TEST_F(WorkbenchDocumentTest, NothingBeginsWhereTheFitsCannotBeFound) {
+  auto wrong = std::make_shared<LoadedScenario>(*withFitsToFind());
+  wrong->scenario.fits.pairs.push_back({"nobody", wrong->object.id, {}, 0.001, false});
+  document.open(wrong);
+  int failures = 0;
+  QObject::connect(&document, &WorkbenchDocument::editFailed,
+                   [&](const std::optional<Diagnostic>& why) { failures += why ? 1 : 0; });
+  bool begun = false;
+  document.whenArranged([&begun] { begun = true; });
+  EXPECT_FALSE(begun);
+  EXPECT_EQ(failures, 1);
+}
+
 TEST_F(WorkbenchDocumentTest, NumbersTypedWhileAnEditIsMadeAreOneEditAfterIt) {
   document.setAtOnce(false);
   for (const double x : {0.1, 0.2, 0.3, 0.4}) {

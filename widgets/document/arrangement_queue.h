@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -17,7 +18,8 @@ class ArrangementQueue final : public QObject {
  public:
   /// A change of the arrangement.
   struct Job {
-    QString mergeKey;  ///< a job that waits is replaced by a later one with the same key; empty: by none
+    bool isEdit = true;  ///< the scenario is another one afterwards
+    QString mergeKey;    ///< a job that waits is replaced by a later one with the same key; empty: by none
     /// The scenario to load, made when the job's turn comes. Nothing: there is nothing to load, and all is done.
     std::function<Result<std::optional<Scenario>>()> begin;
     /// Takes the loaded scenario.
@@ -33,11 +35,15 @@ class ArrangementQueue final : public QObject {
 
   /// Jobs are done before add() returns. At first they are.
   void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
+  bool isAtOnce() const { return atOnce_; }
   /// The error of a job that was done at once; later errors are announced by failed().
   Outcome add(Job job);
   /// Forgets all jobs.
   void cancel();
   bool isEmpty() const { return jobs_.empty(); }
+  bool hasEdits() const {
+    return std::any_of(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.isEdit; });
+  }
   const BackgroundTask& task() const { return task_; }
 
  signals:

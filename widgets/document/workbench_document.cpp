@@ -113,6 +113,22 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     semantics_.open(*scenario);
     announce(Changes(kEveryChange));
   });
+  if (!queue_.isAtOnce()) finishOpening();
+}
+
+/// The fits of the scenario as it is, with its world prepared.
+void WorkbenchDocument::finishOpening() {
+  const auto isFinished = [this] { return !scenario_->fitsPending && scenario_->problem.world->isPrepared(); };
+  if (isFinished()) return;
+  ArrangementQueue::Job job;
+  job.isEdit = false;
+  job.begin = [this, isFinished]() -> Result<std::optional<Scenario>> {
+    return isFinished() ? std::optional<Scenario>() : scenario_->scenario;
+  };
+  job.end = [this](const ScenarioPtr& loaded) {
+    if (scenario_->fitsPending) takeArrangement(loaded);
+  };
+  if (const Outcome done = queue_.add(std::move(job)); !done) emit editFailed(done.error());
 }
 
 Scenario WorkbenchDocument::current() const {
@@ -176,9 +192,11 @@ void WorkbenchDocument::stepBack(bool forth) {
 }
 
 void WorkbenchDocument::whenArranged(const std::function<void()>& then) {
+  if (scenario_ && scenario_->fitsPending && queue_.isEmpty()) finishOpening();
   ArrangementQueue::Job job;
-  job.begin = [then]() -> Result<std::optional<Scenario>> {
-    then();
+  job.isEdit = false;
+  job.begin = [this, then]() -> Result<std::optional<Scenario>> {
+    if (!scenario_ || !scenario_->fitsPending) then();
     return std::optional<Scenario>();
   };
   (void)queue_.add(std::move(job));
@@ -293,7 +311,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
 }
 
 bool WorkbenchDocument::isModified() const {
-  return scenario_ && (!queue_.isEmpty() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
+  return scenario_ && (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
                        settings_.strategy != scenario_->scenario.planner || unkept_);
 }
 

@@ -68,7 +68,9 @@ class WorkbenchDocument final : public QObject {
   /// For observers; undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
-  /// Replaces everything. One without a file counts as modified until it is saved.
+  /// Replaces everything. One without a file counts as modified until it is saved. What was left for later when it was
+  /// loaded (fits, the world's preparation) is done in the background, announced as a change of the arrangement; where
+  /// edits are done at once, when whenArranged() needs it.
   void open(const ScenarioPtr& scenario);
   /// Changes a scenario; refused with an error.
   using ScenarioChange = std::function<Outcome(Scenario&)>;
@@ -85,7 +87,8 @@ class WorkbenchDocument final : public QObject {
   void setAtOnce(bool atOnce) { queue_.setAtOnce(atOnce); }
   /// Edits are under way.
   bool isArranging() const { return !queue_.isEmpty(); }
-  /// Calls `then` once no edit is under way: at once where none is.
+  /// Calls `then` once no edit is under way and the fits are known: at once where that is so. Not at all where the fits
+  /// cannot be found, which editFailed() announces.
   void whenArranged(const std::function<void()>& then);
   /// Forgets the edits that are under way.
   void cancelEdits();
@@ -135,6 +138,7 @@ class WorkbenchDocument final : public QObject {
   Scenario assembled(const Scenario& assembly, const std::string& file) const;
   ArrangementQueue::Load loader() const;
   void stepBack(bool forth);
+  void finishOpening();
   void takeArrangement(const ScenarioPtr& scenario);
   void applyArrangement(const Scenario& assembly, const std::string& file);
   KeptPath resultAsKept() const;

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/base/in_threads.h"
+#include "engine/base/reserve_filled.h"
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
@@ -15,6 +17,8 @@ namespace {
 const double kFeatureCosine = std::cos(std::acos(-1.0) / 6.0);
 /// A corner of more triangles keeps the normal of its face: comparing all pairs would take too long.
 constexpr std::size_t kMostTrianglesAtCorner = 64;
+/// Triangles that a thread takes at once.
+constexpr std::size_t kAtOnce = 1U << 16;
 
 /// The corners of triangles at each vertex: those of vertex v are corners[begin[v]] to corners[begin[v + 1] - 1].
 /// Corner i of triangle t has the number 3 t + i. In the order of the triangles.
@@ -30,6 +34,7 @@ CornersAtVertices cornersAtVertices(const TriangleMesh& mesh) {
     for (const auto vertex : triangle) ++at.begin[vertex + 1];
   }
   std::partial_sum(at.begin.begin(), at.begin.end(), at.begin.begin());
+  reserveFilled(at.corners, at.begin.back());
   at.corners.resize(at.begin.back());
   std::vector<std::size_t> next(at.begin.begin(), at.begin.end() - 1);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -72,18 +77,28 @@ osg::ref_ptr<osg::Vec3Array> featureEdges(const TriangleMesh& mesh, const std::v
   return ends;
 }
 
+std::vector<Vector3> faceNormals(const TriangleMesh& mesh) {
+  std::vector<Vector3> normals;
+  reserveFilled(normals, mesh.triangles.size());
+  normals.resize(mesh.triangles.size());
+  forEachInThreads(normals.size(), kAtOnce, [&](std::size_t t) { normals[t] = faceNormal(mesh, mesh.triangles[t]); });
+  return normals;
+}
+
 /// Of each corner, by its number.
 std::vector<double> cornerAngles(const TriangleMesh& mesh) {
   std::vector<double> angles;
-  angles.reserve(3 * mesh.triangles.size());
-  for (const TriangleIndices& triangle : mesh.triangles) {
+  reserveFilled(angles, 3 * mesh.triangles.size());
+  angles.resize(3 * mesh.triangles.size());
+  forEachInThreads(mesh.triangles.size(), kAtOnce, [&](std::size_t t) {
+    const TriangleIndices& triangle = mesh.triangles[t];
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3& p = mesh.vertices[triangle[i]];
       const Vector3 a = mesh.vertices[triangle[(i + 1) % 3]] - p;
       const Vector3 b = mesh.vertices[triangle[(i + 2) % 3]] - p;
-      angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
+      angles[3 * t + i] = std::atan2(a.cross(b).norm(), a.dot(b));
     }
-  }
+  });
   return angles;
 }
 
@@ -107,20 +122,21 @@ Vector3 cornerNormal(const std::vector<Vector3>& normals, const std::vector<doub
 
 BodyShape makeBodyShape(const TriangleMesh& input) {
   const TriangleMesh mesh = welded(input);
-  std::vector<Vector3> normals;
-  normals.reserve(mesh.triangles.size());
-  for (const TriangleIndices& triangle : mesh.triangles) normals.push_back(faceNormal(mesh, triangle));
+  const std::vector<Vector3> normals = faceNormals(mesh);
   const CornersAtVertices at = cornersAtVertices(mesh);
   const std::vector<double> angles = cornerAngles(mesh);
   BodyShape shape{new osg::Vec3Array, new osg::Vec3Array, featureEdges(mesh, normals, at)};
-  shape.corners->reserve(3 * mesh.triangles.size());
-  shape.normals->reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const auto vertex : mesh.triangles[t]) {
-      shape.corners->push_back(toOsg(mesh.vertices[vertex]));
-      shape.normals->push_back(toOsg(cornerNormal(normals, angles, at, t, vertex)));
-    }
+  for (osg::Vec3Array* array : {shape.corners.get(), shape.normals.get()}) {
+    reserveFilled(array->asVector(), 3 * mesh.triangles.size());
+    array->resize(3 * mesh.triangles.size());
   }
+  forEachInThreads(mesh.triangles.size(), kAtOnce, [&](std::size_t t) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t vertex = mesh.triangles[t][i];
+      (*shape.corners)[3 * t + i] = toOsg(mesh.vertices[vertex]);
+      (*shape.normals)[3 * t + i] = toOsg(cornerNormal(normals, angles, at, static_cast<std::uint32_t>(t), vertex));
+    }
+  });
   return shape;
 }
 

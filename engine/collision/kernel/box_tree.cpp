@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t kBins = 16;
 /// Trees with more triangles are large.
 constexpr std::size_t kMostFittedWithCare = 200'000;
+/// Trees with more triangles are built by several threads.
+constexpr std::size_t kMostOfOneThread = 20'000;
 
 /// Smallest float not below the value.
 float roundedUp(double value) {
@@ -101,9 +103,8 @@ class TreeBuilder {
         mostInALeaf_(mostInALeaf),
         withCare_(triangles.size() <= kMostFittedWithCare) {}
 
-  bool withCare() const { return withCare_; }
-  Part partOf(std::size_t first, std::size_t last) const;
-  std::vector<Part> divided(const Part& whole) const;
+  Part partOf(std::size_t first, std::size_t last);
+  std::vector<Part> divided(const Part& whole);
   void build(const Part& whole) { fillNode(made_.addNode(), {whole}); }
   /// The same in several threads. The whole is no leaf.
   void buildInThreads(const Part& whole);
@@ -112,6 +113,8 @@ class TreeBuilder {
 
  private:
   void fillNode(std::uint32_t node, const std::vector<Part>& parts);
+  Cut bestCut(const Part& part);
+  std::size_t split(const Part& part, const Cut& cut);
   void setBoxes(std::uint32_t node, const std::vector<Part>& parts);
   void setBox(BoxTree::Box box, const Part& part);
   std::int32_t addLeaf(const Part& part);
@@ -121,13 +124,16 @@ class TreeBuilder {
   std::size_t mostInALeaf_;
   bool withCare_;
   BoxTreeNodes made_;
+  // Of the part at hand; kept, because new memory costs time.
+  std::vector<const Triangle*> corners_;
+  std::vector<Extent> extents_;
+  std::vector<OwnedTriangle> behind_;
 };
 
-Part TreeBuilder::partOf(std::size_t first, std::size_t last) const {
-  std::vector<const Triangle*> corners;
-  corners.reserve(last - first);
-  for (std::size_t i = first; i < last; ++i) corners.push_back(&triangles_[i].corners);
-  return {first, last, withCare_ ? fitBox(corners) : fitBoxQuickly(corners)};
+Part TreeBuilder::partOf(std::size_t first, std::size_t last) {
+  corners_.clear();
+  for (std::size_t i = first; i < last; ++i) corners_.push_back(&triangles_[i].corners);
+  return {first, last, withCare_ ? fitBox(corners_) : fitBoxQuickly(corners_)};
 }
 
 void TreeBuilder::fillNode(std::uint32_t node, const std::vector<Part>& parts) {
@@ -186,7 +192,7 @@ void TreeBuilder::setBoxes(std::uint32_t node, const std::vector<Part>& parts) {
 }
 
 /// Cuts the part with the largest surface again and again until there are eight.
-std::vector<Part> TreeBuilder::divided(const Part& whole) const {
+std::vector<Part> TreeBuilder::divided(const Part& whole) {
   std::vector<Part> parts{whole};
   while (parts.size() < lanes::kWidth) {
     auto widest = parts.end();
@@ -196,25 +202,38 @@ std::vector<Part> TreeBuilder::divided(const Part& whole) const {
     }
     if (widest == parts.end()) break;
     const Part part = *widest;
-    std::vector<Extent> extents;
-    for (std::size_t i = part.first; i < part.last; ++i) extents.push_back(extentIn(part.box, triangles_[i].corners));
-    Cut cut;
-    for (int axis = 0; axis < 3; ++axis) tryAxis(part.box, extents, axis, cut);
-    const auto begin = triangles_.begin() + static_cast<std::ptrdiff_t>(part.first);
-    auto middle = begin + static_cast<std::ptrdiff_t>(part.size() / 2);
-    if (cut.axis >= 0) {
-      middle = std::stable_partition(begin, begin + static_cast<std::ptrdiff_t>(part.size()),
-                                     [&](const OwnedTriangle& triangle) {
-                                       const Extent extent = extentIn(part.box, triangle.corners);
-                                       return 0.5 * (extent.low[cut.axis] + extent.high[cut.axis]) < cut.at;
-                                     });
-    }
-    auto split = static_cast<std::size_t>(middle - triangles_.begin());
-    if (split == part.first || split == part.last) split = part.first + part.size() / 2;
-    *widest = partOf(part.first, split);
-    parts.push_back(partOf(split, part.last));
+    const std::size_t middle = split(part, bestCut(part));
+    *widest = partOf(part.first, middle);
+    parts.push_back(partOf(middle, part.last));
   }
   return parts;
+}
+
+/// Leaves the extents of the part in `extents_`.
+Cut TreeBuilder::bestCut(const Part& part) {
+  extents_.clear();
+  for (std::size_t i = part.first; i < part.last; ++i) extents_.push_back(extentIn(part.box, triangles_[i].corners));
+  Cut cut;
+  for (int axis = 0; axis < 3; ++axis) tryAxis(part.box, extents_, axis, cut);
+  return cut;
+}
+
+/// Puts the triangles before the cut to the front, in their order, and returns where those behind it begin.
+std::size_t TreeBuilder::split(const Part& part, const Cut& cut) {
+  const std::size_t half = part.first + part.size() / 2;
+  if (cut.axis < 0) return half;
+  behind_.clear();
+  std::size_t next = part.first;
+  for (std::size_t i = part.first; i < part.last; ++i) {
+    const Extent& extent = extents_[i - part.first];
+    if (0.5 * (extent.low[cut.axis] + extent.high[cut.axis]) < cut.at) {
+      triangles_[next++] = triangles_[i];
+    } else {
+      behind_.push_back(triangles_[i]);
+    }
+  }
+  std::copy(behind_.begin(), behind_.end(), triangles_.begin() + static_cast<std::ptrdiff_t>(next));
+  return next == part.first || next == part.last ? half : next;
 }
 
 void TreeBuilder::setBox(BoxTree::Box box, const Part& part) {
@@ -301,7 +320,7 @@ BoxTree::BoxTree(std::vector<OwnedTriangle> all, std::size_t mostInALeaf) : tria
   }
   TreeBuilder builder(triangles, centre, mostInALeaf);
   const Part whole = builder.partOf(0, triangles.size());
-  if (builder.withCare()) {
+  if (triangles.size() <= kMostOfOneThread) {
     builder.build(whole);
   } else {
     builder.buildInThreads(whole);

@@ -44,8 +44,8 @@ class BoxTree : public BoxTreeNodes {
  public:
   using Box = std::uint32_t;
 
-  /// Large trees are built by several threads, and their boxes are fitted with less care. The tree is a function of the
-  /// triangles alone.
+  /// Large trees are built by several threads, and the boxes of the largest are fitted with less care. The tree is a
+  /// function of the triangles alone.
   BoxTree(std::vector<OwnedTriangle> triangles, std::size_t mostInALeaf);
 
   bool empty() const { return triangles.empty(); }

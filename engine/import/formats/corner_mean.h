@@ -19,6 +19,7 @@ struct CornerAttributes {
 /// refer to this point (`centre_on_vertex_mean`), so it stays what assimp and OMPL.app made of the file.
 class CornerMean {
  public:
+  void reserve(std::size_t corners) { corners_.reserve(corners); }
   /// `vertex` is the index of the position.
   void add(std::uint32_t vertex, const Vector3& position, const CornerAttributes& attributes);
   /// Corners from here on do not count as one with those before: another mesh of the file begins.

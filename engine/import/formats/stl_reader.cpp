@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/base/reserve_filled.h"
 #include "engine/geometry/vertex_welder.h"
 #include "engine/import/formats/corner_mean.h"
 #include "engine/import/formats/text_scanner.h"
@@ -21,6 +22,12 @@ using Facet = std::array<Vector3, 3>;
 /// Collects the facets of a file.
 class Facets {
  public:
+  /// `expected`: facets of a closed surface, which has half as many vertices; more of either are taken, too.
+  explicit Facets(std::size_t expected = 0) : welder_(expected / 2 + 2) {
+    reserveFilled(triangles_, expected);
+    mean_.reserve(3 * expected);
+  }
+
   void add(const Facet& corners, const CornerAttributes& attributes) {
     TriangleIndices triangle;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -29,8 +36,6 @@ class Facets {
     }
     triangles_.push_back(triangle);
   }
-
-  void reserve(std::size_t facets) { triangles_.reserve(facets); }
 
   MeshContent take() && {
     MeshContent content;
@@ -140,8 +145,7 @@ MeshContent readBinaryStl(std::string_view bytes) {
     throw FormatError{"byte " + std::to_string(end),
                       "goes on after the " + std::to_string(claimed) + " triangles that it claims to have"};
   }
-  Facets facets;
-  facets.reserve(claimed);
+  Facets facets(claimed);
   float largest = 0.0F;
   for (std::size_t at = kHeader; at < end; at += kRecord) {
     std::array<float, 12> numbers;

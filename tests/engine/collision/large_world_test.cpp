@@ -67,6 +67,28 @@ std::shared_ptr<const OccurrenceGeometry> occurrencesOf(const std::vector<RigidB
                                                     boundingBox(object));
 }
 
+TEST(LargeWorld, IsPreparedForItsFirstQueryAndAnswersAsASmallOne) {
+  const auto fine = std::make_shared<const TriangleMesh>(makeTorus(0.3, 0.1, 330, 310));
+  RigidBody torus = boxBody("torus", Vector3::Ones(), Pose::identity());
+  torus.mesh = fine;
+  const CollisionWorldPtr obstacleIsLarge = CollisionWorld::build({torus}, makeL());
+  const CollisionWorldPtr objectIsLarge =
+      CollisionWorld::build({boxBody("box", Vector3::Ones(), Pose::identity())}, fine);
+  EXPECT_TRUE(CollisionWorld::build({boxBody("box", Vector3::Ones(), Pose::identity())}, makeL())->isPrepared());
+  for (const CollisionWorldPtr& world : {obstacleIsLarge, objectIsLarge}) {
+    EXPECT_FALSE(world->isPrepared());
+    EXPECT_GT(world->objectRadius(), 0.1);
+    EXPECT_FALSE(world->obstaclesBox().isEmpty());
+    const CollisionWorldPtr same = world->updated(world->obstacles(), world->obstacles().front().mesh);
+    EXPECT_TRUE(world->isPrepared()) << "another world is made of what is prepared";
+    EXPECT_TRUE(same->isPrepared());
+    const auto query = world->makeQuery();
+    EXPECT_TRUE(query->collides(Pose::identity()) || query->nearestObstacle(Pose::identity()).distance > 0.0);
+    EXPECT_NEAR(query->motionBound().objectRadius(), world->objectRadius(), 1e-9);
+    EXPECT_FALSE(query->collides(Pose::translation({5, 0, 0})));
+  }
+}
+
 TEST(LargeWorld, TwoLevelsAnswerAsOneTree) {
   RandomStream stream(1, "levels");
   for (const std::size_t count : {0U, 1U, 2U, 30U}) {

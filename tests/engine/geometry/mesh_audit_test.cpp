@@ -22,6 +22,25 @@ TEST(MeshAudit, SeesAFlippedTriangle) {
   EXPECT_FALSE(audit(box).consistentlyOriented);
 }
 
+TEST(MeshAudit, ClosedSurfacesAreKnownWithoutAnAudit) {
+  const TriangleMesh box = makeBox(Vector3::Ones());
+  TriangleMesh open = box;
+  open.triangles.pop_back();
+  TriangleMesh withPoint = box;
+  withPoint.triangles.push_back({0, 0, 1});
+  TriangleMesh soup;
+  for (const auto& [a, b, c] : box.triangles) {
+    append(soup, {{box.vertices[a], box.vertices[b], box.vertices[c]}, {{0, 1, 2}}});
+  }
+  TriangleMesh touching = box;
+  append(touching, transformed(box, Pose::translation({1, 0, 0})));
+  TriangleMesh flipped = box;
+  std::swap(flipped.triangles[0][0], flipped.triangles[0][1]);
+  for (const TriangleMesh& mesh : {box, open, withPoint, soup, touching, flipped, TriangleMesh()}) {
+    EXPECT_EQ(isClosedSurface(mesh), audit(mesh).closed()) << mesh.triangles.size() << " triangles";
+  }
+}
+
 TEST(MeshAudit, CountsComponentsAndDegenerateTriangles) {
   TriangleMesh two = makeBox(Vector3::Ones());
   append(two, transformed(makeBox(Vector3::Ones()), Pose::translation({5, 0, 0})));

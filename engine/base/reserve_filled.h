@@ -1,0 +1,36 @@
+#pragma once
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace glissade {
+
+/// Gives memory that is about to be written its pages at once, which takes a tenth of the time of one page after the
+/// other. What is too small to matter, or what the system does not permit, is left alone.
+inline void fillPages(void* memory, std::size_t bytes) {
+#ifdef MADV_POPULATE_WRITE
+  constexpr std::size_t kFewest = 4U << 20;
+  if (bytes < kFewest) return;
+  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
+  const std::uintptr_t first = (begin + page - 1) / page * page;
+  const std::uintptr_t last = (begin + bytes) / page * page;
+  ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+#else
+  static_cast<void>(memory);
+  static_cast<void>(bytes);
+#endif
+}
+
+/// reserve() for a container that will be filled up to that size.
+template <class Container>
+void reserveFilled(Container& container, std::size_t size) {
+  const std::size_t before = container.capacity();
+  container.reserve(size);
+  if (container.capacity() > before) fillPages(container.data(), size * sizeof(typename Container::value_type));
+}
+
+}  // namespace glissade

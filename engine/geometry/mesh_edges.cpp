@@ -1,0 +1,64 @@
+#include "engine/geometry/mesh_edges.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "engine/base/reserve_filled.h"
+
+namespace glissade {
+namespace {
+
+/// The uses of all edges, by their lower vertex: twice the other vertex, and 1 more where a triangle goes from the
+/// lower to the higher.
+struct EdgeUses {
+  std::vector<std::uint64_t> uses;
+  std::vector<std::uint32_t> begins;  ///< of each vertex; one more at the end
+
+  explicit EdgeUses(const TriangleMesh& mesh) : begins(mesh.vertices.size() + 2, 0) {
+    reserveFilled(uses, 3 * mesh.triangles.size());
+    uses.resize(3 * mesh.triangles.size());
+    // Counted two places further on, so that filling moves each beginning to its place.
+    visit(mesh, [&](std::uint32_t lower, std::uint64_t) { ++begins[lower + 2]; });
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    visit(mesh, [&](std::uint32_t lower, std::uint64_t use) { uses[begins[lower + 1]++] = use; });
+  }
+
+ private:
+  template <class Take>
+  static void visit(const TriangleMesh& mesh, const Take& take) {
+    for (const auto& triangle : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = triangle[i];
+        const std::uint32_t to = triangle[(i + 1) % 3];
+        take(std::min(from, to), 2 * std::uint64_t{std::max(from, to)} + (from < to ? 1 : 0));
+      }
+    }
+  }
+};
+
+}  // namespace
+
+EdgeFacts edgeFactsOf(const TriangleMesh& mesh) {
+  EdgeUses edges(mesh);
+  EdgeFacts facts;
+  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    auto first = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex]);
+    const auto end = edges.uses.begin() + static_cast<std::ptrdiff_t>(edges.begins[vertex + 1]);
+    std::sort(first, end);
+    while (first != end) {
+      const std::uint64_t higher = *first / 2;
+      std::size_t count = 0;
+      std::size_t forward = 0;
+      for (; first != end && *first / 2 == higher; ++first) {
+        ++count;
+        forward += *first % 2;
+      }
+      if (count % 2 != 0) ++facts.open;
+      if (2 * forward != count) facts.consistentlyOriented = false;
+    }
+  }
+  return facts;
+}
+
+}  // namespace glissade
