@@ -19,6 +19,8 @@ struct SequenceOptions {
   std::vector<std::string> staying;   ///< ids or ends of ids; empty: the largest body
   std::vector<std::string> together;  ///< demands: names with commas between them
   std::vector<std::string> before;    ///< demands: "first,then"
+  std::vector<std::string> places;    ///< demands: "3,name" or "3,name,name"
+  std::vector<std::string> forbidden; ///< demands: "name,-z" or "name,0,0,-1"
   std::vector<double> gravity;        ///< its direction; empty: the scenario's, or down
   std::string cost;                   ///< of best-first: a preset or an expression; empty: the scenario's
   double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
