@@ -192,7 +192,10 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence
       ->add_option("FILE", options.file, "Scenario, STEP file, an assembly in one (product.step:pump), or URDF file")
       ->required();
-  sequence->add_option("--out", options.out, "Write the assembly plan (.json), also every few seconds while it is planned");
+  sequence->add_option("--out", options.out, "Write the assembly plan (.json), also while it is planned");
+  sequence->add_option("--save-every", options.saveEvery, "Seconds after which the plan so far is written to --out")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   sequence->add_option("--resume", options.resume, "Go on from a plan that has not ended");
   sequence->add_option("--strategy", options.strategy, "How the order is searched")->capture_default_str();
   sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");

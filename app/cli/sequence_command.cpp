@@ -34,9 +34,10 @@ class ProgressHost final : public SequenceHost {
   ThreadTeam& team() override { return team_; }
 
   /// From now on what is found is written every few seconds. `like`: strategy, demands and deflection of the plan.
-  void keepIn(const std::string& file, const std::string& product, AssemblyPlan like) {
-    file_ = file;
-    productName_ = product;
+  void keepIn(const SequenceOptions& options, AssemblyPlan like) {
+    file_ = options.out;
+    every_ = options.saveEvery;
+    productName_ = options.file;
     like_ = std::move(like);
   }
   const AssembledProduct& product() const { return product_; }
@@ -74,9 +75,8 @@ class ProgressHost final : public SequenceHost {
  private:
   /// What was found since the last time, where that is long enough ago.
   void keep() {
-    constexpr double kEvery = 5.0;        // seconds
-    constexpr double kWritingShare = 20;  // of the time in between
-    if (!unkept_ || secondsSince(kept_) < std::max(kEvery, kWritingShare * writing_)) return;
+    constexpr double kWriting = 20.0;  // so many times longer than writing takes
+    if (!unkept_ || secondsSince(kept_) < std::max(every_, kWriting * writing_)) return;
     unkept_->strategy = like_.strategy;
     unkept_->demands = like_.demands;
     unkept_->deflection = like_.deflection;
@@ -102,6 +102,7 @@ class ProgressHost final : public SequenceHost {
   AssemblyPlan like_;
   std::optional<AssemblyPlan> unkept_;
   Clock::time_point kept_ = Clock::now();
+  double every_ = 0.0;    ///< seconds
   double writing_ = 0.0;  ///< seconds that it took
 };
 
@@ -339,7 +340,7 @@ int runSequence(const SequenceOptions& options) {
   like.strategy = options.strategy;
   like.demands = *demands;
   like.deflection = deflection;
-  if (!options.out.empty()) host.keepIn(options.out, options.file, std::move(like));
+  if (!options.out.empty()) host.keepIn(options, std::move(like));
   auto planned =
       planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.format);

@@ -25,6 +25,7 @@ struct SequenceOptions {
   std::string cost;                   ///< of best-first: a preset or an expression; empty: the scenario's
   double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
   std::string out;                    ///< plan file to write; empty: none
+  double saveEvery = 5.0;             ///< seconds after which the plan so far is written
   std::string resume;                 ///< plan file to go on from; empty: none
   FitOptions fits;
   Format format = Format::Text;

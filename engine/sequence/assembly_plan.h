@@ -102,7 +102,8 @@ enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
 /// A body that stays because no removal was found.
 struct StuckBody {
   std::string body;                    ///< id
-  std::vector<std::string> blockedBy;  ///< ids of those that are still there
+  /// Ids of those that are still there; of a step that was demanded at a place, of those that were there then.
+  std::vector<std::string> blockedBy;
   std::string reason{};                ///< for people, with names; may be empty
 };
 

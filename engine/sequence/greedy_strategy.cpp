@@ -403,7 +403,7 @@ class GreedySearch {
     const auto refusedThere = notAtPlace_.find(unit);
     if (refusedThere != notAtPlace_.end()) {
       const Refusal& refusal = refusedThere->second;
-      plan_.stuck.push_back({idOf(body), idsOf(stillThere(refusal.blockedBy)),
+      plan_.stuck.push_back({idOf(body), idsOf(refusal.blockedBy),
                              "it was to leave as step " + std::to_string(refusal.afterSteps + 1) +
                                  ", and no motion was found there"});
       return;
@@ -420,11 +420,6 @@ class GreedySearch {
       }
     }
     plan_.stuck.push_back({idOf(body), idsOf({blocking.begin(), blocking.end()}), reasonOf(body, holding, blocking)});
-  }
-
-  BodyGroup stillThere(BodyGroup bodies) const {
-    std::erase_if(bodies, [&](std::size_t body) { return !present_[body]; });
-    return bodies;
   }
 
   std::string reasonOf(std::size_t body, const std::vector<std::size_t>& holding,

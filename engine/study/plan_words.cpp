@@ -63,9 +63,9 @@ std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const A
   for (const StepViolation& violation : step.violates) {
     const std::string bodies = someOf(violation.bodies, product);
     switch (violation.rule) {
-      case StepViolation::Rule::Before: texts.push_back(words_("%1 was to leave before", {bodies})); break;
-      case StepViolation::Rule::Fastener: texts.push_back(words_("%1 is still on it", {bodies})); break;
-      case StepViolation::Rule::Standing: texts.push_back(words_("%1 falls", {bodies})); break;
+      case StepViolation::Rule::Before: texts.push_back(words_("demanded before it: %1", {bodies})); break;
+      case StepViolation::Rule::Fastener: texts.push_back(words_("nuts still on it: %1", {bodies})); break;
+      case StepViolation::Rule::Standing: texts.push_back(words_("falling: %1", {bodies})); break;
       case StepViolation::Rule::Place: texts.push_back(words_("demanded at another place")); break;
     }
   }

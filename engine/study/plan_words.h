@@ -31,7 +31,7 @@ class PlanWords {
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "hold rod, bolt and 3 more"; empty where nothing falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
-  /// What a step that a person has put at its place does not keep: "bolt, nut were to leave before", an entry each.
+  /// What a step that a person has put at its place does not keep: "nuts still on it: nut, nut#2", an entry each.
   std::vector<std::string> violations(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;

@@ -18,7 +18,7 @@ enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColu
 
 constexpr int kStepRole = Qt::UserRole;       // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
-constexpr int kBodyRole = Qt::UserRole + 2;   // id of the body that the picture is of
+constexpr int kPictureRole = Qt::UserRole + 2;   // id of the body that the picture is of
 constexpr int kPartColumn = 168;
 constexpr int kPictureSize = 32;
 /// Of Okabe and Ito's palette: readable on light and on dark ground.
@@ -135,14 +135,12 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   setColumnWidth(StepPart, kPartColumn);
   const int used = columnWidth(StepNumber) + kPartColumn + columnWidth(StepGaps) + columnWidth(StepState);
   setColumnWidth(StepTools, std::max(columnWidth(StepGaps), viewport()->width() - used));
-  // The state is seen without scrolling, before the tool.
-  header()->moveSection(header()->visualIndex(StepState), StepColumns - 1);
   verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
   setDragEnabled(!shown.growing);
 }
 
 void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
-  row.setData(StepNumber, kBodyRole, QString::fromStdString(bodyId));
+  row.setData(StepNumber, kPictureRole, QString::fromStdString(bodyId));
   const auto body = shown_.product->indexOf(bodyId);
   if (body) row.setIcon(StepPart, iconOf_(shown_.product->bodies[*body]));
 }
@@ -150,7 +148,7 @@ void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
 void StepTable::takeIcons() {
   for (int i = 0; i < topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = topLevelItem(i);
-    setIcon(*row, row->data(StepNumber, kBodyRole).toString().toStdString());
+    setIcon(*row, row->data(StepNumber, kPictureRole).toString().toStdString());
   }
 }
 
@@ -235,6 +233,13 @@ QTreeWidgetItem* StepTable::rowOf(std::size_t step) const {
   return nullptr;
 }
 
+QString StepTable::textOf(std::size_t step) const {
+  const QTreeWidgetItem* row = rowOf(step);
+  QStringList texts;
+  for (int column = 0; row != nullptr && column < StepColumns; ++column) texts << row->text(column);
+  return texts.join(QLatin1Char('\n'));
+}
+
 std::vector<std::size_t> StepTable::selectedSteps() const {
   std::vector<std::size_t> steps;
   for (const QTreeWidgetItem* row : selectedItems()) {
@@ -258,7 +263,7 @@ void StepTable::dropEvent(QDropEvent* event) {
   if (to > own) --to;
   const auto steps = static_cast<int>(shown_.plan->steps.size());
   const auto there = stepOf(topLevelItem(std::clamp(to, 0, steps - 1)));
-  if (there && *there != *from) emit stepDragged(*from, *there);
+  if (there && *there != *from) emit stepDragged(static_cast<int>(*from), static_cast<int>(*there));
 }
 
 }  // namespace glissade

@@ -36,6 +36,8 @@ class StepTable final : public QTreeWidget {
   static std::optional<std::size_t> stepOf(const QTreeWidgetItem* row);
   static std::string stuckOf(const QTreeWidgetItem* row);
   QTreeWidgetItem* rowOf(std::size_t step) const;
+  /// What all columns of the step's row say; empty where there is none.
+  QString textOf(std::size_t step) const;
   /// Of the rows that are selected, in the order of removal.
   std::vector<std::size_t> selectedSteps() const;
   QString nameOf(const std::string& id) const;
@@ -43,7 +45,7 @@ class StepTable final : public QTreeWidget {
 
  signals:
   /// A person has dragged the step to where the other one is; indices in the plan.
-  void stepDragged(std::size_t from, std::size_t to);
+  void stepDragged(int from, int to);
 
  protected:
   void dropEvent(QDropEvent* event) override;
