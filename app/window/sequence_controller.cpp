@@ -199,6 +199,10 @@ void SequenceController::followArrangement(bool another) {
   if (another) memory_.clear();
   const ProductPtr product = another ? std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()))
                                      : presentProduct();
+  if (hand_->isAway() && !another) {
+    setPlan({product, nullptr, false, {}, {}});
+    return;
+  }
   if (const auto known = another ? std::nullopt : rememberedPlan(product)) {
     setPlan(*known);
     return;
@@ -278,7 +282,7 @@ bool SequenceController::isEditable() const {
 }
 
 void SequenceController::makeRoom() {
-  constexpr int kWidth = 430;
+  constexpr int kWidth = 455;
   constexpr double kHeight = 0.57;  // of the window
   QWidget* widget = panel_;
   while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr) widget = widget->parentWidget();

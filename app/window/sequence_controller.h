@@ -30,6 +30,8 @@ class SequenceController final : public QObject {
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
   /// A person may change the steps that are shown.
   bool isEditable() const;
+  /// The plan of the scenario and the demands as they are, where it is known.
+  void showRemembered() { followArrangement(false); }
   /// The row of this body becomes the current one when the next plan is there.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.

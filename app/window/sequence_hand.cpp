@@ -35,7 +35,7 @@ void SequenceHand::begin() {
   if (run.step) {
     if (!steps[*run.step].with.empty()) {
       bench_.messages.showError(tr("The step cannot be moved by hand"),
-                                {ErrorKind::Usage, "", "", "its parts leave as one, and one part is in the hand",
+                                {ErrorKind::Usage, "", "step", "its parts leave as one, and one part is in the hand",
                                  "Choose a step of a single part."});
       return;
     }
@@ -92,6 +92,7 @@ void SequenceHand::followUndo() {
   if (!run_ || run_->command < 0 || goingBack_ || bench_.document.undoStack().index() >= run_->command) return;
   run_.reset();
   sequence_.panel()->setNotice({});
+  sequence_.showRemembered();
   enableActions();
 }
 
@@ -119,6 +120,7 @@ void SequenceHand::takePath() {
   const PlanPtr plan = shown.plan;
   goBack([this, motion, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();
+    sequence_.chooseLater(motion.bodies.front());
     if (step) demands = withStepMoved(*step, *step, *plan, std::move(demands));
     bench_.document.setDemands(tr("%1 by hand").arg(name), withMotion(motion, std::move(demands)));
     bench_.messages.showStatus(tr("The path by hand is the motion of %1.").arg(name));

@@ -20,6 +20,8 @@ class SequenceHand final : public QObject {
   SequenceHand(const Workbench& bench, SequenceController& sequence);
 
   bool isActive() const { return run_.has_value(); }
+  /// The document has the scenario of the run, or is about to have it.
+  bool isAway() const { return run_.has_value() && !goingBack_; }
 
  private:
   struct Run {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QDropEvent>
-#include <QMimeData>
 #include <QSignalSpy>
 
 #include "tests/engine/sequence/products.h"
@@ -30,7 +28,7 @@ class SequencePanelTest : public ::testing::Test {
     panel.setPlan(shown);
   }
 
-  QTreeWidget& table() { return *panel.findChild<QTreeWidget*>(); }
+  StepTable& table() { return *panel.findChild<StepTable*>(); }
   QStringList parts() {
     QStringList names;
     for (int i = 0; i < table().topLevelItemCount(); ++i) names << table().topLevelItem(i)->text(1).section(QLatin1Char('\n'), 0, 0);
@@ -42,10 +40,7 @@ class SequencePanelTest : public ::testing::Test {
     table().resize(400, 400);
     table().setCurrentItem(table().topLevelItem(from));
     const QRect there = table().visualItemRect(table().topLevelItem(to));
-    const QMimeData none;
-    QDropEvent drop(QPointF(there.center().x(), below ? there.bottom() - 1 : there.top() + 1), Qt::MoveAction, &none,
-                    Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(table().viewport(), &drop);
+    table().dropAt({there.center().x(), below ? there.bottom() - 1 : there.top() + 1});
   }
 
   ActionCatalogue actions;

@@ -132,8 +132,8 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
 
 Scenario WorkbenchDocument::current() const {
   Scenario scenario = scenario_->scenario;
+  scenario.sequence = demands_;  // attributes of parts are edits, which come over it
   setSemanticEdits(semantics_.edits(), scenario);
-  scenario.sequence = demands_;
   scenario.paths = paths_.paths();
   return scenario;
 }

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <QScrollBar>
 #include <QSignalBlocker>
+#include <QStyle>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 
@@ -19,7 +21,7 @@ enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColu
 constexpr int kStepRole = Qt::UserRole;       // counted in the plan
 constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;   // id of the body that the picture is of
-constexpr int kPartColumn = 168;
+constexpr int kPartColumn = 184;
 constexpr int kPictureSize = 32;
 /// Of Okabe and Ito's palette: readable on light and on dark ground.
 constexpr QRgb kForced = 0xffd55e00;
@@ -55,6 +57,18 @@ QString checkTip(StepCheck check) {
   }
   return StepTable::tr("does not hold in this arrangement");
 }
+
+/// Texts of which the beginning counts.
+class BeginningDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->textElideMode = Qt::ElideRight;
+  }
+};
 
 /// What a person has done to the step: "locked", "by hand".
 QString markOf(const StepDemands& demands, const AssemblyStep& step) {
@@ -93,6 +107,7 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setAlternatingRowColors(true);
   setIconSize({kPictureSize, kPictureSize});
   setTextElideMode(Qt::ElideMiddle);
+  setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
   setAccessibleName(tr("Steps of the sequence"));
   setMinimumHeight(2 * fontMetrics().height());
   header()->setSectionResizeMode(QHeaderView::Interactive);
@@ -134,7 +149,8 @@ void StepTable::show(const ShownPlan& shown, PlanOrder order) {
   for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
   setColumnWidth(StepPart, kPartColumn);
   const int used = columnWidth(StepNumber) + kPartColumn + columnWidth(StepGaps) + columnWidth(StepState);
-  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), viewport()->width() - used));
+  const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), inside - used));
   verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
   setDragEnabled(!shown.growing);
 }
@@ -251,13 +267,17 @@ std::vector<std::size_t> StepTable::selectedSteps() const {
 
 /// The rows stay as they are: the plan is made anew.
 void StepTable::dropEvent(QDropEvent* event) {
-  const auto from = stepOf(currentItem());
-  const QTreeWidgetItem* target = itemAt(event->pos());
-  const bool below = target != nullptr && event->pos().y() > visualItemRect(target).center().y();
-  const int row = target == nullptr ? topLevelItemCount() : indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(target));
   event->setDropAction(Qt::IgnoreAction);
   event->accept();
+  dropAt(event->pos());
+}
+
+void StepTable::dropAt(const QPoint& place) {
+  const auto from = stepOf(currentItem());
   if (!from) return;
+  QTreeWidgetItem* target = itemAt(place);
+  const bool below = target != nullptr && place.y() > visualItemRect(target).center().y();
+  const int row = target == nullptr ? topLevelItemCount() : indexOfTopLevelItem(target);
   const int own = indexOfTopLevelItem(currentItem());
   int to = row + (below ? 1 : 0);  // the row that it comes before
   if (to > own) --to;

@@ -40,6 +40,8 @@ class StepTable final : public QTreeWidget {
   QString textOf(std::size_t step) const;
   /// Of the rows that are selected, in the order of removal.
   std::vector<std::size_t> selectedSteps() const;
+  /// The current row was dropped there.
+  void dropAt(const QPoint& place);
   QString nameOf(const std::string& id) const;
   QString shortNames(const std::vector<std::string>& ids) const;
 
