@@ -209,7 +209,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
   sequence->add_option("--place", options.places, "3,name: the body leaves as the third step; 3,name,name: as one");
-  sequence->add_option("--forbid", options.forbidden, "name,-z or name,0,0,-1: the body does not leave in this direction");
+  sequence->add_option("--forbid", options.forbidden,
+                       "name,-z or name,0,0,-1: the body does not leave in this direction");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
   sequence->add_option("--cost", options.cost,

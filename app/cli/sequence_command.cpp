@@ -203,9 +203,8 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
                       "has a strategy, a seed, staying bodies and a deflection of its own",
                       "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
   }
-  const bool demands =
-      !options.together.empty() || !options.before.empty() || !options.gravity.empty() || !options.cost.empty() ||
-      !options.places.empty() || !options.forbidden.empty();
+  const bool demands = !options.together.empty() || !options.before.empty() || !options.gravity.empty() ||
+                       !options.cost.empty() || !options.places.empty() || !options.forbidden.empty();
   if (demands && plan->demands != SequenceDemands()) {
     return Diagnostic{ErrorKind::Usage, options.resume, "", "has demands of its own",
                       "Leave out --together, --before, --place, --forbid, --gravity and --cost, or plan anew."};

@@ -197,8 +197,8 @@ void SequenceController::followArrangement(bool another) {
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
   if (another) memory_.clear();
-  const ProductPtr product = another ? std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()))
-                                     : presentProduct();
+  const ProductPtr product =
+      another ? std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())) : presentProduct();
   if (hand_->isAway() && !another) {
     setPlan({product, nullptr, false, {}, {}});
     return;
@@ -277,8 +277,7 @@ void SequenceController::remember() {
 }
 
 bool SequenceController::isEditable() const {
-  return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() &&
-         !shown().growing;
+  return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
 }
 
 void SequenceController::makeRoom() {

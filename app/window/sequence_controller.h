@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "app/window/instruction_job.h"
-#include "app/window/workbench.h"
 #include "app/window/sequence_edits.h"
 #include "app/window/sequence_hand.h"
+#include "app/window/workbench.h"
 #include "engine/sequence/plan_playback.h"
 #include "widgets/bridge/sequence_planner.h"
 #include "widgets/panels/sequence_panel.h"
@@ -83,7 +83,7 @@ class SequenceController final : public QObject {
   PlanGraphView* graph_ = nullptr;
   InstructionJob* instruction_;
   std::vector<ShownPlan> memory_;  ///< plans of this scenario, the last ones: for undo
-  std::string chosenLater_;  ///< id; empty: the row stays
+  std::string chosenLater_;        ///< id; empty: the row stays
   bool adopting_ = false;
   bool hasRoom_ = false;
   SequenceEdits* edits_;

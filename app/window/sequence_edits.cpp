@@ -205,7 +205,9 @@ void SequenceEdits::fillDemandsMenu() {
   };
   for (const DemandedPlace& each : demands.places) {
     const QString names = joinedNames(each.bodies, product);
-    add((each.locked ? tr("%1 is locked as step %2 of removal") : tr("%1 leaves as step %2")).arg(names).arg(each.place),
+    add((each.locked ? tr("%1 is locked as step %2 of removal") : tr("%1 leaves as step %2"))
+            .arg(names)
+            .arg(each.place),
         removal(&SequenceDemands::places, each));
   }
   for (const DemandedMotion& each : demands.motions) {

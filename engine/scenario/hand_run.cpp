@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "engine/base/file.h"
 #include "engine/scenario/assembly_edits.h"
+#include "engine/scenario/geometry_loader.h"
 
 namespace glissade {
 namespace {
@@ -17,6 +19,24 @@ Outcome checkWhole(const std::string& id, const LoadedScenario& loaded) {
                     "Make a scenario that has each part as a body: New from parts does so with STEP files."};
 }
 
+/// Where the body turns about in a product: see AssembledProduct. World frame.
+Vector3 middleOf(const std::string& id, const LoadedScenario& loaded) {
+  const auto known = std::find_if(loaded.obstacles.begin(), loaded.obstacles.end(),
+                                  [&](const RigidBody& body) { return body.id == id; });
+  const RigidBody& body = known == loaded.obstacles.end() ? loaded.object : *known;
+  return body.X_WB * Vector3(boundingBox(*body.mesh, Pose::identity()).center());
+}
+
+/// The object stays where it is. Motions between two configurations depend on the point that an object turns about.
+void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& scenario) {
+  ObjectDescription& object = scenario.object;
+  const auto& geometry = *loaded.geometry.at(geometryKey(object.geometry, loaded.scenario, folderOf(loaded.file)));
+  const Pose X_WG = scenario.start * Pose::translation(-referencePointOf(object, geometry));
+  object.centreOnVertexMean = false;
+  object.referencePoint = inverse(X_WG) * point_W;
+  scenario.start = X_WG * Pose::translation(object.referencePoint);
+}
+
 }  // namespace
 
 Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>& gone, const LoadedScenario& loaded,
@@ -29,6 +49,7 @@ Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>
     const Outcome marked = markMoving(bodyIdOf(moving), loaded, scenario);
     if (!marked) return marked;
   }
+  turnAbout(middleOf(moving, loaded), loaded, scenario);
   scenario.goal = GoalOut{};
   for (const std::string& id : gone) {
     const Outcome removed = removeBody(bodyIdOf(id), scenario);

@@ -9,8 +9,9 @@
 namespace glissade {
 
 /// Makes of a product's scenario the question of one step: the body `moving` leaves, those of `gone` are not there any
-/// more. Both by id of rigid bodies. `loaded` is the same scenario, loaded. Errors, Usage: the body, or one that is
-/// gone, is one of several links or parts that the scenario holds as one body.
+/// more. The object turns about the middle of its bounding box, as bodies of products do. Both by id of rigid bodies.
+/// `loaded` is the same scenario, loaded. Errors, Usage: the body, or one that is gone, is one of several links or
+/// parts that the scenario holds as one body.
 Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>& gone, const LoadedScenario& loaded,
                        Scenario& scenario);
 

@@ -88,7 +88,7 @@ const char* ruleName(StepViolation::Rule rule) {
 
 Json toJson(const AssemblyStep& step) {
   Json json{
-      {"bodies", step.bodies()},           {"method", step.method},       {"wave", step.wave},    {"after", step.after},
+      {"bodies", step.bodies()},           {"method", step.method},      {"wave", step.wave}, {"after", step.after},
       {"certificate", toJson(step.proof)}, {"allowances", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
@@ -180,9 +180,8 @@ class PlanReader {
   }
 
   AssemblyStep readStep(const JsonCursor& at) const {
-    at.allowOnly(
-        {"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path",
-         "violates"});
+    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
+                  "path", "violates"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);

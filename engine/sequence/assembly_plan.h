@@ -101,10 +101,10 @@ enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
 
 /// A body that stays because no removal was found.
 struct StuckBody {
-  std::string body;                    ///< id
+  std::string body;  ///< id
   /// Ids of those that are still there; of a step that was demanded at a place, of those that were there then.
   std::vector<std::string> blockedBy;
-  std::string reason{};                ///< for people, with names; may be empty
+  std::string reason{};  ///< for people, with names; may be empty
 };
 
 /// In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.

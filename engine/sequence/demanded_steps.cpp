@@ -26,9 +26,8 @@ bool operator==(const DemandedMotion& a, const DemandedMotion& b) {
 }
 
 bool isForbidden(const Vector3& direction, const std::vector<Vector3>& forbidden) {
-  return std::any_of(forbidden.begin(), forbidden.end(), [&](const Vector3& each) {
-    return each.dot(direction) > kForbiddenCone * direction.norm();
-  });
+  return std::any_of(forbidden.begin(), forbidden.end(),
+                     [&](const Vector3& each) { return each.dot(direction) > kForbiddenCone * direction.norm(); });
 }
 
 std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::vector<std::vector<std::string>>& steps,
@@ -36,7 +35,8 @@ std::vector<DemandedPlace> movedTo(std::size_t to, std::size_t from, const std::
   std::vector<std::optional<DemandedPlace>> demandOf(steps.size());
   std::vector<DemandedPlace> elsewhere;  // of steps that the plan does not have
   for (const DemandedPlace& place : places) {
-    const auto step = std::find_if(steps.begin(), steps.end(), [&](const auto& each) { return areSame(each, place.bodies); });
+    const auto step =
+        std::find_if(steps.begin(), steps.end(), [&](const auto& each) { return areSame(each, place.bodies); });
     if (step == steps.end()) {
       elsewhere.push_back(place);
     } else {

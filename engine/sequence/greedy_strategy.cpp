@@ -393,7 +393,7 @@ class GreedySearch {
     if (!isThere(group)) return;
     for (const auto& [effort, refusal] : byEffort) {
       plan.refusals.push_back({idOf(group.front()), effort, refusal.afterSteps, idsOf(refusal.blockedBy),
-                                idsOf({group.begin() + 1, group.end()})});
+                               idsOf({group.begin() + 1, group.end()})});
     }
   }
 
@@ -403,9 +403,9 @@ class GreedySearch {
     const auto refusedThere = notAtPlace_.find(unit);
     if (refusedThere != notAtPlace_.end()) {
       const Refusal& refusal = refusedThere->second;
-      plan_.stuck.push_back({idOf(body), idsOf(refusal.blockedBy),
-                             "it was to leave as step " + std::to_string(refusal.afterSteps + 1) +
-                                 ", and no motion was found there"});
+      plan_.stuck.push_back(
+          {idOf(body), idsOf(refusal.blockedBy),
+           "it was to leave as step " + std::to_string(refusal.afterSteps + 1) + ", and no motion was found there"});
       return;
     }
     const std::vector<std::size_t> holding = heldBy(unit, false);

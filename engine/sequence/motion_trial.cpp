@@ -70,9 +70,8 @@ RemovalAnswer MotionTrial::tryDirectly(const BodyGroup& group, const BodySet& pr
 }
 
 bool MotionTrial::mayLeaveIn(const Vector3& direction, const BodyGroup& group) const {
-  return forbidden_.empty() || std::none_of(group.begin(), group.end(), [&](std::size_t body) {
-           return isForbidden(direction, forbidden_[body]);
-         });
+  return forbidden_.empty() || std::none_of(group.begin(), group.end(),
+                                            [&](std::size_t body) { return isForbidden(direction, forbidden_[body]); });
 }
 
 std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,

@@ -123,7 +123,8 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
 }  // namespace
 
 const OrderRules::GivenMotion* OrderRules::motionOf(const BodyGroup& group) const {
-  const auto found = std::find_if(motions.begin(), motions.end(), [&](const auto& each) { return each.group == group; });
+  const auto found =
+      std::find_if(motions.begin(), motions.end(), [&](const auto& each) { return each.group == group; });
   return found == motions.end() ? nullptr : &*found;
 }
 

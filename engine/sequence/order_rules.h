@@ -58,7 +58,7 @@ struct OrderRules {
     std::vector<PathPoint> path;
     std::string method;
   };
-  std::vector<GivenMotion> motions{};            ///< no group twice
+  std::vector<GivenMotion> motions{};             ///< no group twice
   std::vector<std::vector<Vector3>> forbidden{};  ///< of each body, unit; empty: none is
 
   /// Null where these bodies leave by any motion.

@@ -33,10 +33,10 @@ Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, co
   for (const auto& step : rules.placed) {
     for (const std::size_t body : step.group) {
       if (!staying[body]) continue;
-      return Diagnostic{ErrorKind::Usage, "", "",
-                        "'" + product.bodies[body].id + "' stays, and is demanded to leave as step " +
-                            std::to_string(step.place),
-                        "Let another body stay, or remove the demand."};
+      return Diagnostic{
+          ErrorKind::Usage, "", "",
+          "'" + product.bodies[body].id + "' stays, and is demanded to leave as step " + std::to_string(step.place),
+          "Let another body stay, or remove the demand."};
     }
   }
   return Done{};

@@ -16,7 +16,6 @@ void demandAllEarlier(AssemblyStep& step, std::size_t index) {
 
 }  // namespace
 
-
 void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   std::vector<BodyGroup> groups;
   std::vector<std::size_t> stepOf(question.product.bodies.size(), 0);

@@ -30,8 +30,8 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   std::set<std::size_t> blocking;
   const BodySet others = without(present, group);
   for (const Vector3& direction : directionsOf(group)) {
-    const bool allMay = std::all_of(group.begin(), group.end(),
-                                    [&](std::size_t body) { return mayLeaveAlong(direction, body); });
+    const bool allMay =
+        std::all_of(group.begin(), group.end(), [&](std::size_t body) { return mayLeaveAlong(direction, body); });
     if (!allMay) continue;
     auto blocker = blockerOf(group, direction, others, stop);
     if (!blocker && !stop.stopRequested()) {

@@ -44,7 +44,8 @@ constexpr std::array<const char*, kRunStatusCount> kStatusNames{
     "solved", "no-path", "not-certified", "limit-reached", "in-collision", "error", "time", "memory", "crashed"};
 
 std::size_t indexOf(std::string_view column) {
-  const auto found = std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& each) { return each.name == column; });
+  const auto found =
+      std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& each) { return each.name == column; });
   return static_cast<std::size_t>(found - kColumns.begin());
 }
 
@@ -131,7 +132,8 @@ RunOutcome outcomeOf(const ChildEnd& end, double timeLimit) {
     outcome.result.certificate = textAt(report, "/certificate/status");
     outcome.timing.planningSeconds = numberAt(report, "/planning_s");
     if (statusOfSequence(report)) {
-      if (outcome.result.numbers[indexOf("parts_removed")].value_or(0.0) > 0.0) outcome.result.certificate = "certified";
+      if (outcome.result.numbers[indexOf("parts_removed")].value_or(0.0) > 0.0)
+        outcome.result.certificate = "certified";
       outcome.result.numbers[indexOf("steps")].reset();  // those of a planner
       outcome.timing.planningSeconds = numberAt(report, "/wall_s");
     } else {

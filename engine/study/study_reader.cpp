@@ -320,8 +320,7 @@ class Reader {
     }
     for (const auto& [id, value] : cell.settings) {
       if (isLimit(id)) continue;
-      locationOf(row).fail("is a sequence, which has no parameter " + std::string(specOf(id).key),
-                           "Give limits only.");
+      locationOf(row).fail("is a sequence, which has no parameter " + std::string(specOf(id).key), "Give limits only.");
     }
   }
 

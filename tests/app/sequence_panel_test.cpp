@@ -31,7 +31,8 @@ class SequencePanelTest : public ::testing::Test {
   StepTable& table() { return *panel.findChild<StepTable*>(); }
   QStringList parts() {
     QStringList names;
-    for (int i = 0; i < table().topLevelItemCount(); ++i) names << table().topLevelItem(i)->text(1).section(QLatin1Char('\n'), 0, 0);
+    for (int i = 0; i < table().topLevelItemCount(); ++i)
+      names << table().topLevelItem(i)->text(1).section(QLatin1Char('\n'), 0, 0);
     return names;
   }
 

@@ -121,8 +121,8 @@ TEST_F(StudyCli, SequencesAreRunsAsPathsAre) {
   study["rows"] = {{{"label", "interlocked"}}};
   study["seeds"] = {1};
   study.erase("quick");
-  study["paper"] = {{{"key", "parts"}, {"title", "Parts"}, {"measure", "parts_removed"}, {"statistic", "median"},
-                     {"over", "all"}}};
+  study["paper"] = {
+      {{"key", "parts"}, {"title", "Parts"}, {"measure", "parts_removed"}, {"statistic", "median"}, {"over", "all"}}};
   use(study);
   for (const char* shard : {"1", "2"}) {
     ASSERT_EQ(shell(command("shard-" + std::string(shard), "--shard " + std::string(shard) + "/2")), 0) << said;

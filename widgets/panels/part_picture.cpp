@@ -104,7 +104,9 @@ QImage partPicture(const RigidBody& body, int pixels) {
   Raster raster(size);
   const Vector3 light = Vector3(-0.35, 0.55, 0.75).normalized();
   for (const auto& triangle : body.mesh->triangles) {
-    const auto corner = [&](int i) { return view * body.mesh->vertices[static_cast<std::size_t>(triangle[static_cast<std::size_t>(i)])]; };
+    const auto corner = [&](int i) {
+      return view * body.mesh->vertices[static_cast<std::size_t>(triangle[static_cast<std::size_t>(i)])];
+    };
     const Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
     if (!(normal.norm() > 0.0)) continue;
     const double shade = kAmbient + (1.0 - kAmbient) * std::abs(normal.normalized().dot(light));

@@ -135,8 +135,9 @@ QLayout* SequencePanel::makeExplodingRow() {
   cost_->setEditable(true);
   cost_->setInsertPolicy(QComboBox::NoInsert);
   cost_->setAccessibleName(tr("What a step costs"));
-  cost_->setToolTip(tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
-                       "list; \"as found\": the order in which the parts were found to leave"));
+  cost_->setToolTip(
+      tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
+         "list; \"as found\": the order in which the parts were found to leave"));
   cost_->addItem(tr("as found"), QString());
   for (const StepCostPreset& preset : stepCostPresets()) {
     const QString id = QString::fromStdString(preset.id);

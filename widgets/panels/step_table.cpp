@@ -18,9 +18,9 @@ namespace {
 
 enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColumns };
 
-constexpr int kStepRole = Qt::UserRole;       // counted in the plan
-constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
-constexpr int kPictureRole = Qt::UserRole + 2;   // id of the body that the picture is of
+constexpr int kStepRole = Qt::UserRole;         // counted in the plan
+constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
+constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
 constexpr int kPictureSize = 32;
 /// Of Okabe and Ito's palette: readable on light and on dark ground.

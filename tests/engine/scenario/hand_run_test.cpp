@@ -33,6 +33,15 @@ TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
   EXPECT_TRUE(std::holds_alternative<GoalOut>(scenario.goal));
   EXPECT_NEAR(run.problem.start.position.x(), 0.3, 1e-12);
 
+  // About the middle of its box, wherever the scenario has its reference point.
+  Scenario beside = loaded.scenario;
+  beside.object.referencePoint = {0.05, 0.05, 0.0};
+  const LoadedScenario turned = test::loadedFrom(beside);
+  ASSERT_TRUE(prepareHandRun("object", {}, turned, beside).ok());
+  EXPECT_LT((test::loadedFrom(beside).problem.start.position - Vector3(-0.05, -0.05, 0.3)).norm(), 1e-12);
+  EXPECT_LT((test::worldBox(test::loadedFrom(beside), "object").min() - test::worldBox(turned, "object").min()).norm(),
+            1e-12);
+
   Scenario own = loaded.scenario;
   ASSERT_TRUE(prepareHandRun("object", {"left"}, loaded, own).ok());
   EXPECT_EQ(own.object.id, "object");
@@ -45,8 +54,8 @@ TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
   loaded.obstacles[0].id = "robot/arm";
   loaded.obstacles[1].id = "robot/hand";
   Scenario scenario = loaded.scenario;
-  for (const auto& outcome : {prepareHandRun("robot/arm", {}, loaded, scenario),
-                              prepareHandRun("right", {"robot/hand"}, loaded, scenario)}) {
+  for (const auto& outcome :
+       {prepareHandRun("robot/arm", {}, loaded, scenario), prepareHandRun("right", {"robot/hand"}, loaded, scenario)}) {
     ASSERT_FALSE(outcome.ok());
     EXPECT_EQ(outcome.error().location, "body 'robot'");
     EXPECT_FALSE(outcome.error().advice.empty());

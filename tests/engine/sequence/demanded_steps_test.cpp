@@ -89,7 +89,9 @@ TEST(DemandedSteps, ADirectionIsForbiddenWithinThirtyDegrees) {
 
 /// Three boxes beside each other, free in every direction, beside a base.
 AssembledProduct looseBoxes() {
-  const auto box = [](const char* id, double x) { return boxBody(id, Vector3::Constant(0.1), Pose::translation({x, 0.0, 0.0})); };
+  const auto box = [](const char* id, double x) {
+    return boxBody(id, Vector3::Constant(0.1), Pose::translation({x, 0.0, 0.0}));
+  };
   return test::productOf({boxBody("base", {2.0, 2.0, 0.1}, Pose::translation({0.0, 0.0, -0.2})), box("one", -0.5),
                           box("two", 0.0), box("three", 0.5)});
 }
@@ -184,7 +186,8 @@ TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
   demands.motions = {{{"two"}, {{two.X_WB, Author::Operator}, {aside, Author::Operator}}, kByHand}};
   const AssemblyPlan plan = planned(product, "base", demands);
   ASSERT_EQ(plan.steps.size(), 3U);
-  const auto own = std::find_if(plan.steps.begin(), plan.steps.end(), [](const auto& step) { return step.body == "two"; });
+  const auto own =
+      std::find_if(plan.steps.begin(), plan.steps.end(), [](const auto& step) { return step.body == "two"; });
   EXPECT_EQ(own->method, kByHand);
   EXPECT_EQ(own->path.back().q, aside);
 
