@@ -52,7 +52,7 @@ SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan
 
 SequenceDemands withForbidden(const BodyNames& bodies, const Vector3& direction, SequenceDemands demands) {
   for (const std::string& body : bodies) {
-    const ForbiddenDirection added{body, direction.normalized()};
+    const ForbiddenDirection added{body, direction.normalized() + Vector3::Zero()};  // 0, not -0
     if (std::find(demands.forbidden.begin(), demands.forbidden.end(), added) == demands.forbidden.end()) {
       demands.forbidden.push_back(added);
     }
@@ -79,6 +79,10 @@ SequenceDemands withOrder(const std::vector<BodyNames>& steps, SequenceDemands d
 
 SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands) {
   dropMotion(motion.bodies, demands);
+  const Vector3 way = exitDirection(motion.path);
+  std::erase_if(demands.forbidden, [&](const ForbiddenDirection& each) {
+    return isOneOf(each.body, motion.bodies) && isForbidden(way, {each.direction.normalized()});
+  });
   demands.motions.push_back(motion);
   return demands;
 }

@@ -19,7 +19,7 @@ SequenceDemands withForbidden(const std::vector<std::string>& bodies, const Vect
 /// Each body of one list leaves before all those of the next one.
 SequenceDemands withOrder(const std::vector<std::vector<std::string>>& steps, SequenceDemands demands);
 
-/// The bodies leave by this motion only.
+/// The bodies leave by this motion only. Its direction is not forbidden to them any more.
 SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands);
 
 /// Nothing is demanded of the places, motions, directions and order of these bodies.

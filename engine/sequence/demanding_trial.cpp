@@ -43,6 +43,7 @@ std::vector<BodyGroup> DemandingTrial::groupsAlongLines(const GroupQuestion& que
 /// The motion has to end outside of all others, as every removal does.
 RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, const BodySet& present,
                                        const StopToken& stop) {
+  if (isForbidden(exitDirection(motion.path), rules_.forbiddenTo(motion.group))) return Refused{};
   const BodySet others = without(present, motion.group);
   const std::vector<std::size_t> beside = besideTheEnd(motion, others);
   std::set<std::size_t> blocking(beside.begin(), beside.end());

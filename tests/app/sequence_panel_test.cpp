@@ -117,6 +117,10 @@ TEST_F(SequencePanelTest, AStuckPartIsAnnounced) {
   ASSERT_EQ(chosen.size(), 1);
   EXPECT_EQ(chosen[0][0].toString(), QStringLiteral("drawer"));
   EXPECT_FALSE(panel.chosenStep());
+  panel.showTime(2.0);
+  EXPECT_EQ(panel.chosenStuck(), "drawer") << "it is shown when all that leave have left";
+  panel.showTime(0.5);
+  EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(0));
 }
 
 TEST_F(SequencePanelTest, APlanThatGrowsKeepsThePlaceAndHasNoStuckParts) {

@@ -242,6 +242,8 @@ void SequencePanel::markRow() {
   const std::size_t steps = shown_.plan ? shown_.plan->steps.size() : 0;
   const double done = order_ == PlanOrder::Assembly ? static_cast<double>(steps) - time() : time();
   place_->setText(QStringLiteral("%1 / %2").arg(static_cast<int>(std::ceil(done - 1e-3))).arg(steps));
+  // A stuck part is shown when all that leave have left.
+  if (!chosenStuck().empty() && time() > static_cast<double>(steps) - 1e-3) return;
   const auto current = static_cast<int>(std::ceil(done - 1e-3)) - 1;
   const QSignalBlocker block(table_);
   if (current >= 0 && current < table_->topLevelItemCount() && done > 0.0) {

@@ -76,6 +76,8 @@ TEST(DemandedSteps, EditsAreTakenBackTogether) {
   demands = withForbidden({"a"}, {0.0, 0.0, 2.0}, demands);
   EXPECT_TRUE(demands.motions.empty()) << "the kept motion leads in the forbidden direction";
   EXPECT_EQ(demandsOn({"a"}, demands).forbidden.size(), 1U);
+  const DemandedMotion up{{"a"}, plan.steps[0].path, kByHand};
+  EXPECT_TRUE(withMotion(up, demands).forbidden.empty()) << "what a person does is not forbidden any more";
   demands = withoutDemandsOn({"b"}, withoutDemandsOn({"a"}, demands));
   EXPECT_EQ(demands, SequenceDemands());
 }
