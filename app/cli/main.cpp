@@ -192,7 +192,10 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence
       ->add_option("FILE", options.file, "Scenario, STEP file, an assembly in one (product.step:pump), or URDF file")
       ->required();
-  sequence->add_option("--out", options.out, "Write the assembly plan (.json); what was found, where it ends early");
+  sequence->add_option("--out", options.out, "Write the assembly plan (.json), also while it is planned");
+  sequence->add_option("--save-every", options.saveEvery, "Seconds after which the plan so far is written to --out")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
   sequence->add_option("--resume", options.resume, "Go on from a plan that has not ended");
   sequence->add_option("--strategy", options.strategy, "How the order is searched")->capture_default_str();
   sequence->add_option("--seed", options.seed, "Seed of everything random (default: 1, or the resumed plan's)");
@@ -205,6 +208,9 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
   sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
   sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
   sequence->add_option("--before", options.before, "first,then: the first body leaves before the second");
+  sequence->add_option("--place", options.places, "3,name: the body leaves as the third step; 3,name,name: as one");
+  sequence->add_option("--forbid", options.forbidden,
+                       "name,-z or name,0,0,-1: the body does not leave in this direction");
   sequence->add_option("--gravity", options.gravity, "Direction of gravity: x y z (default: the scenario's, or 0 0 -1)")
       ->expected(3);
   sequence->add_option("--cost", options.cost,

@@ -21,6 +21,7 @@ Json toJson(const StepJudgement& judgement, const AssembledProduct& product) {
           {"against_thread", judgement.certificate.againstThread},
           {"ends_outside", judgement.endsOutside},
           {"allowances_as_fits", judgement.allowancesAsFits},
+          {"against_demand", judgement.againstDemand},
           {"min_clearance_m", number(judgement.certificate.minClearance)},
           {"nearest", nearest < 0 ? Json(nullptr) : Json(product.bodies[static_cast<std::size_t>(nearest)].id)}};
 }
@@ -40,6 +41,7 @@ void print(const StepJudgement& judgement, std::size_t number, const AssembledPr
   }
   if (!judgement.endsOutside) std::cout << " it does not end outside of the others' bounding box;";
   if (!judgement.allowancesAsFits) std::cout << " it allows for more than the fits of the product;";
+  if (!judgement.againstDemand.empty()) std::cout << " " << judgement.againstDemand << ";";
   std::cout << "\n";
 }
 

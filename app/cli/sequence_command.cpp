@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/cli/interrupt.h"
+#include "engine/base/number_text.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/sequence_run.h"
+#include "engine/sequence/step_precedence.h"
+#include "engine/study/plan_words.h"
 
 namespace glissade::cli {
 namespace {
@@ -29,7 +33,17 @@ class ProgressHost final : public SequenceHost {
   const StopToken& stopToken() const override { return stop_; }
   ThreadTeam& team() override { return team_; }
 
+  /// From now on what is found is written every few seconds. `like`: strategy, demands and deflection of the plan.
+  void keepIn(const SequenceOptions& options, AssemblyPlan like) {
+    file_ = options.out;
+    every_ = options.saveEvery;
+    productName_ = options.file;
+    like_ = std::move(like);
+  }
+  const AssembledProduct& product() const { return product_; }
+
   void asking(std::size_t bodies, int effort) override {
+    keep();
     if (effort > 0) line() << "searching motions of " << bodies << " parts, effort " << effort << "\n";
   }
 
@@ -40,6 +54,9 @@ class ProgressHost final : public SequenceHost {
              << " parts: " << namesOf(step) << (step.with.empty() ? " leaves (" : " leave as one (") << step.method
              << ")\n";
     }
+    if (file_.empty()) return;
+    unkept_ = plan;
+    keep();
   }
 
   /// The name, or the id where another body has the same name.
@@ -56,6 +73,20 @@ class ProgressHost final : public SequenceHost {
   void skip(std::size_t steps) { reported_ = steps; }
 
  private:
+  /// What was found since the last time, where that is long enough ago.
+  void keep() {
+    constexpr double kWriting = 20.0;  // so many times longer than writing takes
+    if (!unkept_ || secondsSince(kept_) < std::max(every_, kWriting * writing_)) return;
+    unkept_->strategy = like_.strategy;
+    unkept_->demands = like_.demands;
+    unkept_->deflection = like_.deflection;
+    demandAllEarlier(*unkept_);
+    kept_ = Clock::now();
+    if (const Outcome saved = savePlan(*unkept_, productName_, file_); !saved) reportWarnings({saved.error()});
+    writing_ = secondsSince(kept_);
+    unkept_.reset();
+  }
+
   std::ostream& line() {
     return std::cerr << "glissade-cli: " << std::fixed << std::setprecision(1) << secondsSince(begin_)
                      << " s: " << std::defaultfloat;
@@ -66,6 +97,13 @@ class ProgressHost final : public SequenceHost {
   const AssembledProduct& product_;
   Clock::time_point begin_;
   std::size_t reported_ = 0;
+  std::string file_;  ///< empty: nothing is written meanwhile
+  std::string productName_;
+  AssemblyPlan like_;
+  std::optional<AssemblyPlan> unkept_;
+  Clock::time_point kept_ = Clock::now();
+  double every_ = 0.0;    ///< seconds
+  double writing_ = 0.0;  ///< seconds that it took
 };
 
 /// The parts between commas.
@@ -74,6 +112,48 @@ std::vector<std::string> listed(const std::string& text) {
   std::istringstream in(text);
   for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
   return parts;
+}
+
+/// "-z", or three numbers; nothing where it is neither.
+std::optional<Vector3> directionIn(const std::vector<std::string>& words) {
+  constexpr std::string_view kAxes = "xyz";
+  if (words.size() == 1 && words[0].size() == 2) {
+    const std::size_t axis = kAxes.find(words[0][1]);
+    const char sign = words[0][0];
+    if (axis == std::string_view::npos || (sign != '+' && sign != '-')) return std::nullopt;
+    return Vector3((sign == '+' ? 1.0 : -1.0) * Vector3::Unit(static_cast<Eigen::Index>(axis)));
+  }
+  if (words.size() != 3) return std::nullopt;
+  Vector3 direction;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto number = toNumber(words[i]);
+    if (!number) return std::nullopt;
+    direction[static_cast<Eigen::Index>(i)] = *number;
+  }
+  return direction.norm() > 0.0 ? std::optional(direction) : std::nullopt;
+}
+
+Outcome addStepDemands(const SequenceOptions& options, SequenceDemands& demands) {
+  constexpr double kMostPlaces = 1e6;
+  for (const std::string& text : options.places) {
+    auto words = listed(text);
+    const auto place = words.size() < 2 ? std::nullopt : toNumber(words[0]);
+    if (!place || *place < 1.0 || *place > kMostPlaces || *place != std::floor(*place)) {
+      return Diagnostic{ErrorKind::Usage, "", "--place", "is not a number from 1, a comma and a name: " + text,
+                        "Give 3,name."};
+    }
+    demands.places.push_back({{words.begin() + 1, words.end()}, static_cast<std::size_t>(*place)});
+  }
+  for (const std::string& text : options.forbidden) {
+    const auto words = listed(text);
+    const auto direction = words.size() < 2 ? std::nullopt : directionIn({words.begin() + 1, words.end()});
+    if (!direction) {
+      return Diagnostic{ErrorKind::Usage, "", "--forbid", "is not a name, a comma and a direction: " + text,
+                        "Give name,-z or name,0,0,-1."};
+    }
+    demands.forbidden.push_back({words[0], *direction});
+  }
+  return Done{};
 }
 
 /// Those of the scenario and of the options.
@@ -87,6 +167,8 @@ Result<SequenceDemands> demandsOf(const SequenceOptions& options, SequenceDemand
     }
     demands.before.emplace_back(pair[0], pair[1]);
   }
+  const Outcome steps = addStepDemands(options, demands);
+  if (!steps) return steps.error();
   if (!options.gravity.empty()) {
     if (options.gravity.size() != 3 ||
         Vector3(options.gravity[0], options.gravity[1], options.gravity[2]).isZero(0.0)) {
@@ -121,11 +203,11 @@ Result<AssemblyPlan> resumedPlan(const SequenceOptions& options) {
                       "has a strategy, a seed, staying bodies and a deflection of its own",
                       "Leave out --strategy, --seed, --stay and --deflection, or plan anew."};
   }
-  const bool demands =
-      !options.together.empty() || !options.before.empty() || !options.gravity.empty() || !options.cost.empty();
+  const bool demands = !options.together.empty() || !options.before.empty() || !options.gravity.empty() ||
+                       !options.cost.empty() || !options.places.empty() || !options.forbidden.empty();
   if (demands && plan->demands != SequenceDemands()) {
     return Diagnostic{ErrorKind::Usage, options.resume, "", "has demands of its own",
-                      "Leave out --together, --before, --gravity and --cost, or plan anew."};
+                      "Leave out --together, --before, --place, --forbid, --gravity and --cost, or plan anew."};
   }
   return plan;
 }
@@ -151,6 +233,7 @@ std::string toolText(const StepTool& tool, const ProgressHost& host) {
 }
 
 void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double seconds) {
+  const PlanWords words(Language::English, lengthInMillimetres);
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const AssemblyStep& step = plan.steps[i];
     std::cout << std::setw(4) << i + 1 << "  " << host.namesOf(step);
@@ -162,6 +245,9 @@ void printPlan(const AssemblyPlan& plan, const ProgressHost& host, double second
     }
     std::cout << "\n";
     if (step.tool.kind != ToolKind::None) std::cout << "      tool: " << toolText(step.tool, host) << "\n";
+    for (const std::string& text : words.violations(step, host.product())) {
+      std::cout << "      forced, although: " << text << "\n";
+    }
     for (const std::string& id : step.falling) std::cout << "      to be held: " << host.nameOf(id) << "\n";
     for (const StepAllowance& allowance : step.allowances) std::cout << "      allowance: " << allowance.text << "\n";
   }
@@ -249,6 +335,11 @@ int runSequence(const SequenceOptions& options) {
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
   ProgressHost host(stop, team, product, begin);
   if (earlier) host.skip(earlier->steps.size());
+  AssemblyPlan like;
+  like.strategy = options.strategy;
+  like.demands = *demands;
+  like.deflection = deflection;
+  if (!options.out.empty()) host.keepIn(options, std::move(like));
   auto planned =
       planSequence(product, *fits, {*staying, options.strategy, seed, *demands, earlier ? &*earlier : nullptr}, host);
   if (!planned) return reportError(ofOptions(planned.error(), options), options.format);

@@ -13,17 +13,20 @@ namespace glissade::cli {
 struct SequenceOptions {
   std::string file;  ///< a scenario, or a part file as usualPart() takes it
   std::string strategy = "greedy";
-  std::optional<std::uint64_t> seed;  ///< 1, or that of the plan that is resumed
-  double timeLimit = 0.0;             ///< seconds; 0: none
-  std::size_t lanes = 1;              ///< threads; they do not change the plan
-  std::vector<std::string> staying;   ///< ids or ends of ids; empty: the largest body
-  std::vector<std::string> together;  ///< demands: names with commas between them
-  std::vector<std::string> before;    ///< demands: "first,then"
-  std::vector<double> gravity;        ///< its direction; empty: the scenario's, or down
-  std::string cost;                   ///< of best-first: a preset or an expression; empty: the scenario's
-  double deflection = 0.0;            ///< metres, of STEP files; 0: by the size of each part
-  std::string out;                    ///< plan file to write; empty: none
-  std::string resume;                 ///< plan file to go on from; empty: none
+  std::optional<std::uint64_t> seed;   ///< 1, or that of the plan that is resumed
+  double timeLimit = 0.0;              ///< seconds; 0: none
+  std::size_t lanes = 1;               ///< threads; they do not change the plan
+  std::vector<std::string> staying;    ///< ids or ends of ids; empty: the largest body
+  std::vector<std::string> together;   ///< demands: names with commas between them
+  std::vector<std::string> before;     ///< demands: "first,then"
+  std::vector<std::string> places;     ///< demands: "3,name" or "3,name,name"
+  std::vector<std::string> forbidden;  ///< demands: "name,-z" or "name,0,0,-1"
+  std::vector<double> gravity;         ///< its direction; empty: the scenario's, or down
+  std::string cost;                    ///< of best-first: a preset or an expression; empty: the scenario's
+  double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
+  std::string out;                     ///< plan file to write; empty: none
+  double saveEvery = 5.0;              ///< seconds after which the plan so far is written
+  std::string resume;                  ///< plan file to go on from; empty: none
   FitOptions fits;
   Format format = Format::Text;
 };

@@ -1,10 +1,13 @@
 #include "app/window/sequence_controller.h"
 
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/window/sequence_output.h"
 #include "app/window/sequence_script.h"
@@ -44,7 +47,9 @@ SequenceController::SequenceController(const Workbench& bench)
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
       instruction_(new InstructionJob(bench, *this)),
-      film_(bench.work, [&bench] { return bench.scene.picture(); }) {
+      film_(bench.work, [&bench] { return bench.scene.picture(); }),
+      edits_(new SequenceEdits(bench, *this)),
+      hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
   connect(&planner_, &SequencePlanner::judged, this, &SequenceController::takeJudged);
@@ -95,9 +100,10 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!scenario) return;
   bench_.actions["panel.sequence"]->trigger();
+  makeRoom();
   const bool goesOn = resume && shown().plan && shown().product;
   SequenceJob job;
-  job.product = goesOn ? shown().product : std::make_shared<const AssembledProduct>(productOf(*scenario));
+  job.product = goesOn ? shown().product : presentProduct();
   const auto demands = knownDemands(bench_.document.current(), job.product->bodies);
   if (!demands) {
     bench_.messages.showError(tr("The sequence cannot be planned"), demands.error());
@@ -112,13 +118,16 @@ void SequenceController::plan(bool resume, std::optional<std::size_t> mostSteps)
   job.staying = *staying;
   job.seed = bench_.document.settings().seed;
   job.mostSteps = mostSteps;
+  job.strategy = job.demands.cost.empty() ? "greedy" : "best-first";
   if (goesOn) {
     job.resumed = shown().plan;
     job.seed = job.resumed->seed;
+    job.strategy = job.resumed->strategy;
     job.demands = job.resumed->demands;
     std::fill(job.staying.begin(), job.staying.end(), false);
     for (const std::string& id : job.resumed->staying) job.staying[*job.product->indexOf(id)] = true;
   } else {
+    if (shown().product == job.product && shown().plan && !shown().plan->steps.empty()) job.known = shown().plan;
     setPlan({job.product, std::make_shared<const AssemblyPlan>(emptyPlan(*job.product, job.staying)), true, {}, {}});
   }
   knownSteps_ = goesOn ? job.resumed->steps.size() : 0;
@@ -135,6 +144,9 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
   next.checks.resize(std::min(next.checks.size(), knownSteps_));
   setPlan(next);
+  if (growing) return;
+  remember();
+  panel_->chooseBody(std::exchange(chosenLater_, {}));
 }
 
 void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed) {
@@ -143,6 +155,7 @@ void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>
   next.checks.clear();
   for (const bool agrees : agreed) next.checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
   setPlan(next);
+  remember();
 }
 
 void SequenceController::setPlan(const ShownPlan& shown) {
@@ -150,6 +163,7 @@ void SequenceController::setPlan(const ShownPlan& shown) {
   const bool there = shown.product && shown.plan;
   playback_ = there ? PlanPlayback(*shown.product, *shown.plan) : PlanPlayback();
   offsets_ = there ? explodedOffsets(*shown.product, *shown.plan) : std::vector<Vector3>();
+  panel_->setAtOnce(bench_.work.isAtOnce());
   panel_->setPlan(shown);
   updateGraph();
   enableActions();
@@ -172,22 +186,112 @@ void SequenceController::updateGraph() {
   graph_->setPicture(planGraphSvg(*shown().plan, *shown().product, StudyWords(windowLanguage()), colours));
 }
 
-/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone.
 void SequenceController::followDocument(Changes what) {
-  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  if (what & (Change::Scenario | Change::Arrangement)) {
+    followArrangement((what & Change::Scenario) != 0);
+  } else if ((what & Change::Sequence) && !adopting_) {
+    followDemands();
+  }
+}
+
+/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone.
+void SequenceController::followArrangement(bool another) {
   planner_.drop();
-  if ((what & Change::Scenario) || !shown().plan) {
-    setPlan({std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())), nullptr, false, {}, {}});
+  panel_->setCost(bench_.document.demands().cost);
+  if (another) memory_.clear();
+  const ProductPtr product =
+      another ? std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())) : presentProduct();
+  if (hand_->isAway() && !another) {
+    setPlan({product, nullptr, false, {}, {}});
     return;
   }
-  const auto product = std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()));
-  const auto plan = planAbout(*product, *shown().plan);
+  if (const auto known = another ? std::nullopt : rememberedPlan(product)) {
+    setPlan(*known);
+    return;
+  }
+  const auto plan = another || !shown().plan ? std::nullopt : planAbout(*product, *shown().plan);
   if (!plan) {
     setPlan({product, nullptr, false, {}, {}});
     return;
   }
   setPlan({product, std::make_shared<const AssemblyPlan>(*plan), false, shown().foundAfter, {}});
   planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+}
+
+void SequenceController::followDemands() {
+  panel_->setCost(bench_.document.demands().cost);
+  if (!shown().plan) return;
+  planner_.drop();
+  std::string chosen = std::exchange(chosenLater_, {});
+  if (chosen.empty()) chosen = panel_->chosenBody();
+  if (const auto known = rememberedPlan(shown().product)) {
+    setPlan(*known);
+    panel_->chooseBody(chosen);
+  } else {
+    chosenLater_ = chosen;
+    plan(false);
+  }
+}
+
+void SequenceController::adoptDemands(const AssemblyPlan& plan) {
+  const auto known = knownDemands(bench_.document.current(), shown().product->bodies);
+  if (!known) return;
+  SequenceDemands demands = bench_.document.demands();
+  demands.places = plan.demands.places;
+  demands.motions = plan.demands.motions;
+  demands.forbidden = plan.demands.forbidden;
+  if (plan.demands.before != known->before) demands.before = plan.demands.before;
+  if (plan.demands.together != known->together) demands.together = plan.demands.together;
+  if (plan.demands.cost != known->cost) demands.cost = plan.demands.cost;
+  const QScopedValueRollback<bool> adopting(adopting_, true);
+  bench_.document.setDemands(tr("Demands of the sequence that is opened"), demands);
+  panel_->setCost(demands.cost);
+}
+
+ProductPtr SequenceController::presentProduct() const {
+  const auto product = std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario()));
+  const auto isSame = [&](const ProductPtr& other) { return other && isSameProduct(*other, *product); };
+  if (isSame(shown().product)) return shown().product;
+  for (const ShownPlan& known : memory_) {
+    if (isSame(known.product)) return known.product;
+  }
+  return product;
+}
+
+std::optional<ShownPlan> SequenceController::rememberedPlan(const ProductPtr& product) const {
+  const auto demands = knownDemands(bench_.document.current(), product->bodies);
+  if (!demands) return std::nullopt;
+  for (auto known = memory_.rbegin(); known != memory_.rend(); ++known) {
+    if (known->product == product && known->plan->demands == *demands) return *known;
+  }
+  return std::nullopt;
+}
+
+void SequenceController::remember() {
+  constexpr std::size_t kMost = 16;
+  const ShownPlan& plan = shown();
+  if (!plan.plan || plan.growing || plan.plan->end == PlanEnd::Interrupted) return;
+  std::erase_if(memory_, [&](const ShownPlan& known) {
+    return known.product == plan.product && known.plan->demands == plan.plan->demands;
+  });
+  memory_.push_back(plan);
+  if (memory_.size() > kMost) memory_.erase(memory_.begin());
+}
+
+bool SequenceController::isEditable() const {
+  return shown().plan && shown().product && !shown().plan->bodies.empty() && !planner_.isPlanning() && !shown().growing;
+}
+
+void SequenceController::makeRoom() {
+  constexpr int kWidth = 455;
+  constexpr double kHeight = 0.57;  // of the window
+  QWidget* widget = panel_;
+  while (widget != nullptr && qobject_cast<QDockWidget*>(widget) == nullptr) widget = widget->parentWidget();
+  auto* dock = qobject_cast<QDockWidget*>(widget);
+  if (dock == nullptr || dock->isFloating() || std::exchange(hasRoom_, true)) return;
+  const int height = static_cast<int>(kHeight * bench_.window.height());
+  bench_.window.resizeDocks({dock}, {std::max(dock->width(), kWidth)}, Qt::Horizontal);
+  bench_.window.resizeDocks({dock}, {std::max(dock->height(), height)}, Qt::Vertical);
 }
 
 std::optional<Diagnostic> SequenceController::open(const QString& file) {
@@ -199,7 +303,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   }
   const auto plan = readPlan(name);
   if (!plan) return plan.error();
-  const auto product = std::make_shared<const AssembledProduct>(productOf(*scenario));
+  const ProductPtr product = presentProduct();
   const auto ours = planAbout(*product, *plan);
   if (!ours) {
     std::vector<std::string> ids;
@@ -208,7 +312,9 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   }
   planner_.drop();
   bench_.actions["panel.sequence"]->trigger();
+  makeRoom();
   setPlan({product, std::make_shared<const AssemblyPlan>(*ours), false, {}, {}});
+  adoptDemands(*ours);
   planner_.judge(product, shown().plan, bench_.work.isAtOnce());
   return std::nullopt;
 }
@@ -310,9 +416,9 @@ void SequenceController::enableActions() {
   const bool steps = plan && !plan->steps.empty();
   const bool open =
       plan && !plan->bodies.empty() && (plan->end == PlanEnd::Interrupted || plan->end == PlanEnd::TimeLimit);
-  bench_.enable("sequence.plan", product && !busy);
+  bench_.enable("sequence.plan", product && !busy && !hand_->isActive());
   bench_.enable("sequence.resume", open && !busy);
-  bench_.enable("sequence.open", product && !busy);
+  bench_.enable("sequence.open", product && !busy && !hand_->isActive());
   bench_.enable("sequence.export", steps && !busy);
   bench_.enable("sequence.play", steps);
   bench_.enable("sequence.show-product", steps);

@@ -4,6 +4,8 @@
 
 #include "app/window/film_job.h"
 #include "app/window/instruction_job.h"
+#include "app/window/sequence_edits.h"
+#include "app/window/sequence_hand.h"
 #include "app/window/workbench.h"
 #include "engine/sequence/plan_playback.h"
 #include "widgets/bridge/sequence_planner.h"
@@ -27,6 +29,12 @@ class SequenceController final : public QObject {
   const ShownPlan& shown() const { return panel_->shown(); }
   /// Plans anew, or goes on. `mostSteps`: stops there.
   void plan(bool resume, std::optional<std::size_t> mostSteps = std::nullopt);
+  /// A person may change the steps that are shown.
+  bool isEditable() const;
+  /// The plan of the scenario and the demands as they are, where it is known.
+  void showRemembered() { followArrangement(false); }
+  /// The row of this body becomes the current one when the next plan is there.
+  void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
   /// Plans as JSON, as the command line writes them; steps as CSV, an animation as GLB, a work instruction as HTML or
@@ -43,6 +51,18 @@ class SequenceController final : public QObject {
  private:
   void connectActions();
   void followDocument(Changes what);
+  void followArrangement(bool another);
+  /// After a change of the demands: a plan that is known already, or a new one.
+  void followDemands();
+  /// The demands of a plan that is opened become the document's.
+  void adoptDemands(const AssemblyPlan& plan);
+  /// The product of the scenario; the same object as before where it is the same product.
+  ProductPtr presentProduct() const;
+  /// A plan of this product and these demands; nothing where there was none.
+  std::optional<ShownPlan> rememberedPlan(const ProductPtr& product) const;
+  void remember();
+  /// The dock is made large enough for the table, once.
+  void makeRoom();
   void takeGrown(const GrownPlan& grown, bool growing);
   void takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed);
   void setPlan(const ShownPlan& shown);
@@ -65,6 +85,12 @@ class SequenceController final : public QObject {
   PlanGraphView* graph_ = nullptr;
   InstructionJob* instruction_;
   FilmJob film_;
+  std::vector<ShownPlan> memory_;  ///< plans of this scenario, the last ones: for undo
+  std::string chosenLater_;        ///< id; empty: the row stays
+  bool adopting_ = false;
+  bool hasRoom_ = false;
+  SequenceEdits* edits_;
+  SequenceHand* hand_;
 };
 
 }  // namespace glissade

@@ -113,6 +113,10 @@ void StudyController::show(const Content& content) {
 
 std::optional<Diagnostic> StudyController::startRun(const StudyFolder& folder, const StudyRun& run) {
   const StudyCell& cell = folder.plan().study.cells[run.cell];
+  if (isSequence(cell)) {
+    return Diagnostic{ErrorKind::Usage, "", cell.label, "is a run of a sequence, which is not shown as a path",
+                      "Open its scenario and plan the sequence with this seed."};
+  }
   const auto file = folder.scenarioFile(cell);
   if (!file) return file.error();
   const auto loaded = loadScenario(*file);

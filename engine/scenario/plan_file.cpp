@@ -14,7 +14,6 @@
 #include "engine/base/limits.h"
 #include "engine/base/tolerances.h"
 #include "engine/product/contact_report.h"
-#include "engine/scenario/author_names.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/sequence_json.h"
@@ -26,7 +25,6 @@ using Json = JsonCursor::Json;
 
 constexpr const char* kFormat = "glissade-plan";
 constexpr std::size_t kMostBytes = 256U << 20;
-constexpr std::size_t kMostPlanConfigurations = 1'000'000;
 constexpr std::size_t kMostEffort = 64;
 constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
                                                                     {PlanEnd::Stuck, "stuck"},
@@ -76,18 +74,29 @@ Json toJson(const StepTool& tool) {
   return json;
 }
 
+constexpr std::array<std::pair<StepViolation::Rule, const char*>, 4> kRuleNames{
+    {{StepViolation::Rule::Before, "before"},
+     {StepViolation::Rule::Fastener, "fastener"},
+     {StepViolation::Rule::Standing, "standing"},
+     {StepViolation::Rule::Place, "place"}}};
+
+const char* ruleName(StepViolation::Rule rule) {
+  const auto found =
+      std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return each.first == rule; });
+  return found->second;
+}
+
 Json toJson(const AssemblyStep& step) {
   Json json{
-      {"bodies", step.bodies()},           {"method", step.method},       {"wave", step.wave},    {"after", step.after},
-      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}, {"path", Json::array()}};
+      {"bodies", step.bodies()},           {"method", step.method},      {"wave", step.wave}, {"after", step.after},
+      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}};
   if (!step.falling.empty()) json["falling"] = step.falling;
   if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
   if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
   for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
-  for (const PathPoint& point : step.path) {
-    Json configuration = toJson(point.q);
-    configuration["author"] = authorName(point.author);
-    json["path"].push_back(std::move(configuration));
+  json["path"] = motionJson(step.path);
+  for (const StepViolation& violation : step.violates) {
+    json["violates"].push_back({{"rule", ruleName(violation.rule)}, {"bodies", violation.bodies}});
   }
   return json;
 }
@@ -171,8 +180,8 @@ class PlanReader {
   }
 
   AssemblyStep readStep(const JsonCursor& at) const {
-    at.allowOnly(
-        {"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances", "path"});
+    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
+                  "path", "violates"});
     AssemblyStep step;
     const JsonCursor bodies = at.at("bodies");
     std::vector<std::string> ids = readIds(bodies);
@@ -192,14 +201,27 @@ class PlanReader {
     if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
     step.method = at.at("method").text();
     if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
+    const auto violates = at.find("violates");
+    for (std::size_t i = 0; violates && i < violates->sizeUpTo(kRuleNames.size()); ++i) {
+      step.violates.push_back(readViolation(violates->element(i)));
+    }
     step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
     step.proof = readProof(at.at("certificate"));
     const JsonCursor allowances = at.at("allowances");
     for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
       step.allowances.push_back(readAllowance(allowances.element(i)));
     }
-    step.path = readPath(at.at("path"));
+    step.path = readMotion(at.at("path"));
     return step;
+  }
+
+  StepViolation readViolation(const JsonCursor& at) const {
+    at.allowOnly({"rule", "bodies"});
+    const std::string rule = at.at("rule").text();
+    const auto known =
+        std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return rule == each.second; });
+    if (known == kRuleNames.end()) at.at("rule").fail("is not before, fastener, standing or place");
+    return {known->first, readIds(at.at("bodies"))};
   }
 
   StepTool readTool(const JsonCursor& at) const {
@@ -258,20 +280,6 @@ class PlanReader {
       if (allowance.pitch == 0.0) turns->fail("is without a pitch");
     }
     return allowance;
-  }
-
-  static std::vector<PathPoint> readPath(const JsonCursor& at) {
-    std::vector<PathPoint> path;
-    for (std::size_t i = 0; i < at.sizeUpTo(kMostPlanConfigurations); ++i) {
-      const JsonCursor point = at.element(i);
-      point.allowOnly({"position", "orientation", "author"});
-      const Json pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
-      const auto author = authorByName(point.at("author").text());
-      if (!author) point.at("author").fail("is not computer, operator or contact");
-      path.push_back({JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i)).pose(), *author});
-    }
-    if (path.empty()) at.fail("is empty", "Give a path.");
-    return path;
   }
 
   void readStuck(const JsonCursor& at) {

@@ -1,6 +1,7 @@
 #include "engine/scenario/sequence_json.h"
 
 #include "engine/base/limits.h"
+#include "engine/scenario/author_names.h"
 #include "engine/scenario/body_classes_json.h"
 #include "engine/scenario/semantics_json.h"
 #include "engine/sequence/fastener_kind.h"
@@ -61,6 +62,48 @@ void readKnowledge(const JsonCursor& at, SequenceDemands& demands) {
   if (const auto classes = at.find("classes")) demands.classes = readBodyClasses(*classes);
 }
 
+/// What a person has done to steps.
+void readSteps(const JsonCursor& at, SequenceDemands& demands) {
+  const auto places = at.find("places");
+  for (std::size_t i = 0; places && i < places->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor place = places->element(i);
+    place.allowOnly({"bodies", "place", "locked"});
+    demands.places.push_back({readNames(place.at("bodies"), 1)});
+    demands.places.back().place = static_cast<std::size_t>(place.at("place").wholeNumber());
+    if (demands.places.back().place == 0) place.at("place").fail("is not 1 or more");
+    if (const auto locked = place.find("locked")) demands.places.back().locked = locked->boolean();
+  }
+  const auto motions = at.find("motions");
+  for (std::size_t i = 0; motions && i < motions->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor motion = motions->element(i);
+    motion.allowOnly({"bodies", "method", "path"});
+    demands.motions.push_back(
+        {readNames(motion.at("bodies"), 1), readMotion(motion.at("path")), motion.at("method").nonEmptyText()});
+    if (demands.motions.back().path.size() < 2) motion.at("path").fail("has less than two configurations");
+  }
+  const auto forbidden = at.find("forbidden");
+  for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor direction = forbidden->element(i);
+    direction.allowOnly({"body", "direction"});
+    demands.forbidden.push_back({direction.at("body").nonEmptyText(), readGravity(direction.at("direction"))});
+  }
+}
+
+void addSteps(const SequenceDemands& demands, SequenceJson& section) {
+  for (const DemandedPlace& each : demands.places) {
+    SequenceJson place{{"bodies", each.bodies}, {"place", each.place}};
+    if (each.locked) place["locked"] = true;
+    section["places"].push_back(std::move(place));
+  }
+  for (const DemandedMotion& each : demands.motions) {
+    section["motions"].push_back({{"bodies", each.bodies}, {"method", each.method}, {"path", motionJson(each.path)}});
+  }
+  for (const ForbiddenDirection& each : demands.forbidden) {
+    const Vector3& way = each.direction;
+    section["forbidden"].push_back({{"body", each.body}, {"direction", {way.x(), way.y(), way.z()}}});
+  }
+}
+
 void addKnowledge(const SequenceDemands& demands, SequenceJson& section) {
   if (!demands.stay.empty()) section["stay"] = demands.stay;
   for (const auto& [body, mass] : demands.masses) section["masses"].push_back({{"body", body}, {"mass", mass}});
@@ -74,9 +117,34 @@ void addKnowledge(const SequenceDemands& demands, SequenceJson& section) {
 
 }  // namespace
 
+std::vector<PathPoint> readMotion(const JsonCursor& at) {
+  constexpr std::size_t kMostConfigurations = 1'000'000;
+  std::vector<PathPoint> path;
+  for (std::size_t i = 0; i < at.sizeUpTo(kMostConfigurations); ++i) {
+    const JsonCursor point = at.element(i);
+    point.allowOnly({"position", "orientation", "author"});
+    const SequenceJson pose{{"position", point.at("position").json()}, {"orientation", point.at("orientation").json()}};
+    const auto author = authorByName(point.at("author").text());
+    if (!author) point.at("author").fail("is not computer, operator or contact");
+    path.push_back({JsonCursor(pose, at.file(), at.pointer() + "/" + std::to_string(i)).pose(), *author});
+  }
+  if (path.empty()) at.fail("is empty", "Give a path.");
+  return path;
+}
+
+SequenceJson motionJson(const std::vector<PathPoint>& path) {
+  SequenceJson json = SequenceJson::array();
+  for (const PathPoint& point : path) {
+    SequenceJson configuration = toJson(point.q);
+    configuration["author"] = authorName(point.author);
+    json.push_back(std::move(configuration));
+  }
+  return json;
+}
+
 SequenceDemands readSequence(const JsonCursor& at) {
   at.allowOnly({"together", "before", "gravity", "densities", "stay", "masses", "fragile", "tools", "fasteners", "cost",
-                "attributes", "classes"});
+                "attributes", "classes", "places", "motions", "forbidden"});
   SequenceDemands demands;
   const auto together = at.find("together");
   for (std::size_t i = 0; together && i < together->sizeUpTo(limits::kMostBodies); ++i) {
@@ -96,6 +164,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
     demands.densities.emplace_back(density.at("body").nonEmptyText(), density.at("density").positiveNumber());
   }
   readKnowledge(at, demands);
+  readSteps(at, demands);
   return demands;
 }
 
@@ -111,6 +180,7 @@ void addSequence(const SequenceDemands& demands, SequenceJson& json) {
     section["densities"].push_back({{"body", body}, {"density", density}});
   }
   addKnowledge(demands, section);
+  addSteps(demands, section);
   json["sequence"] = std::move(section);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace glissade {
 
@@ -9,6 +10,30 @@ std::optional<std::size_t> AssembledProduct::indexOf(const std::string& id) cons
   const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const RigidBody& body) { return body.id == id; });
   if (found == bodies.end()) return std::nullopt;
   return static_cast<std::size_t>(found - bodies.begin());
+}
+
+namespace {
+
+bool areSameFits(const FitSettings& a, const FitSettings& b) {
+  const auto tied = [](const FitEdit& edit) {
+    return std::tie(edit.a, edit.b, edit.kind, edit.allowance, edit.accepted, edit.pitch, edit.turned);
+  };
+  return a.on == b.on && a.acceptedClash == b.acceptedClash &&
+         std::equal(a.pairs.begin(), a.pairs.end(), b.pairs.begin(), b.pairs.end(),
+                    [&](const FitEdit& one, const FitEdit& other) { return tied(one) == tied(other); });
+}
+
+}  // namespace
+
+bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b) {
+  const auto sameMesh = [](const TriangleMesh& one, const TriangleMesh& other) {
+    return &one == &other || (one.vertices == other.vertices && one.triangles == other.triangles);
+  };
+  const auto sameBody = [&](const RigidBody& one, const RigidBody& other) {
+    return one.id == other.id && one.name == other.name && one.X_WB == other.X_WB && sameMesh(*one.mesh, *other.mesh);
+  };
+  return a.deflections == b.deflections && areSameFits(a.fits, b.fits) &&
+         std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), sameBody);
 }
 
 std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product) {

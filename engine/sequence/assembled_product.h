@@ -19,6 +19,9 @@ struct AssembledProduct {
   std::optional<std::size_t> indexOf(const std::string& id) const;
 };
 
+/// Body by body the same ids, meshes, places and fits.
+bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b);
+
 /// The bodies as findContacts() takes them, in their order.
 std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product);
 

@@ -44,6 +44,18 @@ struct StepProof {
   std::string nearest;           ///< id of the body there; empty: none
 };
 
+/// What a step does not keep because a person wants it at its place.
+struct StepViolation {
+  enum class Rule {
+    Before,    ///< `bodies` are demanded to leave before
+    Fastener,  ///< `bodies` are nuts that are still on it
+    Standing,  ///< `bodies` fall
+    Place      ///< it comes at another place than the demanded one: nothing else can leave before
+  };
+  Rule rule = Rule::Before;
+  std::vector<std::string> bodies;  ///< ids
+};
+
 /// The removal of one body, or of several that move as one. A motion that was proved against bodies is proved against
 /// any of them.
 struct AssemblyStep {
@@ -51,7 +63,8 @@ struct AssemblyStep {
   /// Of the frame that stands at the first configuration where the product is assembled: that of the body (see
   /// AssembledProduct), or of the group. Every body of the step has X_WB = X(t) X(0)^-1 X_WB(assembled).
   std::vector<PathPoint> path;
-  std::string method;    ///< "straight", "turned", or "auto" and what found it: "auto: turning-rrt"
+  /// "straight", "turned", "by hand" (kByHand), or "auto" and what found it: "auto: turning-rrt"
+  std::string method;
   std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
   std::vector<StepAllowance> allowances;  ///< against bodies that were there
@@ -64,6 +77,7 @@ struct AssemblyStep {
   StepTool tool{};                             ///< of a single body
   /// Ids of bodies that stand before the step, and would tip or fall after it: they have to be held.
   std::vector<std::string> falling{};
+  std::vector<StepViolation> violates{};  ///< of a step that a person has put at its place
 
   /// Ids of all bodies that leave, the first one first.
   std::vector<std::string> bodies() const {
@@ -87,9 +101,10 @@ enum class PlanEnd { Complete, Stuck, TimeLimit, Interrupted };
 
 /// A body that stays because no removal was found.
 struct StuckBody {
-  std::string body;                    ///< id
-  std::vector<std::string> blockedBy;  ///< ids of those that are still there
-  std::string reason{};                ///< for people, with names; may be empty
+  std::string body;  ///< id
+  /// Ids of those that are still there; of a step that was demanded at a place, of those that were there then.
+  std::vector<std::string> blockedBy;
+  std::string reason{};  ///< for people, with names; may be empty
 };
 
 /// In which order the bodies of a product leave, each with a certified motion; assembly is the reverse. A value.

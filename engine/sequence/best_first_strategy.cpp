@@ -62,6 +62,9 @@ class Reordering {
     question.cost = [this](std::size_t step, const std::size_t* last, const std::vector<bool>& done) {
       return costOfStep(step, last, done);
     };
+    if (!question_.rules.placed.empty()) {
+      for (const BodyGroup& group : groups_) question.fixed.push_back(question_.rules.placeOf(group) != 0);
+    }
     question.mostExpansions = question_.standing != nullptr ? kExpansionsWithStanding : kMostOrderExpansions;
     return cheapestOrder(question, stop);
   }
@@ -108,8 +111,11 @@ std::optional<std::vector<AssemblyStep>> reordered(const AssemblyPlan& plan, con
     next.wave = steps.size() + 1;
     for (const std::size_t number : earlier.after) next.after.push_back(numberOf[number - 1]);
     std::sort(next.after.begin(), next.after.end());
-    if (question.standing != nullptr) {
-      next.falling = idsOf(question.standing->newlyFalling(present, group), question.product);
+    BodyGroup falling;
+    if (question.standing != nullptr) falling = question.standing->newlyFalling(present, group);
+    next.falling = idsOf(falling, question.product);
+    if (question.rules.placeOf(group) != 0) {
+      next.violates = violationsOf(group, present, falling, steps.size() + 1, question);
     }
     present = without(present, group);
     steps.push_back(std::move(next));

@@ -24,12 +24,18 @@ constexpr int kGroupEffort = 2;
 class GreedySearch {
  public:
   GreedySearch(const SequenceQuestion& question, SequenceHost& host)
-      : question_(question), host_(host), present_(question.product.bodies.size(), true) {
+      : question_(question),
+        host_(host),
+        present_(question.product.bodies.size(), true),
+        placed_(question.product.bodies.size(), false) {
     plan_.seed = question.seed;
     for (std::size_t body = 0; body < present_.size(); ++body) {
       plan_.bodies.push_back(idOf(body));
       if (question.staying[body]) plan_.staying.push_back(idOf(body));
       volumes_.push_back(boxVolume(question.product.bodies[body]));
+    }
+    for (const auto& step : question.rules.placed) {
+      for (const std::size_t body : step.group) placed_[body] = true;
     }
     if (question.resumed != nullptr) resume(*question.resumed);
   }
@@ -95,6 +101,8 @@ class GreedySearch {
 
   /// False where nothing is left to ask. Rules that nobody demands are kept while a body leaves along a straight line.
   bool wave() {
+    if (leaveAtPlaces(false)) return true;
+    if (stopped()) return false;
     if (askAll(openUnits(0, true), 0)) return true;
     if (stopped()) return false;  // what was not asked to the end might have left
     if (leave()) return true;
@@ -105,7 +113,56 @@ class GreedySearch {
     }
     if (stopped()) return false;
     if (efforts <= kShortEffort + 1 && groupsLeave(kFewBodies)) return true;
-    return searchedGroupsLeave() || groupsLeave(kMostBodies);
+    return searchedGroupsLeave() || groupsLeave(kMostBodies) || leaveAtPlaces(true);
+  }
+
+  /// Steps that a person wants at the places that come now; `early`: where none is, the next one. True where something
+  /// has left.
+  bool leaveAtPlaces(bool early) {
+    const std::size_t before = plan_.steps.size();
+    for (const auto& step : question_.rules.placed) {
+      if (stopped()) break;
+      const bool due = step.place == plan_.steps.size() + 1;
+      const bool isNext = early && plan_.steps.size() == before;
+      if ((due || isNext) && isThere(step.group) && notAtPlace_.count(step.group) == 0) leaveAtPlace(step.group);
+    }
+    if (plan_.steps.size() == before) return false;
+    std::erase_if(waiting_, [&](const auto& each) { return !isThere(each.first); });
+    announce();
+    return true;
+  }
+
+  /// By the first motion that is found. A group without one does not leave at all: it is not put elsewhere silently.
+  void leaveAtPlace(const BodyGroup& group) {
+    const int efforts = std::min(question_.trial.efforts(), kGroupEffort + 1);
+    std::set<std::size_t> blocking;
+    for (int effort = 0; effort < efforts; ++effort) {
+      host_.asking(1, effort);
+      const RemovalAnswer answer = question_.trial.tryRemoval(group, present_, effort, host_.stopToken());
+      if (const auto* removed = std::get_if<Removed>(&answer)) {
+        const BodyGroup falling = fallingWithout(group);
+        const auto violations = violationsOf(group, present_, falling, plan_.steps.size() + 1, question_);
+        waiting_[group] = makeStep(group, *removed, question_, plan_.steps.size());
+        ++wave_;
+        carryOut(group, falling);
+        plan_.steps.back().violates = violations;
+        return;
+      }
+      const auto& refused = std::get<Refused>(answer);
+      if (refused.stopped || stopped()) return;
+      blocking.insert(refused.blockedBy.begin(), refused.blockedBy.end());
+      if (question_.rules.motionOf(group) != nullptr) break;  // there is no other motion
+    }
+    notAtPlace_[group] = {{blocking.begin(), blocking.end()}, plan_.steps.size()};
+  }
+
+  /// A plan that can be resumed.
+  void announce() {
+    AssemblyPlan soFar = plan_;
+    for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort, soFar);
+    for (const auto& [group, step] : waiting_) soFar.waiting.push_back(step);
+    soFar.end = PlanEnd::Interrupted;
+    host_.stepFound(soFar);
   }
 
   /// Some at a time; true as soon as something has left.
@@ -140,21 +197,15 @@ class GreedySearch {
     return open;
   }
 
-  /// `knowledge`: rules that nobody demands count, too.
+  /// What a person wants at a place leaves there only. `knowledge`: rules that nobody demands count, too.
   bool mayLeave(const BodyGroup& group, bool knowledge) const {
     const bool stays = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return question_.staying[b]; });
-    return !stays && heldBy(group, knowledge).empty();
+    const bool placed = std::any_of(group.begin(), group.end(), [&](std::size_t b) { return placed_[b]; });
+    return !stays && !placed && heldBy(group, knowledge).empty();
   }
 
-  /// Bodies that are to leave before.
   std::vector<std::size_t> heldBy(const BodyGroup& group, bool knowledge) const {
-    const BodySet others = without(present_, group);
-    std::vector<std::size_t> holding;
-    for (const OrderRule& rule : question_.rules.before) {
-      const bool counts = (rule.demanded || knowledge) && others[rule.first];
-      if (counts && std::binary_search(group.begin(), group.end(), rule.then)) holding.push_back(rule.first);
-    }
-    return holding;
+    return glissade::heldBy(group, present_, question_.rules, knowledge);
   }
 
   bool isOpen(const BodyGroup& group, int effort) const {
@@ -277,26 +328,34 @@ class GreedySearch {
   bool leave() {
     if (waiting_.empty()) return false;
     ++wave_;
-    std::vector<std::pair<double, const BodyGroup*>> bySize;
-    for (const auto& [group, step] : waiting_) bySize.emplace_back(isFragile(group) ? -1.0 : volumeOf(group), &group);
+    std::vector<std::pair<double, BodyGroup>> bySize;
+    for (const auto& [group, step] : waiting_) bySize.emplace_back(isFragile(group) ? -1.0 : volumeOf(group), group);
     std::stable_sort(bySize.begin(), bySize.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     const std::size_t before = plan_.steps.size();
     const BodyGroup* least = nullptr;  // of those after which bodies fall
     BodyGroup leastFalling;
     for (const auto& [volume, group] : bySize) {
-      if (!isThere(*group)) continue;
-      BodyGroup falling = fallingWithout(*group);
+      if (!isThere(group)) continue;
+      if (isPlaceTaken()) break;  // what is left waits
+      BodyGroup falling = fallingWithout(group);
       if (falling.empty()) {
-        carryOut(*group, {});
+        carryOut(group, {});
       } else if (least == nullptr || falling.size() < leastFalling.size()) {
-        least = group;
+        least = &group;
         leastFalling = std::move(falling);
       }
     }
     if (plan_.steps.size() == before) carryOut(*least, leastFalling);
     std::erase_if(waiting_, [&](const auto& each) { return !isThere(each.first); });
-    host_.stepFound(plan_);
+    announce();
     return true;
+  }
+
+  /// A person wants another step at the place that comes now.
+  bool isPlaceTaken() const {
+    return std::any_of(question_.rules.placed.begin(), question_.rules.placed.end(), [&](const auto& step) {
+      return step.place == plan_.steps.size() + 1 && isThere(step.group) && notAtPlace_.count(step.group) == 0;
+    });
   }
 
   void carryOut(const BodyGroup& group, const BodyGroup& falling) {
@@ -318,7 +377,7 @@ class GreedySearch {
   }
 
   void finish() {
-    for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort);
+    for (const auto& [group, byEffort] : refusals_) addRefusals(group, byEffort, plan_);
     for (const auto& [group, step] : waiting_) plan_.waiting.push_back(step);
     bool complete = true;
     for (const std::size_t body : bodiesIn(present_)) {
@@ -330,17 +389,25 @@ class GreedySearch {
   }
 
   /// Of what is still there.
-  void addRefusals(const BodyGroup& group, const std::map<int, Refusal>& byEffort) {
+  void addRefusals(const BodyGroup& group, const std::map<int, Refusal>& byEffort, AssemblyPlan& plan) const {
     if (!isThere(group)) return;
     for (const auto& [effort, refusal] : byEffort) {
-      plan_.refusals.push_back({idOf(group.front()), effort, refusal.afterSteps, idsOf(refusal.blockedBy),
-                                idsOf({group.begin() + 1, group.end()})});
+      plan.refusals.push_back({idOf(group.front()), effort, refusal.afterSteps, idsOf(refusal.blockedBy),
+                               idsOf({group.begin() + 1, group.end()})});
     }
   }
 
   /// A body that was never asked is not stuck, unless a person forbids it to leave.
   void addStuck(std::size_t body) {
     const BodyGroup unit = unitOf(body);
+    const auto refusedThere = notAtPlace_.find(unit);
+    if (refusedThere != notAtPlace_.end()) {
+      const Refusal& refusal = refusedThere->second;
+      plan_.stuck.push_back(
+          {idOf(body), idsOf(refusal.blockedBy),
+           "it was to leave as step " + std::to_string(refusal.afterSteps + 1) + ", and no motion was found there"});
+      return;
+    }
     const std::vector<std::size_t> holding = heldBy(unit, false);
     std::set<std::size_t> blocking(holding.begin(), holding.end());
     const auto refused = refusals_.find(unit);
@@ -370,12 +437,18 @@ class GreedySearch {
                "same time are not searched";
       }
     }
+    if (question_.rules.motionOf(unitOf(body)) != nullptr) return "the motion that a person gave it is not free";
+    if (!question_.rules.forbiddenTo(unitOf(body)).empty()) {
+      return "no motion was found in a direction that is not forbidden";
+    }
     return "no motion was found, alone or with others";
   }
 
   const SequenceQuestion& question_;
   SequenceHost& host_;
   BodySet present_;
+  BodySet placed_;                                        ///< bodies that a person wants at a place
+  std::map<BodyGroup, Refusal> notAtPlace_;               ///< steps that were refused at their place
   std::vector<double> volumes_;                           ///< of the boxes of bodies
   std::map<BodyGroup, std::map<int, Refusal>> refusals_;  ///< by effort
   std::map<BodyGroup, AssemblyStep> waiting_;             ///< motions that are known and not carried out

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "engine/planning/path_certificate.h"
+#include "engine/sequence/demanded_steps.h"
+#include "engine/sequence/step_motion.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {
@@ -18,12 +20,14 @@ constexpr double kToolClearance = 1e-5;
 
 }  // namespace
 
-MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches)
+MotionTrial::MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed, int searches,
+                         Forbidden forbidden)
     : fits_(fits),
       bodies_(product.bodies.size()),
       searches_(searches),
+      forbidden_(std::move(forbidden)),
       worlds_(product, fits),
-      straight_(product, fits, worlds_),
+      straight_(product, fits, worlds_, forbidden_),
       turned_(fits, worlds_),
       searched_(product, fits, worlds_, seed) {}
 
@@ -36,6 +40,8 @@ RemovalAnswer MotionTrial::tryRemoval(const BodyGroup& group, const BodySet& pre
   if (!turned_.isHeld(group, present)) {
     answer = searched_.tryRemoval(group, present, kSearchSteps[static_cast<std::size_t>(effort - 1)], stop);
   }
+  const auto* removed = std::get_if<Removed>(&answer);
+  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) answer = Refused{};
   auto* refused = std::get_if<Refused>(&answer);
   if (refused == nullptr || refused->stopped) return answer;
   const RemovalAnswer direct = tryDirectly(group, present, stop);
@@ -53,12 +59,19 @@ RemovalAnswer MotionTrial::tryDirectly(const BodyGroup& group, const BodySet& pr
   auto* lines = std::get_if<Refused>(&straight);
   if (lines == nullptr || lines->stopped) return straight;
   RemovalAnswer turned = turned_.tryRemoval(group, present, stop);
+  const auto* removed = std::get_if<Removed>(&turned);
+  if (removed != nullptr && !mayLeaveIn(exitDirection(removed->path.points), group)) turned = Refused{};
   const auto* turns = std::get_if<Refused>(&turned);
   if (turns == nullptr || turns->stopped) return turned;
   std::set<std::size_t> blocking(lines->blockedBy.begin(), lines->blockedBy.end());
   blocking.insert(turns->blockedBy.begin(), turns->blockedBy.end());
   lines->blockedBy.assign(blocking.begin(), blocking.end());
   return straight;
+}
+
+bool MotionTrial::mayLeaveIn(const Vector3& direction, const BodyGroup& group) const {
+  return forbidden_.empty() || std::none_of(group.begin(), group.end(),
+                                            [&](std::size_t body) { return isForbidden(direction, forbidden_[body]); });
 }
 
 std::vector<BodyGroup> MotionTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,

@@ -13,9 +13,12 @@ class MotionTrial final : public RemovalTrial {
   /// Levels of search, at most.
   static constexpr int kMostSearches = 4;
 
+  /// Directions in which bodies may not leave, unit, of each body; empty: all may.
+  using Forbidden = std::vector<std::vector<Vector3>>;
+
   /// Refers to product and fits. `searches`: levels of search beside the straight lines, from 0 to kMostSearches.
   MotionTrial(const AssembledProduct& product, const ProductFits& fits, std::uint64_t seed,
-              int searches = kMostSearches);
+              int searches = kMostSearches, Forbidden forbidden = {});
 
   int efforts() const override { return 1 + searches_; }
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, int effort, const StopToken& stop) override;
@@ -31,10 +34,12 @@ class MotionTrial final : public RemovalTrial {
 
  private:
   RemovalAnswer tryDirectly(const BodyGroup& group, const BodySet& present, const StopToken& stop);
+  bool mayLeaveIn(const Vector3& direction, const BodyGroup& group) const;
 
   const ProductFits& fits_;
   std::size_t bodies_;
   int searches_;
+  Forbidden forbidden_;
   MotionWorlds worlds_;
   StraightRemoval straight_;
   TurnedRemoval turned_;

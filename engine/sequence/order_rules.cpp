@@ -43,7 +43,102 @@ bool isCircular(const OrderRules& rules, std::size_t bodies) {
   return !open.empty();
 }
 
+/// The bodies of a step that a person names, ascending.
+Result<BodyGroup> stepNamed(const std::vector<std::string>& names, const AssembledProduct& product) {
+  std::set<std::size_t> bodies;
+  for (const std::string& name : names) {
+    const BodyGroup named = bodiesNamed(product, name);
+    if (named.empty()) return unknownBody(name);
+    bodies.insert(named.begin(), named.end());
+  }
+  if (bodies.empty()) return refusedDemand("a demand about a step names no body", "Name the bodies that leave.");
+  return BodyGroup(bodies.begin(), bodies.end());
+}
+
+/// Bodies of a step that a person names leave as one.
+Outcome leaveTogether(const BodyGroup& group, const AssembledProduct& product, OrderRules& rules) {
+  for (const BodyGroup& other : rules.together) {
+    if (other == group) return Done{};
+    for (const std::size_t body : group) {
+      if (!std::binary_search(other.begin(), other.end(), body)) continue;
+      return refusedDemand("'" + product.bodies[body].id + "' is in two steps or groups that are demanded",
+                           "Name the same bodies in both, or remove one.");
+    }
+  }
+  if (group.size() > 1) rules.together.push_back(group);
+  return Done{};
+}
+
+Outcome addPlaces(const SequenceDemands& demands, const AssembledProduct& product, OrderRules& rules) {
+  std::set<std::size_t> taken;
+  std::set<std::size_t> placed;
+  for (const DemandedPlace& demand : demands.places) {
+    auto group = stepNamed(demand.bodies, product);
+    if (!group) return group.error();
+    const Outcome together = leaveTogether(*group, product, rules);
+    if (!together) return together;
+    if (demand.place == 0 || !taken.insert(demand.place).second) {
+      return refusedDemand("two steps are demanded at place " + std::to_string(demand.place),
+                           "Give each a place of its own, from 1.");
+    }
+    for (const std::size_t body : *group) {
+      if (placed.insert(body).second) continue;
+      return refusedDemand("'" + product.bodies[body].id + "' is demanded at two places", "Remove one of them.");
+    }
+    rules.placed.push_back({std::move(*group), demand.place});
+  }
+  std::sort(rules.placed.begin(), rules.placed.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+  return Done{};
+}
+
+Outcome addMotions(const SequenceDemands& demands, const AssembledProduct& product, OrderRules& rules) {
+  for (const DemandedMotion& demand : demands.motions) {
+    auto group = stepNamed(demand.bodies, product);
+    if (!group) return group.error();
+    const Outcome together = leaveTogether(*group, product, rules);
+    if (!together) return together;
+    if (demand.path.size() < 2) return refusedDemand("a demanded motion goes nowhere", "Give two configurations.");
+    if (rules.motionOf(*group) != nullptr) {
+      return refusedDemand("'" + product.bodies[group->front()].id + "' has two demanded motions", "Remove one.");
+    }
+    rules.motions.push_back({std::move(*group), demand.path, demand.method});
+  }
+  return Done{};
+}
+
+Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& product, OrderRules& rules) {
+  if (!demands.forbidden.empty()) rules.forbidden.resize(product.bodies.size());
+  for (const ForbiddenDirection& demand : demands.forbidden) {
+    const BodyGroup bodies = bodiesNamed(product, demand.body);
+    if (bodies.empty()) return unknownBody(demand.body);
+    if (!(demand.direction.norm() > 0.0)) {
+      return refusedDemand("a direction that is forbidden to '" + demand.body + "' has no length",
+                           "Give three numbers, as 0 0 -1.");
+    }
+    for (const std::size_t body : bodies) rules.forbidden[body].push_back(demand.direction.normalized());
+  }
+  return Done{};
+}
+
 }  // namespace
+
+const OrderRules::GivenMotion* OrderRules::motionOf(const BodyGroup& group) const {
+  const auto found =
+      std::find_if(motions.begin(), motions.end(), [&](const auto& each) { return each.group == group; });
+  return found == motions.end() ? nullptr : &*found;
+}
+
+std::vector<Vector3> OrderRules::forbiddenTo(const BodyGroup& group) const {
+  std::vector<Vector3> all;
+  if (forbidden.empty()) return all;
+  for (const std::size_t body : group) all.insert(all.end(), forbidden[body].begin(), forbidden[body].end());
+  return all;
+}
+
+std::size_t OrderRules::placeOf(const BodyGroup& group) const {
+  const auto found = std::find_if(placed.begin(), placed.end(), [&](const auto& each) { return each.group == group; });
+  return found == placed.end() ? 0 : found->place;
+}
 
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) {
   BodyGroup bodies;
@@ -94,6 +189,10 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
     for (const std::size_t one : firsts) {
       for (const std::size_t other : thens) rules.before.push_back({one, other, true});
     }
+  }
+  for (const auto add : {addPlaces, addMotions, addForbidden}) {
+    const Outcome added = add(demands, product, rules);
+    if (!added) return added.error();
   }
   if (isCircular(rules, product.bodies.size())) {
     return refusedDemand("the demands about the order go in a circle", "Remove one of them.");

@@ -8,6 +8,7 @@
 #include "engine/base/result.h"
 #include "engine/environment/body_class.h"
 #include "engine/sequence/assembled_product.h"
+#include "engine/sequence/demanded_steps.h"
 
 namespace glissade {
 
@@ -28,6 +29,9 @@ struct SequenceDemands {
   std::string cost{};  ///< what a step costs: an expression or a preset, see step_cost.h; empty: the usual one
   std::map<std::string, Attributes> attributes{};  ///< by id: what costs may name as body.<attribute>
   std::vector<BodyClass> classes{};                ///< beside the usual ones
+  std::vector<DemandedPlace> places{};             ///< steps at places
+  std::vector<DemandedMotion> motions{};           ///< of these bodies the only ones
+  std::vector<ForbiddenDirection> forbidden{};
 
   bool operator==(const SequenceDemands&) const = default;
 };
@@ -43,6 +47,26 @@ struct OrderRule {
 struct OrderRules {
   std::vector<BodyGroup> together;  ///< no body is in two
   std::vector<OrderRule> before;
+  /// Ascending by place, no place twice; groups of several bodies are in `together`, too.
+  struct PlacedStep {
+    BodyGroup group;
+    std::size_t place = 1;  ///< from 1
+  };
+  std::vector<PlacedStep> placed{};
+  struct GivenMotion {
+    BodyGroup group;
+    std::vector<PathPoint> path;
+    std::string method;
+  };
+  std::vector<GivenMotion> motions{};             ///< no group twice
+  std::vector<std::vector<Vector3>> forbidden{};  ///< of each body, unit; empty: none is
+
+  /// Null where these bodies leave by any motion.
+  const GivenMotion* motionOf(const BodyGroup& group) const;
+  /// Of all bodies of the group.
+  std::vector<Vector3> forbiddenTo(const BodyGroup& group) const;
+  /// Where a person wants the step of these bodies; 0: anywhere.
+  std::size_t placeOf(const BodyGroup& group) const;
 };
 
 /// The bodies of these ids, or whose ids end in "/" and this; empty where there is none.
@@ -53,7 +77,8 @@ BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name);
 Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector<std::string>& names);
 
 /// The demands by index. A name that several bodies have stands for all of them. Errors, Usage with `location`: a name
-/// that no body has; a body in two groups; demands in a circle.
+/// that no body has; a body in two groups; demands in a circle; two steps at one place, two motions of the same bodies,
+/// a forbidden direction without length.
 Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProduct& product);
 
 }  // namespace glissade

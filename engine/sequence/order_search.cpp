@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -13,13 +14,17 @@ using CarriedOut = std::vector<bool>;
 
 bool mayFollow(std::size_t step, const CarriedOut& done, const OrderQuestion& question) {
   if (done[step]) return false;
+  if (!question.fixed.empty()) {
+    const auto place = static_cast<std::size_t>(std::count(done.begin(), done.end(), true));
+    if ((question.fixed[place] || question.fixed[step]) && step != place) return false;
+  }
   const auto& after = question.after[step];
   return std::all_of(after.begin(), after.end(), [&](std::size_t earlier) { return done[earlier]; });
 }
 
 const std::size_t* lastOf(const std::vector<std::size_t>& order) { return order.empty() ? nullptr : &order.back(); }
 
-/// Always the cheapest step, the first one of equal ones.
+/// Always the cheapest step, the first one of equal ones. Shorter where no step may follow.
 std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut done, const OrderQuestion& question) {
   while (order.size() < done.size()) {
     std::size_t cheapest = done.size();
@@ -31,6 +36,7 @@ std::vector<std::size_t> completed(std::vector<std::size_t> order, CarriedOut do
       least = cost;
       cheapest = step;
     }
+    if (cheapest == done.size()) return order;
     done[cheapest] = true;
     order.push_back(cheapest);
   }
@@ -66,6 +72,10 @@ double costOf(const std::vector<std::size_t>& order, const OrderQuestion& questi
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop) {
   const std::size_t steps = question.after.size();
   std::vector<std::size_t> best = completed({}, CarriedOut(steps, false), question);
+  if (best.size() < steps) {
+    best.resize(steps);
+    std::iota(best.begin(), best.end(), std::size_t{0});
+  }
   double least = costOf(best, question);
   const double mean = steps == 0 ? 0.0 : least / static_cast<double>(steps);
   std::priority_queue<Node> open;

@@ -14,11 +14,14 @@ struct OrderQuestion {
   /// What a step costs (>= 0) behind another one, or as the first one (nothing), when `done` have been carried out.
   std::function<double(std::size_t step, const std::size_t* last, const std::vector<bool>& done)> cost;
   std::size_t mostExpansions = 2000;
+  /// Steps that keep their index in the order; empty: none. Where some do, `after` has to allow for the order 0, 1, ...
+  std::vector<bool> fixed{};
 };
 
 /// Best first over costs: states are the steps carried out and the last one of them, and those of the least cost, with
 /// the mean cost of a step for each that is missing, are expanded first. Begins with the order that always takes the
-/// cheapest step, so there is an order whenever the search ends. Precondition: `after` has no circle.
+/// cheapest step (or with 0, 1, ..., where that leads nowhere because of fixed steps), so there is an order whenever
+/// the search ends. Precondition: `after` has no circle.
 std::vector<std::size_t> cheapestOrder(const OrderQuestion& question, const StopToken& stop);
 
 /// What an order costs.

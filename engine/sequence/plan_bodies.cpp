@@ -39,6 +39,7 @@ class Renaming {
     all(step.with);
     all(step.falling);
     all(step.tool.blockedBy);
+    for (StepViolation& violation : step.violates) all(violation.bodies);
     one(step.proof.nearest);
     for (StepAllowance& allowance : step.allowances) {
       one(allowance.body);
@@ -51,6 +52,9 @@ class Renaming {
       one(first);
       one(then);
     }
+    for (DemandedPlace& place : demands.places) all(place.bodies);
+    for (DemandedMotion& motion : demands.motions) all(motion.bodies);
+    for (ForbiddenDirection& direction : demands.forbidden) one(direction.body);
     all(demands.stay);
     all(demands.fragile);
     for (auto* weights : {&demands.densities, &demands.masses}) {

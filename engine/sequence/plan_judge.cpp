@@ -9,7 +9,9 @@
 #include "engine/collision/judged_thinning.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/path_examination.h"
+#include "engine/sequence/plan_steps.h"
 #include "engine/sequence/product_fits.h"
+#include "engine/sequence/step_motion.h"
 #include "engine/sequence/swept_box.h"
 
 namespace glissade {
@@ -215,10 +217,44 @@ double requiredOf(const JudgedStep& judged, const AssembledProduct& product, std
   return least;
 }
 
+/// A demand of the plan that the step of this number does not keep, and that it does not name.
+std::string againstDemand(const JudgedStep& judged, std::size_t number, const AssembledProduct& product,
+                          const OrderRules& rules) {
+  const auto name = [&](std::size_t body) { return "'" + product.bodies[body].name + "'"; };
+  BodyGroup group = judged.group;
+  std::sort(group.begin(), group.end());
+  const auto says = [&](StepViolation::Rule rule, const std::string& body) {
+    const auto& all = judged.step->violates;
+    return std::any_of(all.begin(), all.end(), [&](const StepViolation& violation) {
+      const auto& bodies = violation.bodies;
+      return violation.rule == rule && (body.empty() || std::find(bodies.begin(), bodies.end(), body) != bodies.end());
+    });
+  };
+  if (isForbidden(exitDirection(judged.step->path), rules.forbiddenTo(group))) {
+    return "it leaves in a direction that is forbidden";
+  }
+  for (const std::size_t first : heldBy(group, judged.there, rules, false)) {
+    if (says(StepViolation::Rule::Before, product.bodies[first].id)) continue;
+    return name(first) + " is demanded to leave before, and the step does not say that it does not";
+  }
+  const std::size_t place = rules.placeOf(group);
+  if (place != 0 && place != number && !says(StepViolation::Rule::Place, "")) {
+    return "it is demanded as step " + std::to_string(place);
+  }
+  const auto* motion = rules.motionOf(group);
+  if (motion != nullptr && motion->path.size() != judged.step->path.size()) {
+    return "another motion is demanded of it";
+  }
+  for (std::size_t i = 0; motion != nullptr && i < motion->path.size(); ++i) {
+    if (!(motion->path[i].q == judged.step->path[i].q)) return "another motion is demanded of it";
+  }
+  return {};
+}
+
 StepJudgement judge(const JudgedStep& judged, const JudgedProduct& product, std::optional<double> required,
                     const StopToken& stop) {
   const std::vector<PathPoint> points = withUnitRotations(judged.step->path);
-  StepJudgement judgement{judged.step->body, {}, true, allowsNoMore(judged, product)};
+  StepJudgement judgement{judged.step->body, {}, true, allowsNoMore(judged, product), {}};
   const Box3 box = boxOf(product.product(), without(judged.there, judged.group));
   bool first = true;
   for (const std::size_t body : judged.group) {
@@ -245,6 +281,8 @@ Result<std::vector<StepJudgement>> judgePlan(const AssemblyPlan& plan, const Ass
   ThreadTeam team(std::max(1U, std::thread::hardware_concurrency()) - 1);
   const auto fits = ProductFits::find(product, team, stop);
   if (!fits) return fits.error();
+  const auto rules = resolved(plan.demands, product);
+  if (!rules) return rules.error();
   const std::vector<JudgedStep> steps = stepsOf(plan, product);
   JudgedProduct judged(product, *fits);
   BodyGroup moving;
@@ -252,7 +290,9 @@ Result<std::vector<StepJudgement>> judgePlan(const AssemblyPlan& plan, const Ass
   judged.prepare(moving, team);
   std::vector<StepJudgement> judgements(steps.size());
   team.run(steps.size(), [&](std::size_t i) {
-    if (!stop.stopRequested()) judgements[i] = judge(steps[i], judged, required, stop);
+    if (stop.stopRequested()) return;
+    judgements[i] = judge(steps[i], judged, required, stop);
+    judgements[i].againstDemand = againstDemand(steps[i], i + 1, product, *rules);
   });
   if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "was interrupted", "Start again."};
   return judgements;

@@ -32,6 +32,37 @@ BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product) {
   return group;
 }
 
+std::vector<std::size_t> heldBy(const BodyGroup& group, const BodySet& present, const OrderRules& rules,
+                                bool knowledgeToo) {
+  const BodySet others = without(present, group);
+  std::vector<std::size_t> holding;
+  for (const OrderRule& rule : rules.before) {
+    const bool counts = (rule.demanded || knowledgeToo) && others[rule.first];
+    if (counts && std::binary_search(group.begin(), group.end(), rule.then)) holding.push_back(rule.first);
+  }
+  return holding;
+}
+
+std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& present, const BodyGroup& falling,
+                                        std::size_t number, const SequenceQuestion& question) {
+  std::vector<StepViolation> violations;
+  const auto add = [&](StepViolation::Rule rule, BodyGroup bodies) {
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    if (!bodies.empty()) violations.push_back({rule, idsOf(bodies, question.product)});
+  };
+  const BodyGroup demanded = heldBy(group, present, question.rules, false);
+  BodyGroup nuts;
+  for (const std::size_t body : heldBy(group, present, question.rules, true)) {
+    if (std::find(demanded.begin(), demanded.end(), body) == demanded.end()) nuts.push_back(body);
+  }
+  add(StepViolation::Rule::Before, demanded);
+  add(StepViolation::Rule::Fastener, nuts);
+  add(StepViolation::Rule::Standing, falling);
+  if (question.rules.placeOf(group) != number) violations.push_back({StepViolation::Rule::Place, {}});
+  return violations;
+}
+
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       std::size_t afterSteps) {
   const AssembledProduct& product = question.product;

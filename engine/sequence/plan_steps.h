@@ -16,4 +16,13 @@ BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       std::size_t afterSteps);
 
+/// Rules whose first bodies are still there when the group leaves: all of them, or those that are demanded.
+std::vector<std::size_t> heldBy(const BodyGroup& group, const BodySet& present, const OrderRules& rules,
+                                bool knowledgeToo);
+
+/// What a step at a place that a person demands does not keep: it leaves as the step `number`, from 1, and `falling`
+/// fall.
+std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& present, const BodyGroup& falling,
+                                        std::size_t number, const SequenceQuestion& question);
+
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #include "engine/sequence/sequence_run.h"
 
+#include "engine/sequence/demanding_trial.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/motion_trial.h"
 #include "engine/sequence/standing.h"
@@ -27,6 +28,20 @@ std::vector<bool> fragileBodies(const AssembledProduct& product, const SequenceD
   return fragile;
 }
 
+/// A body that stays does not leave at a place.
+Outcome checkPlaces(const AssembledProduct& product, const OrderRules& rules, const BodySet& staying) {
+  for (const auto& step : rules.placed) {
+    for (const std::size_t body : step.group) {
+      if (!staying[body]) continue;
+      return Diagnostic{
+          ErrorKind::Usage, "", "",
+          "'" + product.bodies[body].id + "' stays, and is demanded to leave as step " + std::to_string(step.place),
+          "Let another body stay, or remove the demand."};
+    }
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<AssemblyPlan> planSequence(const AssembledProduct& product, const ProductFits& fits,
@@ -39,6 +54,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
   }
   auto rules = resolved(request.demands, product);
   if (!rules) return rules.error();
+  const Outcome places = checkPlaces(product, *rules, request.staying);
+  if (!places) return places.error();
   const auto cost = StepCost::of(request.demands);
   if (!cost) return cost.error();
   const std::vector<FastenerKind> fasteners = fastenersKnown(product, fits.contacts(), request.demands);
@@ -49,7 +66,8 @@ Result<AssemblyPlan> planSequence(const AssembledProduct& product, const Product
                     {fits.contacts(), fasteners, request.staying, densitiesOf(request.demands, product),
                      request.demands.gravity, massesOf(request.demands, product)},
                     host.team());
-  MotionTrial trial(product, fits, request.seed);
+  MotionTrial motions(product, fits, request.seed, MotionTrial::kMostSearches, rules->forbidden);
+  DemandingTrial trial(motions, *rules, product, request.known);
   const SequenceQuestion question{product,   request.staying, request.seed,
                                   trial,     request.resumed, *rules,
                                   fasteners, &standing,       fragileBodies(product, request.demands),

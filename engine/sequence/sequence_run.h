@@ -18,6 +18,8 @@ struct SequenceRequest {
   std::uint64_t seed = 1;
   SequenceDemands demands{};
   const AssemblyPlan* resumed = nullptr;  ///< as in SequenceQuestion
+  /// A plan of the same product with other demands: before a motion is searched, its motion is tried. Or null.
+  const AssemblyPlan* known = nullptr;
 };
 
 /// Plans with all that is known of the product: its fits, its fasteners, what stands, and the demands. Errors: an

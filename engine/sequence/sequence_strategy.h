@@ -40,6 +40,8 @@ class SequenceHost {
   virtual ThreadTeam& team() = 0;
   /// So many bodies are asked now, with this effort.
   virtual void asking(std::size_t bodies, int effort) = 0;
+  /// The plan so far, as one that was interrupted: it can be resumed. What has to be carried out before each step is
+  /// not known yet (AssemblyStep::after is empty).
   virtual void stepFound(const AssemblyPlan& plan) = 0;
 };
 

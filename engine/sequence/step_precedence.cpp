@@ -6,6 +6,15 @@
 #include "engine/sequence/plan_steps.h"
 
 namespace glissade {
+namespace {
+
+/// Of the step with this index.
+void demandAllEarlier(AssemblyStep& step, std::size_t index) {
+  step.after.resize(index);
+  std::iota(step.after.begin(), step.after.end(), std::size_t{1});
+}
+
+}  // namespace
 
 void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host) {
   std::vector<BodyGroup> groups;
@@ -30,10 +39,12 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
       if (stepOf[rule.then] == step + 1 && first != 0 && first <= step) after.insert(first);
     }
     plan.steps[step].after.assign(after.begin(), after.end());
-    if (!host.stopToken().stopRequested()) return;
-    plan.steps[step].after.resize(step);
-    std::iota(plan.steps[step].after.begin(), plan.steps[step].after.end(), std::size_t{1});
+    if (host.stopToken().stopRequested()) demandAllEarlier(plan.steps[step], step);
   });
+}
+
+void demandAllEarlier(AssemblyPlan& plan) {
+  for (std::size_t step = 0; step < plan.steps.size(); ++step) demandAllEarlier(plan.steps[step], step);
 }
 
 }  // namespace glissade

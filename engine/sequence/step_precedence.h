@@ -8,4 +8,7 @@ namespace glissade {
 /// motion, and those that rules ask for and that are earlier. After a stop: all earlier ones.
 void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, SequenceHost& host);
 
+/// The same where nobody asks: all earlier ones.
+void demandAllEarlier(AssemblyPlan& plan);
+
 }  // namespace glissade

@@ -5,6 +5,7 @@
 
 #include "engine/planning/path_certificate.h"
 #include "engine/sequence/blocking_graph.h"
+#include "engine/sequence/demanded_steps.h"
 #include "engine/sequence/removal_directions.h"
 
 namespace glissade {
@@ -14,8 +15,9 @@ constexpr double kSameLine = 1.0 - 1e-9;
 
 }  // namespace
 
-StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds)
-    : product_(product), fits_(fits), worlds_(worlds), lines_(product.bodies.size()) {}
+StraightRemoval::StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
+                                 const std::vector<std::vector<Vector3>>& forbidden)
+    : product_(product), fits_(fits), worlds_(worlds), forbidden_(forbidden), lines_(product.bodies.size()) {}
 
 void StraightRemoval::learn(const BodyGroup& group, const std::vector<PathPoint>& path) {
   if (path.size() != 2 || path.front().q.orientation.coeffs() != path.back().q.orientation.coeffs()) return;
@@ -28,6 +30,9 @@ RemovalAnswer StraightRemoval::tryRemoval(const BodyGroup& group, const BodySet&
   std::set<std::size_t> blocking;
   const BodySet others = without(present, group);
   for (const Vector3& direction : directionsOf(group)) {
+    const bool allMay =
+        std::all_of(group.begin(), group.end(), [&](std::size_t body) { return mayLeaveAlong(direction, body); });
+    if (!allMay) continue;
     auto blocker = blockerOf(group, direction, others, stop);
     if (!blocker && !stop.stopRequested()) {
       Path path = certified(group, direction, present, stop);
@@ -164,6 +169,7 @@ std::optional<std::size_t> StraightRemoval::blockerOf(std::size_t body, Line& li
 /// Those that stay are asked first: one of them is enough.
 StraightRemoval::Blockers StraightRemoval::allBlockers(std::size_t body, const Vector3& direction,
                                                        const GroupQuestion& question, const StopToken& stop) {
+  if (!mayLeaveAlong(direction, body)) return {true, {}};
   Line& line = lineAlong(body, direction);
   Blockers blockers;
   for (const bool staying : {true, false}) {
@@ -176,6 +182,10 @@ StraightRemoval::Blockers StraightRemoval::allBlockers(std::size_t body, const V
     }
   }
   return blockers;
+}
+
+bool StraightRemoval::mayLeaveAlong(const Vector3& direction, std::size_t body) const {
+  return forbidden_.empty() || !isForbidden(direction, forbidden_[body]);
 }
 
 /// Not kept after a stop.

@@ -16,7 +16,9 @@ namespace glissade {
 /// group is all that can be reached in the graph (Wilson and Latombe 1994).
 class StraightRemoval {
  public:
-  StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds);
+  /// Refers to all. `forbidden`: directions in which bodies may not leave, unit, of each body; empty: all may.
+  StraightRemoval(const AssembledProduct& product, const ProductFits& fits, MotionWorlds& worlds,
+                  const std::vector<std::vector<Vector3>>& forbidden);
 
   /// As RemovalTrial::tryRemoval().
   RemovalAnswer tryRemoval(const BodyGroup& group, const BodySet& present, const StopToken& stop);
@@ -56,11 +58,13 @@ class StraightRemoval {
   Blockers allBlockers(std::size_t body, const Vector3& direction, const GroupQuestion& question,
                        const StopToken& stop);
   bool isBlocking(std::size_t other, std::size_t body, Line& line, const StopToken& stop);
+  bool mayLeaveAlong(const Vector3& direction, std::size_t body) const;
   Path certified(const BodyGroup& group, const Vector3& direction, const BodySet& present, const StopToken& stop);
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
   MotionWorlds& worlds_;
+  const std::vector<std::vector<Vector3>>& forbidden_;
   std::vector<Lines> lines_;            ///< of each body
   std::map<MeshPtr, Vector3> learned_;  ///< in the body's frame, the last one
 };

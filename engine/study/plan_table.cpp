@@ -45,6 +45,9 @@ void addStep(CsvTable& table, const AssemblyStep& step, std::size_t number, cons
   table.text("");
   table.text(words.tool(step, product));
   table.text(words.standing(step, product));
+  std::string forced;
+  for (const std::string& text : words.violations(step, product)) forced += (forced.empty() ? "" : "; ") + text;
+  table.text(forced);
 }
 
 void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& product) {
@@ -59,7 +62,7 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& p
   table.text("");
   for (int column = 0; column < 2; ++column) table.number(std::nullopt);
   table.text(blockers);
-  for (int column = 0; column < 2; ++column) table.text("");
+  for (int column = 0; column < 3; ++column) table.text("");
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ void addStuck(CsvTable& table, const StuckBody& stuck, const AssembledProduct& p
 std::string planAsCsv(const AssemblyPlan& plan, const AssembledProduct& product, PlanOrder order) {
   CsvTable table;
   table.header({"step", "part", "method", "motion", "length_m", "turn_rad", "proved_clearance_m", "min_clearance_m",
-                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing"});
+                "nearest", "allowance_m", "wave", "blocked_by", "tool", "standing", "forced_although"});
   const std::size_t steps = plan.steps.size();
   for (std::size_t i = 0; i < steps; ++i) {
     addStep(table, plan.steps[order == PlanOrder::Assembly ? steps - 1 - i : i], i + 1, product, order);

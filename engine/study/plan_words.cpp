@@ -58,6 +58,20 @@ std::string PlanWords::standing(const AssemblyStep& step, const AssembledProduct
   return step.falling.empty() ? std::string() : words_("hold %1", {someOf(step.falling, product)});
 }
 
+std::vector<std::string> PlanWords::violations(const AssemblyStep& step, const AssembledProduct& product) const {
+  std::vector<std::string> texts;
+  for (const StepViolation& violation : step.violates) {
+    const std::string bodies = someOf(violation.bodies, product);
+    switch (violation.rule) {
+      case StepViolation::Rule::Before: texts.push_back(words_("demanded before it: %1", {bodies})); break;
+      case StepViolation::Rule::Fastener: texts.push_back(words_("nuts still on it: %1", {bodies})); break;
+      case StepViolation::Rule::Standing: texts.push_back(words_("falling: %1", {bodies})); break;
+      case StepViolation::Rule::Place: texts.push_back(words_("demanded at another place")); break;
+    }
+  }
+  return texts;
+}
+
 std::string PlanWords::motion(const AssemblyStep& step, PlanOrder order) const {
   const auto removal = legsOf(step.path);
   const auto legs = order == PlanOrder::Assembly ? reversed(removal) : removal;

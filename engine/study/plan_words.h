@@ -23,17 +23,20 @@ class PlanWords {
 
   const StudyWords& words() const { return words_; }
   std::string length(double metres) const { return length_(metres); }
+  /// "up (+Z)", "(0.50, 0.00, 0.87)".
+  std::string direction(const Vector3& direction) const;
   /// The motion of a step: "up (+Z), 62.0 mm". The words of assembly are those of the reverse.
   std::string motion(const AssemblyStep& step, PlanOrder order) const;
   /// "hex key"; "socket, blocked by plate"; empty where the step needs none.
   std::string tool(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "hold rod, bolt and 3 more"; empty where nothing falls.
   std::string standing(const AssemblyStep& step, const AssembledProduct& product) const;
+  /// What a step that a person has put at its place does not keep: "nuts still on it: nut, nut#2", an entry each.
+  std::vector<std::string> violations(const AssemblyStep& step, const AssembledProduct& product) const;
   /// "taken 0.0206 mm thinner in the hole of nut (cylindrical)", an entry each.
   std::vector<std::string> allowances(const AssemblyStep& step, const AssembledProduct& product) const;
 
  private:
-  std::string direction(const Vector3& direction) const;
   std::string someOf(const std::vector<std::string>& ids, const AssembledProduct& product) const;
 
   StudyWords words_;

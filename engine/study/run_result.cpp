@@ -35,10 +35,19 @@ constexpr std::array<ResultColumn, kResultColumnCount> kColumns{{
     {"path_rotation_rad", "/path/rotation_rad", true},
     {"min_clearance_m", "/certificate/min_clearance_m", true},
     {"tolerance_m", "/certificate/tolerance_m", false},
+    {"parts", "/parts", false},
+    {"parts_removed", "/removed", true},
+    {"sequence_steps", "/steps", true},
 }};
 
 constexpr std::array<const char*, kRunStatusCount> kStatusNames{
     "solved", "no-path", "not-certified", "limit-reached", "in-collision", "error", "time", "memory", "crashed"};
+
+std::size_t indexOf(std::string_view column) {
+  const auto found =
+      std::find_if(kColumns.begin(), kColumns.end(), [&](const auto& each) { return each.name == column; });
+  return static_cast<std::size_t>(found - kColumns.begin());
+}
 
 /// The first line of a text, and not too much of it.
 std::string firstLine(const std::string& text) {
@@ -48,13 +57,23 @@ std::string firstLine(const std::string& text) {
 
 std::optional<double> numberAt(const Json& report, std::string_view pointer) {
   const Json::json_pointer where{std::string(pointer)};
-  if (!report.contains(where) || !report.at(where).is_number()) return std::nullopt;
+  if (!report.contains(where)) return std::nullopt;
+  if (report.at(where).is_array()) return static_cast<double>(report.at(where).size());
+  if (!report.at(where).is_number()) return std::nullopt;
   return report.at(where).get<double>();
 }
 
 std::string textAt(const Json& report, const char* pointer) {
   const Json::json_pointer where(pointer);
   return report.contains(where) && report.at(where).is_string() ? report.at(where).get<std::string>() : "";
+}
+
+/// Of `glissade-cli sequence`; else nothing.
+std::optional<RunStatus> statusOfSequence(const Json& report) {
+  if (textAt(report, "/format") != "glissade-plan") return std::nullopt;
+  const std::string end = textAt(report, "/end");
+  if (end == "complete") return RunStatus::Solved;
+  return end == "stuck" ? RunStatus::NoPath : RunStatus::Time;
 }
 
 /// What guarded() and the standard library say where memory ends: in the error of the report, or on standard error.
@@ -64,6 +83,7 @@ RunStatus statusOf(const ChildEnd& end, const Json& report, const RunOutcome& ou
   if (end.ending == ChildEnding::TimeOver) return RunStatus::Time;
   if (saysOutOfMemory(end.errors) || saysOutOfMemory(outcome.result.message)) return RunStatus::Memory;
   if (end.signal != 0 || !report.is_object()) return RunStatus::Crashed;
+  if (const auto sequence = statusOfSequence(report)) return *sequence;
   const std::string said = textAt(report, "/status");
   if (report.contains("error") && said.empty()) return RunStatus::Error;
   const auto status = runStatusOf(said);
@@ -111,6 +131,14 @@ RunOutcome outcomeOf(const ChildEnd& end, double timeLimit) {
     }
     outcome.result.certificate = textAt(report, "/certificate/status");
     outcome.timing.planningSeconds = numberAt(report, "/planning_s");
+    if (statusOfSequence(report)) {
+      if (outcome.result.numbers[indexOf("parts_removed")].value_or(0.0) > 0.0)
+        outcome.result.certificate = "certified";
+      outcome.result.numbers[indexOf("steps")].reset();  // those of a planner
+      outcome.timing.planningSeconds = numberAt(report, "/wall_s");
+    } else {
+      outcome.result.numbers[indexOf("sequence_steps")].reset();
+    }
     outcome.timing.planningCpuSeconds = numberAt(report, "/planning_cpu_s");
   }
   outcome.result.message = messageOf(end, report);

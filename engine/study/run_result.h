@@ -18,7 +18,7 @@ struct ResultColumn {
   std::string_view pointer;  ///< JSON pointer into the report
   bool summarised;           ///< has quartiles and means in the summary
 };
-inline constexpr std::size_t kResultColumnCount = 24;
+inline constexpr std::size_t kResultColumnCount = 27;
 const std::array<ResultColumn, kResultColumnCount>& resultColumns();
 
 /// How a run ended. The last four are the machine's answer, not the planner's.

@@ -86,7 +86,14 @@ std::string scenarioFileOf(const std::string& studyFile, const StudyCell& cell) 
   return (std::filesystem::path(folderOf(studyFile)) / cell.scenario).lexically_normal().string();
 }
 
+bool isSequence(const StudyCell& cell) { return cell.strategy.starts_with(kSequencePrefix); }
+
 std::vector<std::string> planArguments(const StudyCell& cell, std::uint64_t seed, const std::string& scenarioFile) {
+  if (isSequence(cell)) {
+    return {"sequence", scenarioFile,         "--strategy",   cell.strategy.substr(kSequencePrefix.size()),
+            "--seed",   std::to_string(seed), "--time-limit", toText(cell.settings.at(ParameterId::TimeLimit)),
+            "--json"};
+  }
   std::vector<std::string> arguments{"plan",       scenarioFile,      "--strategy", cell.strategy,
                                      "--operator", cell.operatorName, "--seed",     std::to_string(seed)};
   for (const auto& [id, value] : cell.settings) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "engine/base/result.h"
 #include "engine/study/study.h"
@@ -44,6 +45,10 @@ std::vector<StudyRun> runsOf(const Study& study, const Shard& shard);
 
 /// The scenario of a cell, for a study that was read from `studyFile`.
 std::string scenarioFileOf(const std::string& studyFile, const StudyCell& cell);
+
+/// Runs whose strategy is kSequencePrefix and one of assembly plans find a sequence, not a path.
+inline constexpr std::string_view kSequencePrefix = "sequence-";
+bool isSequence(const StudyCell& cell);
 
 /// Arguments of the glissade-cli that carries the run out.
 std::vector<std::string> planArguments(const StudyCell& cell, std::uint64_t seed, const std::string& scenarioFile);

@@ -5,8 +5,10 @@
 
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
+#include "engine/sequence/sequence_strategy.h"
 #include "engine/study/finding_reader.h"
 #include "engine/study/study_axes.h"
+#include "engine/study/study_plan.h"
 
 namespace glissade {
 namespace {
@@ -65,7 +67,12 @@ ParameterId readParameterId(const JsonCursor& at, const std::string& key) {
 
 class Reader {
  public:
-  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistry())) {}
+  explicit Reader(const JsonCursor& root) : root_(root), strategies_(idsOf(makePlannerRegistry())) {
+    const SequenceStrategyRegistry sequences = makeSequenceStrategyRegistry();
+    for (const SequenceStrategyEntry& entry : sequences.entries()) {
+      strategies_.push_back(std::string(kSequencePrefix) + entry.id);
+    }
+  }
 
   Study read(bool quick) {
     root_.allowOnly({"format", "version", "name", "title", "description", "citation", "paper", "scenarios",
@@ -298,7 +305,22 @@ class Reader {
       runs += cellCount(row) * static_cast<double>(row.axes.seeds.size());
       if (cells > kMostCells || runs > kMostRuns)
         locationOf(row).fail("makes too many runs", "Vary less, or less finely.");
-      for (StudyCell& cell : cellsOf(row)) study_.cells.push_back(std::move(cell));
+      for (StudyCell& cell : cellsOf(row)) {
+        if (isSequence(cell)) expectOfSequence(cell, row);
+        study_.cells.push_back(std::move(cell));
+      }
+    }
+  }
+
+  /// A sequence has a time limit, and no parameters of paths; other limits do not concern it.
+  void expectOfSequence(const StudyCell& cell, const StudyRow& row) const {
+    if (cell.operatorName != "none") locationOf(row).fail("is a sequence with an operator", "Say \"none\".");
+    if (cell.settings.count(ParameterId::TimeLimit) == 0) {
+      locationOf(row).fail("is a sequence without a time limit", "Give time_limit under \"limits\".");
+    }
+    for (const auto& [id, value] : cell.settings) {
+      if (isLimit(id)) continue;
+      locationOf(row).fail("is a sequence, which has no parameter " + std::string(specOf(id).key), "Give limits only.");
     }
   }
 

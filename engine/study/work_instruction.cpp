@@ -125,6 +125,11 @@ class Composer {
     if (const auto held = plain_.standing(step, content_.product); !held.empty()) {
       rows.push_back({say("To be held"), held});
     }
+    std::string forced;
+    for (const std::string& text : plain_.violations(step, content_.product)) {
+      forced += (forced.empty() ? "" : "; ") + text;
+    }
+    if (!forced.empty()) rows.push_back({say("Forced, although"), forced});
     const auto allowances = plain_.allowances(step, content_.product);
     if (allowances.empty()) rows.push_back({say("Allowance"), say("none")});
     for (const std::string& text : allowances) rows.push_back({say("Allowance"), text});

@@ -1355,6 +1355,78 @@
         <source>Show which step makes way for which, and who blocks the parts that are stuck</source>
         <translation>Montrer quelle étape fait place à quelle autre, et ce qui bloque les pièces bloquées</translation>
     </message>
+    <message>
+        <source>Move the step up</source>
+        <translation>Monter l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Move the chosen step of the sequence one row up; the rest is planned anew</source>
+        <translation>Monter l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
+    </message>
+    <message>
+        <source>Move the step down</source>
+        <translation>Descendre l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Move the chosen step of the sequence one row down; the rest is planned anew</source>
+        <translation>Descendre l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k the step</source>
+        <translation>&amp;Verrouiller l&apos;étape</translation>
+    </message>
+    <message>
+        <source>The chosen steps keep their places and motions, or not any more</source>
+        <translation>Les étapes choisies gardent leurs places et leurs mouvements, ou ne les gardent plus</translation>
+    </message>
+    <message>
+        <source>Forbid this &amp;way of leaving</source>
+        <translation>Interdire cette &amp;sortie</translation>
+    </message>
+    <message>
+        <source>The parts of the chosen step are not to leave in its direction</source>
+        <translation>Les pièces de l&apos;étape choisie ne doivent pas sortir dans sa direction</translation>
+    </message>
+    <message>
+        <source>Keep the order of the chosen steps</source>
+        <translation>Garder l&apos;ordre des étapes choisies</translation>
+    </message>
+    <message>
+        <source>Of several chosen steps, each is to leave before the next one</source>
+        <translation>De plusieurs étapes choisies, chacune doit précéder la suivante</translation>
+    </message>
+    <message>
+        <source>No demands on the step</source>
+        <translation>Aucune exigence sur l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Take back what is demanded of the chosen parts: places, motions, directions, order</source>
+        <translation>Retirer ce qui est exigé des pièces choisies : places, mouvements, directions, ordre</translation>
+    </message>
+    <message>
+        <source>Move &amp;by hand</source>
+        <translation>Mouvoir à la &amp;main</translation>
+    </message>
+    <message>
+        <source>Take the part of the chosen step in the hand, among the parts that are there then</source>
+        <translation>Prendre en main la pièce de l&apos;étape choisie, parmi les pièces alors présentes</translation>
+    </message>
+    <message>
+        <source>&amp;Take the path as the step</source>
+        <translation>&amp;Prendre le chemin comme étape</translation>
+    </message>
+    <message>
+        <source>Go back to the sequence with the certified path of the part that was moved by hand</source>
+        <translation>Revenir à la séquence avec le chemin certifié de la pièce mue à la main</translation>
+    </message>
+    <message>
+        <source>Back to the sequence</source>
+        <translation>Retour à la séquence</translation>
+    </message>
+    <message>
+        <source>Go back to the sequence without a path</source>
+        <translation>Revenir à la séquence sans chemin</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -5212,77 +5284,13 @@
         <source>The assembly plan was saved as %1</source>
         <translation>Le plan d&apos;assemblage a été enregistré dans %1</translation>
     </message>
+    <message>
+        <source>Demands of the sequence that is opened</source>
+        <translation>Exigences de la séquence ouverte</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SequencePanel</name>
-    <message>
-        <source>certified</source>
-        <translation>certifiée</translation>
-    </message>
-    <message>
-        <source>✓ proved again</source>
-        <translation>✓ prouvée de nouveau</translation>
-    </message>
-    <message>
-        <source>✗ does not hold here</source>
-        <translation>✗ ne tient pas ici</translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation>N°</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Pièce</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>Clearance</source>
-        <translation>Jeu</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>Tolérance</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>Outil</translation>
-    </message>
-    <message>
-        <source>Standing</source>
-        <translation>Équilibre</translation>
-    </message>
-    <message>
-        <source>The tool that turns the fastener, and what it cannot be brought past</source>
-        <translation>L'outil qui tourne la fixation, et ce devant quoi il ne passe pas</translation>
-    </message>
-    <message>
-        <source>Parts that would tip or fall</source>
-        <translation>Pièces qui basculeraient ou tomberaient</translation>
-    </message>
-    <message>
-        <source>Found after</source>
-        <translation>Trouvée après</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>État</translation>
-    </message>
-    <message>
-        <source>Seconds after planning began</source>
-        <translation>Secondes depuis le début de la planification</translation>
-    </message>
-    <message>
-        <source>The largest of the step; its tool tip lists all</source>
-        <translation>La plus grande de l&apos;étape ; son infobulle les énumère toutes</translation>
-    </message>
-    <message>
-        <source>Steps of the sequence</source>
-        <translation>Étapes de la séquence</translation>
-    </message>
     <message>
         <source>Place in the sequence</source>
         <translation>Position dans la séquence</translation>
@@ -5298,26 +5306,6 @@
     <message>
         <source>E&amp;xplode</source>
         <translation>É&amp;claté</translation>
-    </message>
-    <message>
-        <source>proved %1; smallest %2 to %3</source>
-        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
-    </message>
-    <message>
-        <source>found by %1</source>
-        <translation>trouvée par %1</translation>
-    </message>
-    <message>
-        <source>no motion found</source>
-        <translation>aucun mouvement trouvé</translation>
-    </message>
-    <message>
-        <source>blocked by %1</source>
-        <translation>bloquée par %1</translation>
-    </message>
-    <message>
-        <source>stuck</source>
-        <translation>bloquée</translation>
     </message>
     <message>
         <source>No product is open.</source>
@@ -5350,6 +5338,259 @@
     <message>
         <source>%1 steps do not hold here.</source>
         <translation>%1 étapes ne tiennent pas ici.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>&amp;Demands</source>
+        <translation>&amp;Exigences</translation>
+    </message>
+    <message>
+        <source>Forbid a &amp;direction</source>
+        <translation>Interdire une &amp;direction</translation>
+    </message>
+    <message>
+        <source>Ste&amp;p</source>
+        <translation>Éta&amp;pe</translation>
+    </message>
+    <message>
+        <source>Move, lock or free the chosen step, or move its part by hand</source>
+        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou mouvoir sa pièce à la main</translation>
+    </message>
+    <message>
+        <source>&amp;Cost</source>
+        <translation>&amp;Coût</translation>
+    </message>
+    <message>
+        <source>What a step costs</source>
+        <translation>Ce que coûte une étape</translation>
+    </message>
+    <message>
+        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; &quot;as found&quot;: the order in which the parts were found to leave</source>
+        <translation>L&apos;ordre le moins coûteux est choisi. Une expression, comme 5 * tool_change + length, ou une de la liste ; « tel que trouvé » : l&apos;ordre dans lequel les sorties ont été trouvées</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>tel que trouvé</translation>
+    </message>
+    <message>
+        <source>%1 forced.</source>
+        <translation>%1 forcées.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StepTable</name>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>✓ proved</source>
+        <translation>✓ prouvée</translation>
+    </message>
+    <message>
+        <source>✗ not here</source>
+        <translation>✗ pas ici</translation>
+    </message>
+    <message>
+        <source>certified when it was found</source>
+        <translation>certifiée quand elle a été trouvée</translation>
+    </message>
+    <message>
+        <source>proved again by the independent check</source>
+        <translation>prouvée de nouveau par la vérification indépendante</translation>
+    </message>
+    <message>
+        <source>does not hold in this arrangement</source>
+        <translation>ne tient pas dans cette disposition</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillée</translation>
+    </message>
+    <message>
+        <source>placed</source>
+        <translation>placée</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Équilibre</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Above: smallest distance to other parts. Below: the largest allowance of the step; its tool tip lists all</source>
+        <translation>En haut : la plus petite distance aux autres pièces. En bas : la plus grande tolérance de l&apos;étape ; son infobulle les énumère toutes</translation>
+    </message>
+    <message>
+        <source>Above: the tool that turns the fastener, and what it cannot be brought past. Below: parts that would tip or fall, or what a forced step does not keep</source>
+        <translation>En haut : l&apos;outil qui tourne la fixation, et ce devant quoi il ne passe pas. En bas : les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
+    </message>
+    <message>
+        <source>Above: whether the motion is proved. Below: what a person has done to the step, or the seconds after which it was found</source>
+        <translation>En haut : si le mouvement est prouvé. En bas : ce qu&apos;une personne a fait de l&apos;étape, ou les secondes après lesquelles elle a été trouvée</translation>
+    </message>
+    <message>
+        <source>Steps of the sequence</source>
+        <translation>Étapes de la séquence</translation>
+    </message>
+    <message>
+        <source>proved %1; smallest %2 to %3</source>
+        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
+    </message>
+    <message>
+        <source>forced: %1</source>
+        <translation>forcée : %1</translation>
+    </message>
+    <message>
+        <source>found by %1</source>
+        <translation>trouvée par %1</translation>
+    </message>
+    <message>
+        <source>found after %1</source>
+        <translation>trouvée après %1</translation>
+    </message>
+    <message>
+        <source>no motion found</source>
+        <translation>aucun mouvement trouvé</translation>
+    </message>
+    <message>
+        <source>blocked by %1</source>
+        <translation>bloquée par %1</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloquée</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceEdits</name>
+    <message>
+        <source>Cost of steps</source>
+        <translation>Coût des étapes</translation>
+    </message>
+    <message>
+        <source>The sequence cannot be planned so</source>
+        <translation>La séquence ne peut pas être planifiée ainsi</translation>
+    </message>
+    <message>
+        <source>%1 as step %2</source>
+        <translation>%1 comme étape %2</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Verrouiller %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Déverrouiller %1</translation>
+    </message>
+    <message>
+        <source>%1 not %2</source>
+        <translation>%1 pas %2</translation>
+    </message>
+    <message>
+        <source>Forbid the way of %1</source>
+        <translation>Interdire la sortie de %1</translation>
+    </message>
+    <message>
+        <source>Keep the order of %1</source>
+        <translation>Garder l&apos;ordre de %1</translation>
+    </message>
+    <message>
+        <source>No demands on %1</source>
+        <translation>Aucune exigence sur %1</translation>
+    </message>
+    <message>
+        <source>Remove: %1</source>
+        <translation>Retirer : %1</translation>
+    </message>
+    <message>
+        <source>%1 is locked as step %2 of removal</source>
+        <translation>%1 est verrouillée comme étape %2 du démontage</translation>
+    </message>
+    <message>
+        <source>%1 leaves as step %2</source>
+        <translation>%1 sort comme étape %2</translation>
+    </message>
+    <message>
+        <source>%1 leaves by the motion by hand</source>
+        <translation>%1 sort par le mouvement à la main</translation>
+    </message>
+    <message>
+        <source>%1 keeps its motion</source>
+        <translation>%1 garde son mouvement</translation>
+    </message>
+    <message>
+        <source>%1 does not leave %2</source>
+        <translation>%1 ne sort pas %2</translation>
+    </message>
+    <message>
+        <source>%1 leaves before %2</source>
+        <translation>%1 sort avant %2</translation>
+    </message>
+    <message>
+        <source>%1 leave as one</source>
+        <translation>%1 sortent ensemble</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceHand</name>
+    <message>
+        <source>The step cannot be moved by hand</source>
+        <translation>L&apos;étape ne peut pas être faite à la main</translation>
+    </message>
+    <message>
+        <source>Move %1 by hand</source>
+        <translation>Mouvoir %1 à la main</translation>
+    </message>
+    <message>
+        <source>%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
+        <translation>%1 est dans votre main, parmi les pièces présentes à son étape. Démarrer (F5) commence une recherche. Son chemin certifié devient l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>%1 by hand</source>
+        <translation>%1 à la main</translation>
+    </message>
+    <message>
+        <source>The path by hand is the motion of %1.</source>
+        <translation>Le chemin à la main est le mouvement de %1.</translation>
     </message>
 </context>
 <context>

@@ -642,6 +642,38 @@ TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   EXPECT_EQ(read(again), read(plan)) << "what is resumed becomes the same plan";
 }
 
+TEST_F(Cli, AKilledSequenceGoesOnFromWhatWasFound) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string whole = (folder / "whole.json").string();
+  ASSERT_EQ(run("sequence " + product + " --out " + whole).exitCode, 1);
+  const std::string plan = (folder / "plan.json").string();
+  // Killed as soon as there is a plan, or when it has ended.
+  const std::string program = test::programDirectory() + "/glissade-cli";
+  const std::string script =
+      write("kill.sh", program + " sequence " + product + " --save-every 0 --out " + plan + " & pid=$!\nwhile [ ! -e " +
+                           plan + " ] && kill -0 $pid; do :; done\n" + "kill -9 $pid\nwait $pid\n");
+  ASSERT_NE(std::system(("sh " + script + " 2>/dev/null").c_str()), -1);
+  ASSERT_EQ(run("sequence " + product + " --resume " + plan + " --out " + plan).exitCode, 1);
+  EXPECT_EQ(read(plan), read(whole)) << "what is resumed becomes the same plan";
+}
+
+TEST_F(Cli, APersonsDemandsOnStepsAreKeptAndJudged) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string plan = (folder / "plan.json").string();
+  const Json report = Json::parse(run("sequence " + product + " --json --out " + plan).out);
+  const std::string last = report["steps"].back()["bodies"][0];
+  const std::string placed = "sequence " + product + " --json --out " + plan + " --place 1," + last;
+  const Json forced = Json::parse(run(placed).out);
+  EXPECT_EQ(forced["sequence"]["places"][0]["place"], 1);
+  const bool first = forced["steps"][0]["bodies"][0] == last;
+  EXPECT_TRUE(first || forced["stuck"].size() > report["stuck"].size()) << forced;
+  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 0);
+  EXPECT_EQ(run("sequence " + product + " --resume " + plan + " --place 2," + last).exitCode, 2);
+  for (const char* wrong : {"--place 0,block", "--place 1,plate", "--forbid block,-q", "--save-every -1"}) {
+    EXPECT_EQ(run("sequence " + product + " " + wrong).exitCode, 2) << wrong;
+  }
+}
+
 TEST_F(Cli, InterlockedSamplesLeaveByATurnOrAsAGroupOrAreRefused) {
   const std::string folderOfSamples = glissade::test::sourceDirectory() + "/samples/interlocked/";
   const std::string plan = (folder / "plan.json").string();

@@ -28,11 +28,20 @@ class SequencePanelTest : public ::testing::Test {
     panel.setPlan(shown);
   }
 
-  QTreeWidget& table() { return *panel.findChild<QTreeWidget*>(); }
+  StepTable& table() { return *panel.findChild<StepTable*>(); }
   QStringList parts() {
     QStringList names;
-    for (int i = 0; i < table().topLevelItemCount(); ++i) names << table().topLevelItem(i)->text(1);
+    for (int i = 0; i < table().topLevelItemCount(); ++i)
+      names << table().topLevelItem(i)->text(1).section(QLatin1Char('\n'), 0, 0);
     return names;
+  }
+
+  /// Drags the row of one step onto the upper or the lower half of another one's.
+  void drag(int from, int to, bool below) {
+    table().resize(400, 400);
+    table().setCurrentItem(table().topLevelItem(from));
+    const QRect there = table().visualItemRect(table().topLevelItem(to));
+    table().dropAt({there.center().x(), below ? there.bottom() - 1 : there.top() + 1});
   }
 
   ActionCatalogue actions;
@@ -42,10 +51,10 @@ class SequencePanelTest : public ::testing::Test {
 
 TEST_F(SequencePanelTest, StepsAreRowsInTheOrderThatIsAskedForAndStuckPartsFollow) {
   EXPECT_EQ(parts(), (QStringList{QStringLiteral("cap"), QStringLiteral("pin"), QStringLiteral("drawer")}));
-  EXPECT_TRUE(table().topLevelItem(0)->text(2).startsWith(QStringLiteral("up")));
+  EXPECT_TRUE(table().topLevelItem(0)->text(1).contains(QStringLiteral("\nup")));
   panel.setOrder(PlanOrder::Assembly);
   EXPECT_EQ(parts(), (QStringList{QStringLiteral("pin"), QStringLiteral("cap"), QStringLiteral("drawer")}));
-  EXPECT_TRUE(table().topLevelItem(0)->text(2).startsWith(QStringLiteral("down")));
+  EXPECT_TRUE(table().topLevelItem(0)->text(1).contains(QStringLiteral("\ndown")));
 }
 
 TEST_F(SequencePanelTest, TheOrderDoesNotChangeWhatIsShown) {
@@ -68,12 +77,50 @@ TEST_F(SequencePanelTest, ARowShowsItsStep) {
   EXPECT_FALSE(panel.chooseStep(2));
 }
 
+TEST_F(SequencePanelTest, ADraggedStepIsAnnouncedAndStaysUntilThePlanIsAnother) {
+  QSignalSpy moved(&panel, &SequencePanel::stepMoved);
+  drag(1, 0, false);
+  ASSERT_EQ(moved.size(), 1);
+  EXPECT_EQ(moved[0][0].toInt(), 1);
+  EXPECT_EQ(moved[0][1].toInt(), 0);
+  EXPECT_EQ(parts().front(), QStringLiteral("cap"));
+  drag(0, 2, true);
+  ASSERT_EQ(moved.size(), 2);
+  EXPECT_EQ(moved[1][1].toInt(), 1) << "not behind what is stuck";
+  drag(0, 0, true);
+  drag(2, 0, false);
+  EXPECT_EQ(moved.size(), 2) << "nowhere else, and a stuck part";
+  panel.setOrder(PlanOrder::Assembly);
+  drag(1, 0, false);
+  ASSERT_EQ(moved.size(), 3);
+  EXPECT_EQ(moved[2][0].toInt(), 0);
+  EXPECT_EQ(moved[2][1].toInt(), 1);
+}
+
+TEST_F(SequencePanelTest, ARowSaysWhatAPersonHasDoneAndWhatIsForced) {
+  auto plan = std::make_shared<AssemblyPlan>(*shown.plan);
+  plan->demands.places = {{{"cap"}, 1, true}};
+  plan->steps[1].method = kByHand;
+  plan->steps[1].violates = {{StepViolation::Rule::Fastener, {"cap"}}};
+  shown.plan = plan;
+  panel.setAtOnce(true);
+  panel.setPlan(shown);
+  EXPECT_TRUE(table().topLevelItem(0)->text(4).contains(QStringLiteral("locked")));
+  EXPECT_TRUE(table().topLevelItem(1)->text(4).contains(QStringLiteral("by hand")));
+  EXPECT_TRUE(table().topLevelItem(1)->text(3).contains(QStringLiteral("nuts still on it: cap")));
+  EXPECT_FALSE(table().topLevelItem(0)->icon(1).isNull());
+}
+
 TEST_F(SequencePanelTest, AStuckPartIsAnnounced) {
   QSignalSpy chosen(&panel, &SequencePanel::stuckChosen);
   table().setCurrentItem(table().topLevelItem(2));
   ASSERT_EQ(chosen.size(), 1);
   EXPECT_EQ(chosen[0][0].toString(), QStringLiteral("drawer"));
   EXPECT_FALSE(panel.chosenStep());
+  panel.showTime(2.0);
+  EXPECT_EQ(panel.chosenStuck(), "drawer") << "it is shown when all that leave have left";
+  panel.showTime(0.5);
+  EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(0));
 }
 
 TEST_F(SequencePanelTest, APlanThatGrowsKeepsThePlaceAndHasNoStuckParts) {

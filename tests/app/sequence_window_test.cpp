@@ -70,6 +70,41 @@ TEST_F(SequenceWindow, WhatStaysIsUndoneAndKeptByTheScenario) {
   EXPECT_TRUE(content("bar.json").simplified().contains("\"staying\": [ \"stand/bar\" ]"));
 }
 
+TEST_F(SequenceWindow, APersonMovesLocksAndForbidsStepsAndTakesItBack) {
+  expectGood(runOnStand(
+      QStringLiteral(
+          "plan-sequence all\nmove-step 6 2\nexpect-row 2 bar\nexpect-row 2 placed\nexpect-sequence steps 10\n"
+          "show-step 8\naction sequence.lock\nexpect-row 8 locked\naction sequence.step-down\n"
+          "expect-row 9 cap_left\nexpect-sequence steps 10\nexport-sequence %1\naction edit.undo\n"
+          "expect-row 8 locked\naction edit.undo\naction edit.undo\nexpect-row 6 bar\n"
+          "expect-sequence end complete\naction edit.redo\nexpect-row 2 bar\naction edit.undo\n"
+          // What cannot be proved at its place is stuck.
+          "move-step 7 1\nexpect-sequence end stuck\nexpect-sequence stuck 2\naction edit.undo\n"
+          "show-step 10\nexpect-row 10 up\nforbid-direction +z\nexpect-sequence end complete\n"
+          "select-steps 1 2\naction sequence.keep-order\nexpect-sequence steps 10\nset-cost few-tools\n"
+          "expect-sequence steps 10\nsave %2\nopen-sequence %1\nexpect-sequence proved 10\nexpect-row 2 placed\n")
+          .arg(file("plan.json"), file("demands.json"))));
+  EXPECT_TRUE(content("demands.json").contains("\"forbidden\""));
+  EXPECT_TRUE(content("demands.json").contains("few-tools"));
+  EXPECT_TRUE(content("plan.json").contains("\"locked\": true"));
+}
+
+TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
+  const QString turn = kSource + QStringLiteral("/samples/interlocked/turn.json");
+  expectGood(run(turn, QStringLiteral("plan-sequence all\nexpect-sequence steps 1\nshow-step 1\n"
+                                      "action sequence.by-hand\nexpect-sequence end none\naction sequence.leave-hand\n"
+                                      "expect-sequence steps 1\nshow-step 1\naction sequence.by-hand\n"
+                                      "action run.start\nwait solved 20000\n"
+                                      "expect-sequence end complete\nexpect-row 1 hand\nexport-sequence %1\n"
+                                      "action edit.undo\nexpect-row 1 certified\n")
+                           .arg(file("hand.json"))));
+  EXPECT_TRUE(content("hand.json").contains("\"method\": \"by hand\""));
+  // Links of a URDF come as one.
+  expectGood(
+      runOnStand(QStringLiteral("plan-sequence all\nshow-step 7\naction sequence.by-hand\nexpect-log alone\n"
+                                "expect-sequence steps 10\n")));
+}
+
 TEST_F(SequenceWindow, EveryFormatIsWritten) {
   expectGood(runOnStand(QStringLiteral("plan-sequence all\naction sequence.assembly-order\nexport-sequence %1\n"
                                        "export-sequence %2\nexport-sequence %3\nexport-sequence %4\n")

@@ -112,6 +112,32 @@ TEST_F(StudyCli, TwoShardsMergedAreTheStudyInOneProcess) {
   expectSameTables("whole", "merged");
 }
 
+TEST_F(StudyCli, SequencesAreRunsAsPathsAre) {
+  const std::string samples = test::sourceDirectory() + "/samples/interlocked/";
+  Json study = test::tinyStudy();
+  study["scenarios"] = {samples + "group.json", samples + "two-hands.json"};
+  study["strategies"] = {"sequence-greedy"};
+  study["limits"] = {{"time_limit", 60}};
+  study["rows"] = {{{"label", "interlocked"}}};
+  study["seeds"] = {1};
+  study.erase("quick");
+  study["paper"] = {
+      {{"key", "parts"}, {"title", "Parts"}, {"measure", "parts_removed"}, {"statistic", "median"}, {"over", "all"}}};
+  use(study);
+  for (const char* shard : {"1", "2"}) {
+    ASSERT_EQ(shell(command("shard-" + std::string(shard), "--shard " + std::string(shard) + "/2")), 0) << said;
+  }
+  ASSERT_EQ(shell(kCli + " merge " + path("shard-1") + " " + path("shard-2") + " --out " + path("merged")), 0) << said;
+  const std::string runs = test::readWhole(path("merged") + "/runs.csv");
+  EXPECT_THAT(runs, HasSubstr("solved"));
+  EXPECT_THAT(runs, HasSubstr("no-path"));
+  EXPECT_THAT(runs, HasSubstr("parts_removed"));
+  study["operators"] = {"expert"};
+  use(study);
+  EXPECT_EQ(shell(command("wrong")), 3) << said;
+  EXPECT_THAT(said, HasSubstr("is a sequence with an operator"));
+}
+
 TEST_F(StudyCli, ASlurmTaskIsAShard) {
   const std::string script = test::sourceDirectory() + "/samples/studies/slurm.sh";
   const std::string common = "CLI=" + kCli + " STUDY=" + files.file + " OUT=" + path("array") + " ";

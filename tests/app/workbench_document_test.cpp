@@ -125,7 +125,7 @@ TEST_F(WorkbenchDocumentTest, EveryChangeIsOneRoundOfThreePhases) {
   std::vector<std::string> rounds;
   record(document, rounds);
   document.open(ScenarioPtr(document.scenario()));
-  EXPECT_EQ(rounds, (std::vector<std::string>{"view 511", "session 511", "panels 511"}));
+  EXPECT_EQ(rounds, (std::vector<std::string>{"view 1023", "session 1023", "panels 1023"}));
   rounds.clear();
   Scenario without = document.current();
   without.attributeDefinitions.clear();

@@ -93,15 +93,20 @@ class AnnouncingHost final : public SequenceHost {
 
 std::size_t helpers() { return std::max(1U, std::thread::hardware_concurrency()) - 1; }
 
+using FitsPtr = std::shared_ptr<const ProductFits>;
+using FindFits = std::function<Result<FitsPtr>(ThreadTeam& team)>;
+
 Result<GrownPlan> planOf(const SequenceJob& job, const WorkWatch& watch, const StopSource& stop,
-                         const AnnouncingHost::Announce& announce) {
+                         const FindFits& findFits, const AnnouncingHost::Announce& announce) {
   ThreadTeam team(helpers());
   const AssembledProduct& product = *job.product;
-  const auto fits = ProductFits::find(product, team, stop.token());
-  if (!fits) return fits.error();
+  const auto found = findFits(team);
+  if (!found) return found.error();
+  const ProductFits& fits = **found;
   watch.report(kFitsShare);
   AnnouncingHost host(job, watch, stop, team, announce);
-  auto plan = planSequence(product, *fits, {job.staying, job.strategy, job.seed, job.demands, job.resumed.get()}, host);
+  auto plan = planSequence(
+      product, fits, {job.staying, job.strategy, job.seed, job.demands, job.resumed.get(), job.known.get()}, host);
   if (!plan) return plan.error();
   return host.ended(std::move(*plan));
 }
@@ -132,11 +137,21 @@ void SequencePlanner::plan(const SequenceJob& job, bool atOnce) {
   const auto announce = [this, request](const GrownPlan& grown) {
     deliver([this, grown] { emit this->grown(grown); }, request);
   };
+  const auto findFits = [known = known_, product = job.product, stop = stop_](ThreadTeam& team) -> Result<FitsPtr> {
+    const std::lock_guard lock(known->mutex);
+    if (known->product != product) {
+      auto fits = ProductFits::find(*product, team, stop.token());
+      if (!fits) return fits.error();
+      known->fits = std::make_shared<const ProductFits>(std::move(*fits));
+      known->product = product;
+    }
+    return known->fits;
+  };
   planning_ = true;
   task_.start(
       "planning the sequence",
-      [this, job, stop = stop_, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        const auto found = std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, announce));
+      [this, job, stop = stop_, findFits, announce](const WorkWatch& watch) -> BackgroundTask::Delivery {
+        const auto found = std::make_shared<const Result<GrownPlan>>(planOf(job, watch, stop, findFits, announce));
         return [this, found] {
           planning_ = false;
           if (*found) {

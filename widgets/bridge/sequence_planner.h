@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "engine/sequence/assembled_product.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/order_rules.h"
+#include "engine/sequence/product_fits.h"
 #include "widgets/bridge/background_task.h"
 
 namespace glissade {
@@ -24,6 +26,7 @@ struct SequenceJob {
   std::string strategy = "greedy";
   std::uint64_t seed = 1;
   PlanPtr resumed;                       ///< goes on from this plan; null: begins anew
+  PlanPtr known;                         ///< of the same product with other demands: its motions need not be searched
   std::optional<std::size_t> mostSteps;  ///< stops once the plan has so many
 };
 
@@ -67,7 +70,15 @@ class SequencePlanner final : public QObject {
  private:
   void deliver(const std::function<void()>& signal, std::uint64_t request);
 
+  /// Of the product that was planned last: its fits do not depend on demands. Used on the worker.
+  struct KnownFits {
+    std::mutex mutex;
+    ProductPtr product;
+    std::shared_ptr<const ProductFits> fits;
+  };
+
   BackgroundTask task_;
+  std::shared_ptr<KnownFits> known_ = std::make_shared<KnownFits>();
   StopSource stop_;
   std::uint64_t request_ = 0;
   bool planning_ = false;

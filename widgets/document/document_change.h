@@ -14,11 +14,12 @@ enum class Change {
   Settings = 0x20,     ///< strategy, seed and parameters of the next run
   Results = 0x40,      ///< the path
   File = 0x80,         ///< the file, and whether it has all edits
-  Paths = 0x100        ///< the paths that are kept
+  Paths = 0x100,       ///< the paths that are kept
+  Sequence = 0x200     ///< what is demanded of assembly plans
 };
 Q_DECLARE_FLAGS(Changes, Change)
 Q_DECLARE_OPERATORS_FOR_FLAGS(Changes)
 
-inline constexpr int kEveryChange = 0x1ff;
+inline constexpr int kEveryChange = 0x3ff;
 
 }  // namespace glissade

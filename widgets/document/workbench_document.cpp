@@ -53,6 +53,20 @@ class ArrangementCommand final : public QUndoCommand {
   QString mergeKey_;
 };
 
+class DemandsCommand final : public QUndoCommand {
+ public:
+  DemandsCommand(WorkbenchDocument& document, const QString& text, SequenceDemands after)
+      : QUndoCommand(text), document_(document), before_(document.demands()), after_(std::move(after)) {}
+
+  void undo() override { document_.takeDemands(before_); }
+  void redo() override { document_.takeDemands(after_); }
+
+ private:
+  WorkbenchDocument& document_;
+  SequenceDemands before_;
+  SequenceDemands after_;
+};
+
 WorkbenchDocument::WorkbenchDocument(QObject* parent)
     : QObject(parent),
       semantics_(undo_),
@@ -78,7 +92,7 @@ WorkbenchDocument::~WorkbenchDocument() {
 
 void WorkbenchDocument::announce(Changes what) {
   pending_ |= what;
-  if (what & (Change::Scenario | Change::Arrangement | Change::Semantics | Change::File)) ++version_;
+  if (what & (Change::Scenario | Change::Arrangement | Change::Semantics | Change::File | Change::Sequence)) ++version_;
   if (announcing_ || collecting_ || !scenario_) return;
   const QScopedValueRollback<bool> announcing(announcing_, true);
   while (pending_) {
@@ -106,6 +120,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     options_ = scenario->scenario.environment;
     settings_ = {scenario->scenario.planner, scenario->scenario.seed, scenario->parameters};
     results_ = {};
+    demands_ = scenario->scenario.sequence;
     unkept_ = false;
     undo_.clear();
     paths_.open(scenario->scenario.paths);
@@ -133,6 +148,7 @@ void WorkbenchDocument::finishOpening() {
 
 Scenario WorkbenchDocument::current() const {
   Scenario scenario = scenario_->scenario;
+  scenario.sequence = demands_;  // attributes of parts are edits, which come over it
   setSemanticEdits(semantics_.edits(), scenario);
   scenario.paths = paths_.paths();
   return scenario;
@@ -259,6 +275,15 @@ void WorkbenchDocument::setResults(const RunResults& results) {
     noteUnkept();
     announce(Change::Results);
   });
+}
+
+void WorkbenchDocument::setDemands(const QString& text, const SequenceDemands& demands) {
+  if (demands != demands_) undo_.push(new DemandsCommand(*this, text, demands));
+}
+
+void WorkbenchDocument::takeDemands(const SequenceDemands& demands) {
+  demands_ = demands;
+  announce(Change::Sequence);
 }
 
 void WorkbenchDocument::noteUnkept() {

@@ -65,6 +65,10 @@ class WorkbenchDocument final : public QObject {
   /// The paths that are kept in the scenario.
   PathShelf& paths() { return paths_; }
   const PathShelf& paths() const { return paths_; }
+  /// What is demanded of assembly plans, beside what attributes of bodies say.
+  const SequenceDemands& demands() const { return demands_; }
+  /// Undoable.
+  void setDemands(const QString& text, const SequenceDemands& demands);
   /// For observers; undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
@@ -132,6 +136,8 @@ class WorkbenchDocument final : public QObject {
 
  private:
   friend class ArrangementCommand;
+  friend class DemandsCommand;
+  void takeDemands(const SequenceDemands& demands);
   void announce(Changes what);
   /// Announces all that `change` does in one round.
   void changeInOneRound(const std::function<void()>& change);
@@ -148,6 +154,7 @@ class WorkbenchDocument final : public QObject {
   SemanticDocument semantics_;
   PathShelf paths_;
   ScenarioPtr scenario_;
+  SequenceDemands demands_;
   SemanticEditsPtr edits_ = std::make_shared<const SemanticEdits>();
   EnvironmentOptions options_;
   RunSettings settings_;

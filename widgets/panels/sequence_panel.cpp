@@ -1,8 +1,6 @@
 #include "widgets/panels/sequence_panel.h"
 
-#include <QHeaderView>
-#include <QLocale>
-#include <QScrollBar>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -10,28 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/commands/length_text.h"
+#include "engine/sequence/step_cost.h"
 
 namespace glissade {
 namespace {
 
-enum SequenceColumn {
-  Number,
-  PartName,
-  Motion,
-  LeastClearance,
-  LargestAllowance,
-  Tool,
-  Standing,
-  Seconds,
-  State,
-  SequenceColumns
-};
-
-constexpr int kStepRole = Qt::UserRole;       // counted in the plan
-constexpr int kStuckRole = Qt::UserRole + 1;  // id of a stuck part
-constexpr int kPartWidth = 110;
-constexpr int kMotionWidth = 150;
 /// Of the slider that plays: fine enough for the steps of large products.
 constexpr int kPlayPlaces = 100000;
 constexpr int kExplodePlaces = 200;
@@ -50,83 +31,40 @@ void onlyIcons(const QHBoxLayout& row) {
   }
 }
 
-void setNumber(QTreeWidgetItem& row, int column, const QString& text) {
-  row.setText(column, text);
-  row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
-}
-
-QString largestAllowanceText(const AssemblyStep& step) {
-  double largest = 0.0;
-  for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
-  return largest > 0.0 ? lengthText(largest) : QStringLiteral("–");
-}
-
-QString checkText(StepCheck check) {
-  switch (check) {
-    case StepCheck::NotAsked: return SequencePanel::tr("certified");
-    case StepCheck::Agrees: return SequencePanel::tr("✓ proved again");
-    case StepCheck::Disagrees: break;
-  }
-  return SequencePanel::tr("✗ does not hold here");
-}
-
 }  // namespace
-
-Language windowLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
 
 SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent),
       summary_(new QLabel(this)),
-      table_(new QTreeWidget(this)),
+      table_(new StepTable([this](const RigidBody& body) { return pictures_.of(body); }, this)),
       play_(new PlaySlider(kPlayPlaces, kLongestPlay, this)),
       explode_(new PlaySlider(kExplodePlaces, kExplodeSeconds, this)),
-      place_(new QLabel(this)) {
+      place_(new QLabel(this)),
+      cost_(new QComboBox(this)),
+      edits_(new QMenu(tr("Step"), this)),
+      demands_(new QMenu(tr("&Demands"), this)) {
   summary_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
   summary_->setObjectName(QStringLiteral("sequence-summary"));
-  table_->setObjectName(QStringLiteral("sequence"));
-  table_->setColumnCount(SequenceColumns);
-  table_->setHeaderLabels({tr("No."), tr("Part"), tr("Motion"), tr("Clearance"), tr("Allowance"), tr("Tool"),
-                           tr("Standing"), tr("Found after"), tr("State")});
-  table_->headerItem()->setToolTip(Tool, tr("The tool that turns the fastener, and what it cannot be brought past"));
-  table_->headerItem()->setToolTip(Standing, tr("Parts that would tip or fall"));
-  table_->headerItem()->setToolTip(Seconds, tr("Seconds after planning began"));
-  table_->headerItem()->setToolTip(LargestAllowance, tr("The largest of the step; its tool tip lists all"));
-  table_->setRootIsDecorated(false);
-  table_->setUniformRowHeights(true);
-  table_->setAlternatingRowColors(true);
-  table_->setTextElideMode(Qt::ElideMiddle);
-  table_->setAccessibleName(tr("Steps of the sequence"));
-  table_->setMinimumHeight(2 * fontMetrics().height());
-  table_->header()->setSectionResizeMode(QHeaderView::Interactive);
   play_->setAccessibleName(tr("Place in the sequence"));
   play_->setToolTip(tr("Place in the sequence"));
   explode_->setAccessibleName(tr("Exploded view"));
   explode_->setToolTip(tr("Moves the parts apart along the directions in which they leave"));
+  addEditing(actions);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
-  auto* planning = makeActionRow(
-      actions, {"sequence.plan", "sequence.resume", "sequence.graph", "sequence.open", "sequence.export"}, this);
-  onlyIcons(*planning);
-  qobject_cast<QToolButton*>(planning->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  layout->addLayout(planning);
+  layout->addLayout(makePlanningRow(actions));
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
-  auto* playing = makeActionRow(actions, {"sequence.play", "sequence.assembly-order", "sequence.aside"}, this);
-  onlyIcons(*playing);
-  playing->insertWidget(1, play_, 1);
-  playing->insertWidget(2, place_);
-  layout->addLayout(playing);
-  auto* exploding = new QHBoxLayout;
-  auto* title = new QLabel(tr("E&xplode"), this);
-  title->setBuddy(explode_);
-  exploding->addWidget(title);
-  exploding->addWidget(explode_, 1);
-  layout->addLayout(exploding);
+  layout->addLayout(makePlayingRow(actions));
+  layout->addLayout(makeExplodingRow());
   setFocusProxy(table_);
+  connect(&pictures_, &PartPictures::drawn, table_, &StepTable::takeIcons);
   connect(table_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) { showRow(row); });
   connect(table_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* row) { showRow(row); });
+  connect(table_, &QTreeWidget::itemSelectionChanged, this, &SequencePanel::selectionChanged);
+  connect(table_, &StepTable::stepDragged, this, &SequencePanel::stepMoved);
   connect(play_, &PlaySlider::shareShown, this, [this] {
     markRow();
     emit sceneChanged();
@@ -136,46 +74,114 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   setPlan({});
 }
 
-PlanWords SequencePanel::planWords() const {
-  return PlanWords(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });
+/// What a person can do to a step: the menu of the table, and of a button.
+void SequencePanel::addEditing(const ActionCatalogue& actions) {
+  auto* forbid = new QMenu(tr("Forbid a &direction"), this);
+  forbid->addAction(actions["sequence.forbid-way"]);
+  for (const char* axis : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
+    const QString id = QLatin1String(axis);
+    QString text = id.toUpper();
+    text.replace(QLatin1Char('-'), QChar(0x2212));
+    connect(forbid->addAction(text), &QAction::triggered, this, [this, id] { emit directionForbidden(id); });
+  }
+  for (const char* id : {"sequence.step-up", "sequence.step-down", "sequence.lock"}) {
+    edits_->addAction(actions[QLatin1String(id)]);
+  }
+  edits_->addMenu(forbid);
+  for (const char* id : {"sequence.keep-order", "sequence.free-step"}) edits_->addAction(actions[QLatin1String(id)]);
+  edits_->addMenu(demands_);
+  edits_->addSeparator();
+  for (const char* id : {"sequence.by-hand", "sequence.take-path", "sequence.leave-hand"}) {
+    edits_->addAction(actions[QLatin1String(id)]);
+  }
+  table_->addActions(edits_->actions());
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-QString SequencePanel::nameOf(const std::string& id) const {
-  const auto body = shown_.product->indexOf(id);
-  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
+QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
+  auto* row = makeActionRow(
+      actions, {"sequence.plan", "sequence.resume", "sequence.graph", "sequence.open", "sequence.export"}, this);
+  onlyIcons(*row);
+  qobject_cast<QToolButton*>(row->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  auto* step = new QToolButton(this);
+  step->setText(tr("Ste&p"));
+  step->setToolTip(tr("Move, lock or free the chosen step, or move its part by hand"));
+  step->setAutoRaise(true);
+  step->setFocusPolicy(Qt::TabFocus);
+  step->setPopupMode(QToolButton::InstantPopup);
+  step->setMenu(edits_);
+  step->setMinimumWidth(step->sizeHint().width() + step->iconSize().width());
+  row->insertWidget(row->count() - 1, step);
+  return row;
 }
 
-/// A line each.
-QString SequencePanel::allNames(const std::vector<std::string>& ids) const {
-  QStringList names;
-  for (const std::string& id : ids) names << nameOf(id);
-  return names.join(QLatin1Char('\n'));
+QLayout* SequencePanel::makePlayingRow(const ActionCatalogue& actions) {
+  auto* row = makeActionRow(actions, {"sequence.play", "sequence.assembly-order", "sequence.aside"}, this);
+  onlyIcons(*row);
+  row->insertWidget(1, play_, 1);
+  row->insertWidget(2, place_);
+  return row;
 }
 
-QString SequencePanel::shortNames(const std::vector<std::string>& ids) const {
-  QStringList names;
-  for (const std::string& id : ids) names << QString::fromStdString(shortName(nameOf(id).toStdString()));
-  return names.join(QStringLiteral(", "));
+QLayout* SequencePanel::makeExplodingRow() {
+  auto* row = new QHBoxLayout;
+  auto* title = new QLabel(tr("E&xplode"), this);
+  title->setBuddy(explode_);
+  row->addWidget(title);
+  row->addWidget(explode_, 1);
+  auto* order = new QLabel(tr("&Cost"), this);
+  order->setBuddy(cost_);
+  row->addWidget(order);
+  cost_->setEditable(true);
+  cost_->setInsertPolicy(QComboBox::NoInsert);
+  cost_->setAccessibleName(tr("What a step costs"));
+  cost_->setToolTip(
+      tr("The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the "
+         "list; \"as found\": the order in which the parts were found to leave"));
+  cost_->addItem(tr("as found"), QString());
+  for (const StepCostPreset& preset : stepCostPresets()) {
+    const QString id = QString::fromStdString(preset.id);
+    cost_->addItem(id, id);
+    cost_->setItemData(cost_->count() - 1, QString::fromStdString(preset.expression), Qt::ToolTipRole);
+  }
+  cost_->setMinimumContentsLength(10);
+  cost_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  row->addWidget(cost_);
+  connect(cost_, qOverload<int>(&QComboBox::activated), this, &SequencePanel::chooseCost);
+  connect(cost_->lineEdit(), &QLineEdit::editingFinished, this, &SequencePanel::chooseCost);
+  return row;
+}
+
+void SequencePanel::chooseCost() {
+  const int known = cost_->findText(cost_->currentText());
+  const QString cost = known >= 0 ? cost_->itemData(known).toString() : cost_->currentText().trimmed();
+  emit costChosen(cost);
+}
+
+void SequencePanel::setCost(const std::string& cost) {
+  const QSignalBlocker block(cost_);
+  const QString text = QString::fromStdString(cost);
+  const int known = cost_->findData(text);
+  if (known >= 0) {
+    cost_->setCurrentIndex(known);
+  } else {
+    cost_->setEditText(text);
+  }
+}
+
+void SequencePanel::setNotice(const QString& notice) {
+  notice_ = notice;
+  summary_->setText(summary());
 }
 
 void SequencePanel::setPlan(const ShownPlan& shown) {
   const double before = time();
   const bool samePlan = shown_.plan && shown.plan && shown_.product == shown.product;
+  const auto chosen = chosenStep();
   shown_ = shown;
   const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
-  {
-    const QSignalBlocker block(table_);
-    const int scrolled = table_->verticalScrollBar()->value();
-    table_->clear();
-    if (shown.plan) addSteps();
-    if (shown.plan && !shown.growing) addStuck();
-    for (const int column : {Number, LeastClearance, LargestAllowance, Tool, Standing, Seconds, State}) {
-      table_->resizeColumnToContents(column);
-    }
-    table_->setColumnWidth(PartName, kPartWidth);
-    table_->setColumnWidth(Motion, kMotionWidth);
-    table_->verticalScrollBar()->setValue(shown.growing ? table_->verticalScrollBar()->maximum() : scrolled);
-  }
+  if (shown.product && shown.plan) pictures_.draw(shown.product, table_->iconSize().width(), atOnce_);
+  table_->show(shown, order_);
   summary_->setText(summary());
   play_->setEnabled(steps > 0);
   explode_->setEnabled(steps > 0);
@@ -185,70 +191,17 @@ void SequencePanel::setPlan(const ShownPlan& shown) {
     explode_->setValue(0);
   }
   showTime(samePlan ? std::min(before, static_cast<double>(steps)) : 0.0);
-}
-
-void SequencePanel::addSteps() {
-  const PlanWords words = planWords();
-  const auto& steps = shown_.plan->steps;
-  for (std::size_t place = 0; place < steps.size(); ++place) {
-    const std::size_t i = order_ == PlanOrder::Assembly ? steps.size() - 1 - place : place;
-    const AssemblyStep& step = steps[i];
-    auto* row = new QTreeWidgetItem(table_);
-    row->setData(Number, kStepRole, static_cast<qulonglong>(i));
-    setNumber(*row, Number, QString::number(place + 1));
-    row->setText(PartName, QString::fromStdString(nameOfStep(step, *shown_.product)));
-    row->setToolTip(PartName, allNames(step.bodies()));
-    row->setText(Motion, QString::fromStdString(words.motion(step, order_)));
-    row->setToolTip(Motion, row->text(Motion));
-    const bool isNear = !step.proof.nearest.empty();
-    setNumber(*row, LeastClearance, isNear ? lengthText(step.proof.minClearance) : QStringLiteral("–"));
-    if (isNear) {
-      row->setToolTip(LeastClearance, tr("proved %1; smallest %2 to %3")
-                                          .arg(lengthText(step.proof.provedClearance),
-                                               lengthText(step.proof.minClearance), nameOf(step.proof.nearest)));
-    }
-    setNumber(*row, LargestAllowance, largestAllowanceText(step));
-    QStringList allowances;
-    for (const std::string& text : words.allowances(step, *shown_.product)) allowances << QString::fromStdString(text);
-    row->setToolTip(LargestAllowance, allowances.join(QLatin1Char('\n')));
-    row->setText(Tool, QString::fromStdString(words.tool(step, *shown_.product)));
-    row->setToolTip(Tool, allNames(step.tool.blockedBy));
-    row->setText(Standing, QString::fromStdString(words.standing(step, *shown_.product)));
-    row->setToolTip(Standing, allNames(step.falling));
-    const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
-    setNumber(*row, Seconds, after ? QLocale().toString(*after, 'f', 1) + QStringLiteral(" s") : QStringLiteral("–"));
-    row->setText(State, checkText(i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked));
-    row->setToolTip(State, tr("found by %1").arg(QString::fromStdString(step.method)));
-  }
-}
-
-void SequencePanel::addStuck() {
-  QFont bold = table_->font();
-  bold.setBold(true);
-  for (const StuckBody& stuck : shown_.plan->stuck) {
-    auto* row = new QTreeWidgetItem(table_);
-    const QString name = nameOf(stuck.body);
-    row->setData(Number, kStuckRole, QString::fromStdString(stuck.body));
-    setNumber(*row, Number, QStringLiteral("–"));
-    row->setText(PartName, QString::fromStdString(shortName(name.toStdString())));
-    row->setToolTip(PartName, name);
-    row->setText(
-        Motion, stuck.blockedBy.empty() ? tr("no motion found") : tr("blocked by %1").arg(shortNames(stuck.blockedBy)));
-    QStringList names;
-    for (const std::string& other : stuck.blockedBy) names << nameOf(other);
-    if (!stuck.reason.empty()) names << QString::fromStdString(stuck.reason);
-    row->setToolTip(Motion, names.join(QLatin1Char('\n')));
-    row->setText(State, tr("stuck"));
-    row->setFont(State, bold);
-  }
+  if (samePlan && chosen && table_->currentItem() == nullptr) chooseStep(std::min(*chosen, steps - 1));
+  emit selectionChanged();
 }
 
 QString SequencePanel::summary() const {
+  if (!notice_.isEmpty()) return notice_;
   if (!shown_.product) return tr("No product is open.");
   if (!shown_.plan) return tr("Not planned yet.");
   const AssemblyPlan& plan = *shown_.plan;
   QString text = tr("%1 of %2 parts leave, every motion certified.").arg(plan.removed()).arg(plan.parts());
-  const QString base = shortNames(plan.staying);
+  const QString base = table_->shortNames(plan.staying);
   if (!base.isEmpty()) text += QLatin1Char(' ') + tr("%1 stays.").arg(base);
   if (shown_.growing) return text + QLatin1Char(' ') + tr("Planning…");
   switch (plan.end) {
@@ -257,6 +210,9 @@ QString SequencePanel::summary() const {
     case PlanEnd::TimeLimit:
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
   }
+  const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),
+                                    [](const AssemblyStep& step) { return !step.violates.empty(); });
+  if (forced > 0) text += QLatin1Char(' ') + tr("%1 forced.").arg(forced);
   const auto refuted = std::count(shown_.checks.begin(), shown_.checks.end(), StepCheck::Disagrees);
   if (refuted > 0) text += QLatin1Char(' ') + tr("%1 steps do not hold here.").arg(refuted);
   return text;
@@ -286,6 +242,8 @@ void SequencePanel::markRow() {
   const std::size_t steps = shown_.plan ? shown_.plan->steps.size() : 0;
   const double done = order_ == PlanOrder::Assembly ? static_cast<double>(steps) - time() : time();
   place_->setText(QStringLiteral("%1 / %2").arg(static_cast<int>(std::ceil(done - 1e-3))).arg(steps));
+  // A stuck part is shown when all that leave have left.
+  if (!chosenStuck().empty() && time() > static_cast<double>(steps) - 1e-3) return;
   const auto current = static_cast<int>(std::ceil(done - 1e-3)) - 1;
   const QSignalBlocker block(table_);
   if (current >= 0 && current < table_->topLevelItemCount() && done > 0.0) {
@@ -293,7 +251,7 @@ void SequencePanel::markRow() {
   }
 }
 
-void SequencePanel::showRow(QTreeWidgetItem* row) {
+void SequencePanel::showRow(const QTreeWidgetItem* row) {
   if (row == nullptr) return;
   if (const auto step = chosenStep()) {
     showTime(static_cast<double>(*step) + kOnTheWay);
@@ -302,27 +260,48 @@ void SequencePanel::showRow(QTreeWidgetItem* row) {
   }
 }
 
-std::optional<std::size_t> SequencePanel::chosenStep() const {
-  const QTreeWidgetItem* row = table_->currentItem();
-  if (row == nullptr || !row->data(Number, kStepRole).isValid()) return std::nullopt;
-  return static_cast<std::size_t>(row->data(Number, kStepRole).toULongLong());
-}
-
-std::string SequencePanel::chosenStuck() const {
-  const QTreeWidgetItem* row = table_->currentItem();
-  return row == nullptr ? std::string() : row->data(Number, kStuckRole).toString().toStdString();
-}
-
 bool SequencePanel::chooseStep(std::size_t step) {
-  for (int i = 0; i < table_->topLevelItemCount(); ++i) {
-    QTreeWidgetItem* row = table_->topLevelItem(i);
-    if (!row->data(Number, kStepRole).isValid() || row->data(Number, kStepRole).toULongLong() != step) continue;
+  QTreeWidgetItem* row = table_->rowOf(step);
+  if (row == nullptr) return false;
+  {
     const QSignalBlocker block(table_);
     table_->setCurrentItem(row);
-    showRow(row);
-    return true;
   }
-  return false;
+  showRow(row);
+  emit selectionChanged();
+  return true;
+}
+
+std::string SequencePanel::chosenBody() const {
+  const auto step = chosenStep();
+  return step ? shown_.plan->steps[*step].body : chosenStuck();
+}
+
+void SequencePanel::chooseBody(const std::string& id) {
+  if (id.empty() || !shown_.plan) return;
+  const auto& steps = shown_.plan->steps;
+  for (std::size_t step = 0; step < steps.size(); ++step) {
+    const auto bodies = steps[step].bodies();
+    if (std::find(bodies.begin(), bodies.end(), id) == bodies.end()) continue;
+    chooseStep(step);
+    return;
+  }
+  for (int i = 0; i < table_->topLevelItemCount(); ++i) {
+    if (StepTable::stuckOf(table_->topLevelItem(i)) == id) table_->setCurrentItem(table_->topLevelItem(i));
+  }
+}
+
+bool SequencePanel::selectSteps(const std::vector<std::size_t>& steps) {
+  const QSignalBlocker block(table_);
+  table_->clearSelection();
+  for (const std::size_t step : steps) {
+    QTreeWidgetItem* row = table_->rowOf(step);
+    if (row == nullptr) return false;
+    if (step == steps.front()) table_->setCurrentItem(row);
+    row->setSelected(true);
+  }
+  emit selectionChanged();
+  return true;
 }
 
 void SequencePanel::setPlaying(bool playing) { play_->setPlaying(playing); }

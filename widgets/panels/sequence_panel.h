@@ -1,30 +1,22 @@
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
-#include <QTreeWidget>
+#include <QMenu>
 #include <QWidget>
 
 #include <optional>
 #include <vector>
 
-#include "engine/study/plan_words.h"
-#include "widgets/bridge/sequence_planner.h"
 #include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/part_pictures.h"
 #include "widgets/panels/play_slider.h"
+#include "widgets/panels/step_table.h"
 
 namespace glissade {
 
-/// What the panel shows of an assembly plan.
-struct ShownPlan {
-  ProductPtr product;  ///< null: there is none
-  PlanPtr plan;        ///< null: not planned yet
-  bool growing = false;
-  std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
-  std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
-};
-
 /// The assembly plan: its steps and the parts that are stuck as a table, a slider that plays the whole, and a slider
-/// for the exploded view.
+/// for the exploded view, and what a person demands of it.
 class SequencePanel final : public QWidget {
   Q_OBJECT
 
@@ -32,6 +24,12 @@ class SequencePanel final : public QWidget {
   explicit SequencePanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
   void setPlan(const ShownPlan& shown);
+  /// Shown in place of the summary; empty: the summary.
+  void setNotice(const QString& notice);
+  /// What a step costs, as in SequenceDemands.
+  void setCost(const std::string& cost);
+  /// Pictures of parts are drawn before setPlan() returns. At first they are not.
+  void setAtOnce(bool atOnce) { atOnce_ = atOnce; }
   const ShownPlan& shown() const { return shown_; }
   void setOrder(PlanOrder order);
   PlanOrder order() const { return order_; }
@@ -47,8 +45,18 @@ class SequencePanel final : public QWidget {
   /// Makes the step's row the current one and shows the step; counted in the plan, from 0. False: there is none.
   bool chooseStep(std::size_t step);
   /// The step, or the stuck part (its id), of the current row.
-  std::optional<std::size_t> chosenStep() const;
-  std::string chosenStuck() const;
+  std::optional<std::size_t> chosenStep() const { return StepTable::stepOf(table_->currentItem()); }
+  std::string chosenStuck() const { return StepTable::stuckOf(table_->currentItem()); }
+  /// Of the current row, the first one of a step; empty where there is none.
+  std::string chosenBody() const;
+  /// Makes the row of the step that the body leaves in, or of the stuck body, the current one.
+  void chooseBody(const std::string& id);
+  /// All that are selected, in the order of removal.
+  std::vector<std::size_t> selectedSteps() const { return table_->selectedSteps(); }
+  bool selectSteps(const std::vector<std::size_t>& steps);
+  QString rowText(std::size_t step) const { return table_->textOf(step); }
+  /// What is demanded: filled by others before it opens.
+  QMenu& demandsMenu() { return *demands_; }
 
  signals:
   /// The sliders have moved: time() and exploded() are what is to be shown.
@@ -56,28 +64,36 @@ class SequencePanel final : public QWidget {
   void playbackEnded();
   /// The current row is another one; a stuck part and who blocks it are to be shown.
   void stuckChosen(const QString& bodyId);
+  void selectionChanged();
+  /// A person wants the step where the other one is; indices in the plan.
+  void stepMoved(int from, int to);
+  /// The parts of the chosen row are not to leave in this direction: -x is "-x".
+  void directionForbidden(const QString& axis);
+  void costChosen(const QString& cost);
 
  private:
-  void addSteps();
-  void addStuck();
-  void showRow(QTreeWidgetItem* row);
+  void addEditing(const ActionCatalogue& actions);
+  QLayout* makePlanningRow(const ActionCatalogue& actions);
+  QLayout* makePlayingRow(const ActionCatalogue& actions);
+  QLayout* makeExplodingRow();
+  void chooseCost();
+  void showRow(const QTreeWidgetItem* row);
   void markRow();
   QString summary() const;
-  QString nameOf(const std::string& id) const;
-  QString allNames(const std::vector<std::string>& ids) const;
-  QString shortNames(const std::vector<std::string>& ids) const;
-  PlanWords planWords() const;
 
   ShownPlan shown_;
   PlanOrder order_ = PlanOrder::Removal;
   QLabel* summary_;
-  QTreeWidget* table_;
+  PartPictures pictures_;
+  StepTable* table_;
   PlaySlider* play_;
   PlaySlider* explode_;
   QLabel* place_;
+  QComboBox* cost_;
+  QMenu* edits_;
+  QMenu* demands_;
+  QString notice_;
+  bool atOnce_ = false;
 };
-
-/// The language that the window has been opened in.
-Language windowLanguage();
 
 }  // namespace glissade

@@ -28,6 +28,9 @@ TEST(PlanFile, ReadsWhatItWrites) {
   EXPECT_EQ(plan->steps[1].bodies(), (std::vector<std::string>{"wheel", "bearing"}));
   EXPECT_EQ(plan->steps[0].fastener, FastenerKind::Nut);
   EXPECT_TRUE(plan->steps[1].allowances[0].yields);
+  EXPECT_EQ(plan->demands, test::somePlan().demands);
+  ASSERT_EQ(plan->steps[1].violates.size(), 2U);
+  EXPECT_EQ(plan->steps[1].violates[0].bodies, std::vector<std::string>{"bolt"});
 }
 
 TEST(PlanFile, RefusesAChangedOne) {
@@ -60,6 +63,11 @@ TEST(PlanFile, ErrorsNameThePlace) {
            {R"([{"op": "copy", "path": "/steps/1", "from": "/steps/0"}])", "/steps/1/bodies/0"},
            {R"([{"op": "replace", "path": "/steps/1/after/0", "value": 2}])", "/steps/1/after/0"},
            {R"([{"op": "replace", "path": "/steps/1/after/0", "value": 0}])", "/steps/1/after/0"},
+           {R"([{"op": "replace", "path": "/steps/1/violates/0/rule", "value": "taste"}])", "/steps/1/violates/0/rule"},
+           {R"([{"op": "replace", "path": "/sequence/places/0/place", "value": 0}])", "/sequence/places/0/place"},
+           {R"([{"op": "remove", "path": "/sequence/motions/0/path/0"}])", "/sequence/motions/0/path"},
+           {R"([{"op": "replace", "path": "/sequence/forbidden/0/direction", "value": [0, 0, 0]}])",
+            "/sequence/forbidden/0/direction"},
            {R"([{"op": "replace", "path": "/steps/0/fastener", "value": "rivet"}])", "/steps/0/fastener"},
            {R"([{"op": "replace", "path": "/steps/1/falling/0", "value": "nobody"}])", "/steps/1/falling/0"},
            {R"([{"op": "replace", "path": "/steps/0/certificate/status", "value": "undecided"}])",

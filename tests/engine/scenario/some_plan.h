@@ -33,6 +33,10 @@ inline AssemblyPlan somePlan() {
   plan.waiting = {AssemblyStep{"rod", nut.path, "straight", 2, nut.proof, {}}};
   plan.demands.before = {{"nut", "bolt"}};
   plan.demands.cost = "few-tools";
+  plan.demands.places = {{{"wheel", "bearing"}, 2, true}};
+  plan.demands.motions = {{{"nut"}, nut.path, "by hand"}};
+  plan.demands.forbidden = {{"bolt", {0.0, 0.0, -1.0}}};
+  plan.steps.back().violates = {{StepViolation::Rule::Before, {"bolt"}}, {StepViolation::Rule::Place, {}}};
   plan.deflection = 5e-5;
   plan.refusals = {{"bolt", 0, 0, {"nut", "plate"}}, {"bolt", 1, 1, {"plate"}}, {"rod", 0, 1, {}}};
   plan.refusals.push_back({"bolt", 2, 1, {"plate"}, {"rod"}});

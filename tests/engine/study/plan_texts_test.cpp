@@ -80,14 +80,15 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
   AssemblyPlan plan = somePlan();
   plan.steps.front().tool.kind = ToolKind::HexKey;
   plan.steps.front().falling = {"pin", "drawer", "cabinet"};
+  plan.steps.front().violates = {{StepViolation::Rule::Fastener, {"pin"}}, {StepViolation::Rule::Place, {}}};
   plan.steps.back().tool = {ToolKind::Socket, ToolAccess::Blocked, {"drawer"}};
   const auto removal = linesOf(planAsCsv(plan, product, PlanOrder::Removal));
   ASSERT_EQ(removal.size(), 4U);
   EXPECT_EQ(removal[1],
             "1,cap,straight,\"up (+Z), 500.0 mm\",0.5,0,0.000002,0.0003,cabinet,0,0,,hex key,\"hold pin, drawer and 1 "
-            "more\"");
+            "more\",nuts still on it: pin; demanded at another place");
   EXPECT_NE(removal[2].find("\"socket, blocked by drawer\""), std::string::npos) << removal[2];
-  EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet,,");
+  EXPECT_EQ(removal[3], ",drawer,,,,,,,,,,cabinet,,,");
   const auto assembly = linesOf(planAsCsv(somePlan(), product, PlanOrder::Assembly));
   EXPECT_EQ(assembly[2].rfind("2,cap,straight,\"down", 0), 0U) << assembly[2];
   for (const std::string& line : removal) {
@@ -97,7 +98,7 @@ TEST(PlanTable, HasALineForEachStepAndEachStuckPart) {
       if (c == '"') quoted = !quoted;
       if (c == ',' && !quoted) ++columns;
     }
-    EXPECT_EQ(columns, 14U) << line;
+    EXPECT_EQ(columns, 15U) << line;
   }
 }
 

@@ -45,6 +45,7 @@ TEST(RunResult, ReadsTheReportOfARun) {
   EXPECT_EQ(numberOf(outcome.result, "min_clearance_m"), 0.002);
   EXPECT_EQ(numberOf(outcome.result, "path_length_m"), 3.5);
   EXPECT_EQ(numberOf(outcome.result, "coarse_configurations"), std::nullopt);
+  EXPECT_EQ(numberOf(outcome.result, "sequence_steps"), std::nullopt);
   EXPECT_EQ(outcome.result.certificate, "certified");
   EXPECT_EQ(outcome.timing.planningSeconds, 1.5);
   EXPECT_EQ(outcome.timing.planningCpuSeconds, 1.25);
@@ -55,6 +56,23 @@ TEST(RunResult, ReadsTheReportOfARun) {
 /// As a session reports it.
 std::string outOfMemory() {
   return guarded("planning", [] { throw std::bad_alloc(); })->reason;
+}
+
+TEST(RunResult, ReadsTheReportOfASequence) {
+  const auto plan = [](const std::string& end) {
+    return saying(R"({"format": "glissade-plan", "parts": 5, "removed": 3, "steps": [1, 2], "end": ")" + end +
+                  R"(", "certified": true, "wall_s": 1.75})");
+  };
+  const RunOutcome outcome = outcomeOf(plan("stuck"), 60.0);
+  EXPECT_EQ(outcome.result.status, RunStatus::NoPath);
+  EXPECT_EQ(outcome.result.certificate, "certified");
+  EXPECT_EQ(numberOf(outcome.result, "parts"), 5.0);
+  EXPECT_EQ(numberOf(outcome.result, "parts_removed"), 3.0);
+  EXPECT_EQ(numberOf(outcome.result, "sequence_steps"), 2.0);
+  EXPECT_EQ(numberOf(outcome.result, "steps"), std::nullopt) << "those of a planner";
+  EXPECT_EQ(outcome.timing.planningSeconds, 1.75);
+  EXPECT_EQ(outcomeOf(plan("complete"), 60.0).result.status, RunStatus::Solved);
+  EXPECT_EQ(outcomeOf(plan("time_limit"), 60.0).result.status, RunStatus::Time);
 }
 
 TEST(RunResult, TellsTheWaysToEndApart) {

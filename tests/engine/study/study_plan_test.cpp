@@ -94,5 +94,18 @@ TEST(StudyPlan, ArgumentsNameEverythingThatTheStudySets) {
                                    "--extension-step", "0.02", "--max-steps", "2000", "--time-limit", "60", "--json"));
 }
 
+TEST(StudyPlan, ASequenceIsARunOfAnotherCommand) {
+  nlohmann::json study = test::tinyStudy();
+  study["strategies"] = {"sequence-best-first"};
+  study["rows"].erase(1);
+  const test::StudyFiles files(study);
+  const StudyPlan plan = planOf(files);
+  ASSERT_EQ(plan.study.cells.size(), 1U);
+  EXPECT_TRUE(isSequence(plan.study.cells[0]));
+  EXPECT_THAT(planArguments(plan.study.cells[0], 5, "s.json"),
+              testing::ElementsAre("sequence", "s.json", "--strategy", "best-first", "--seed", "5", "--time-limit",
+                                   "60", "--json"));
+}
+
 }  // namespace
 }  // namespace glissade

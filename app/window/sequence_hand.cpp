@@ -1,0 +1,139 @@
+#include "app/window/sequence_hand.h"
+
+#include <QAction>
+
+#include "app/window/sequence_controller.h"
+#include "engine/scenario/hand_run.h"
+#include "engine/sequence/demand_edits.h"
+
+namespace glissade {
+namespace {
+
+QString shortNameOf(const std::string& id, const AssembledProduct& product) {
+  const auto body = product.indexOf(id);
+  return QString::fromStdString(shortName(body ? product.bodies[*body].name : id));
+}
+
+}  // namespace
+
+SequenceHand::SequenceHand(const Workbench& bench, SequenceController& sequence)
+    : QObject(&sequence), bench_(bench), sequence_(sequence) {
+  bench.onAction("sequence.by-hand", this, [this] { begin(); });
+  bench.onAction("sequence.take-path", this, [this] { takePath(); });
+  bench.onAction("sequence.leave-hand", this, [this] { goBack({}); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, &SequenceHand::followDocument);
+  connect(&bench.document.undoStack(), &QUndoStack::indexChanged, this, &SequenceHand::followUndo);
+  connect(sequence.panel(), &SequencePanel::selectionChanged, this, &SequenceHand::enableActions);
+  enableActions();
+}
+
+void SequenceHand::begin() {
+  SequencePanel& panel = *sequence_.panel();
+  const ShownPlan shown = sequence_.shown();
+  Run run{shown, panel.chosenStuck(), panel.chosenStep()};
+  const auto& steps = shown.plan->steps;
+  if (run.step) {
+    if (!steps[*run.step].with.empty()) {
+      bench_.messages.showError(tr("The step cannot be moved by hand"),
+                                {ErrorKind::Usage, "", "step", "its parts leave as one, and one part is in the hand",
+                                 "Choose a step of a single part."});
+      return;
+    }
+    run.body = steps[*run.step].body;
+  }
+  std::vector<std::string> gone;
+  for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
+    for (const std::string& id : steps[i].bodies()) gone.push_back(id);
+  }
+  const QString name = shortNameOf(run.body, *shown.product);
+  run_ = run;
+  const auto change = [this, body = run.body, gone](Scenario& scenario) {
+    return prepareHandRun(body, gone, *bench_.document.scenario(), scenario);
+  };
+  const Outcome edited = bench_.document.edit(tr("Move %1 by hand").arg(name), change);
+  if (!edited) {
+    run_.reset();
+    bench_.messages.showError(tr("The step cannot be moved by hand"), edited.error());
+    enableActions();
+    return;
+  }
+  bench_.document.whenArranged([this] { noteBegun(); });
+}
+
+void SequenceHand::noteBegun() {
+  if (!run_ || run_->command >= 0) return;
+  if (bench_.document.scenario()->object.id != run_->body) {  // the edit has failed, and said so
+    run_.reset();
+  } else {
+    run_->command = bench_.document.undoStack().index();
+    const QString name = shortNameOf(run_->body, *run_->plan.product);
+    sequence_.panel()->setNotice(
+        tr("%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified "
+           "path becomes the step.")
+            .arg(name));
+  }
+  enableActions();
+}
+
+void SequenceHand::followDocument(Changes what) {
+  if (!run_) return;
+  if (what & Change::Scenario) {
+    run_.reset();
+    sequence_.panel()->setNotice({});
+  } else if ((what & Change::Results) && run_->command >= 0 && bench_.document.results().path) {
+    // The session that announces the path ends when it is taken.
+    QMetaObject::invokeMethod(this, &SequenceHand::takePath, Qt::QueuedConnection);
+  }
+  enableActions();
+}
+
+/// A person has undone the scenario of the run.
+void SequenceHand::followUndo() {
+  if (!run_ || run_->command < 0 || goingBack_ || bench_.document.undoStack().index() >= run_->command) return;
+  run_.reset();
+  sequence_.panel()->setNotice({});
+  sequence_.showRemembered();
+  enableActions();
+}
+
+void SequenceHand::goBack(const std::function<void()>& then) {
+  if (!run_ || run_->command < 0 || goingBack_) return;
+  goingBack_ = true;
+  for (int index = bench_.document.undoStack().index(); index >= run_->command; --index) bench_.document.undo();
+  bench_.document.whenArranged([this, then] {
+    goingBack_ = false;
+    run_.reset();
+    sequence_.panel()->setNotice({});
+    if (then) then();
+    enableActions();
+  });
+}
+
+void SequenceHand::takePath() {
+  const std::shared_ptr<const Path> path = bench_.document.results().path;
+  if (!run_ || run_->command < 0 || goingBack_ || !path || path->points.size() < 2) return;
+  if (bench_.document.scenario()->object.id != run_->body) return;
+  const ShownPlan& shown = run_->plan;
+  const DemandedMotion motion = motionByHand(shown.product->bodies[*shown.product->indexOf(run_->body)], path->points);
+  const auto step = run_->step;
+  const QString name = shortNameOf(run_->body, *shown.product);
+  const PlanPtr plan = shown.plan;
+  goBack([this, motion, step, plan, name] {
+    SequenceDemands demands = bench_.document.demands();
+    sequence_.chooseLater(motion.bodies.front());
+    if (step) demands = withStepMoved(*step, *step, *plan, std::move(demands));
+    bench_.document.setDemands(tr("%1 by hand").arg(name), withMotion(motion, std::move(demands)));
+    bench_.messages.showStatus(tr("The path by hand is the motion of %1.").arg(name));
+  });
+}
+
+void SequenceHand::enableActions() {
+  const SequencePanel& panel = *sequence_.panel();
+  const bool chosen = panel.chosenStep() || !panel.chosenStuck().empty();
+  const bool active = run_ && run_->command >= 0;
+  bench_.enable("sequence.by-hand", !run_ && sequence_.isEditable() && chosen);
+  bench_.enable("sequence.take-path", active && bench_.document.results().path != nullptr);
+  bench_.enable("sequence.leave-hand", active);
+}
+
+}  // namespace glissade

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/window/workbench.h"
+#include "widgets/panels/step_table.h"
+
+namespace glissade {
+
+class SequenceController;
+
+/// A step by hand: the part of a step in the hand, among the parts that are there at that step, as a run like any
+/// other. The scenario of the run is an edit on the undo stack; its first certified path becomes the motion of the
+/// step, and the edit is undone.
+class SequenceHand final : public QObject {
+  Q_OBJECT
+
+ public:
+  SequenceHand(const Workbench& bench, SequenceController& sequence);
+
+  bool isActive() const { return run_.has_value(); }
+  /// The document has the scenario of the run, or is about to have it.
+  bool isAway() const { return run_.has_value() && !goingBack_; }
+
+ private:
+  struct Run {
+    ShownPlan plan;                   ///< that the part is moved in
+    std::string body;                 ///< id
+    std::optional<std::size_t> step;  ///< of the plan; nothing: the part was stuck
+    int command = -1;                 ///< of the undo stack, that made the run's scenario; -1: not made yet
+  };
+
+  void begin();
+  void noteBegun();
+  void followDocument(Changes what);
+  void followUndo();
+  void takePath();
+  /// Undoes the scenario of the run; then `then` is called.
+  void goBack(const std::function<void()>& then);
+  void enableActions();
+
+  const Workbench& bench_;
+  SequenceController& sequence_;
+  std::optional<Run> run_;
+  bool goingBack_ = false;
+};
+
+}  // namespace glissade

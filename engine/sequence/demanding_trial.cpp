@@ -1,0 +1,73 @@
+#include "engine/sequence/demanding_trial.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/sequence/plan_steps.h"
+#include "engine/sequence/step_motion.h"
+
+namespace glissade {
+
+DemandingTrial::DemandingTrial(RemovalTrial& inner, const OrderRules& rules, const AssembledProduct& product,
+                               const AssemblyPlan* known)
+    : inner_(inner), rules_(rules), product_(product) {
+  if (known == nullptr) return;
+  for (const auto* steps : {&known->steps, &known->waiting}) {
+    for (const AssemblyStep& step : *steps) {
+      const BodyGroup group = groupOf(step, product);
+      if (step.path.size() < 2 || isForbidden(exitDirection(step.path), rules.forbiddenTo(group))) continue;
+      known_[group] = {group, step.path, step.method};
+    }
+  }
+}
+
+RemovalAnswer DemandingTrial::tryRemoval(const BodyGroup& group, const BodySet& present, int effort,
+                                         const StopToken& stop) {
+  if (const auto* motion = rules_.motionOf(group)) return byMotion(*motion, present, stop);
+  const auto known = known_.find(group);
+  if (effort > 0 && known != known_.end() && known->second.method != kByHand) {
+    if (besideTheEnd(known->second, without(present, group)).empty()) {
+      auto removed = inner_.certified(group, known->second.path, known->second.method, present, stop);
+      if (removed) return std::move(*removed);
+    }
+    if (stop.stopRequested()) return Refused{{}, true};
+  }
+  return inner_.tryRemoval(group, present, effort, stop);
+}
+
+std::vector<BodyGroup> DemandingTrial::groupsAlongLines(const GroupQuestion& question, ThreadTeam& team,
+                                                        const StopToken& stop) {
+  return inner_.groupsAlongLines(question, team, stop);
+}
+
+/// The motion has to end outside of all others, as every removal does.
+RemovalAnswer DemandingTrial::byMotion(const OrderRules::GivenMotion& motion, const BodySet& present,
+                                       const StopToken& stop) {
+  if (isForbidden(exitDirection(motion.path), rules_.forbiddenTo(motion.group))) return Refused{};
+  const BodySet others = without(present, motion.group);
+  const std::vector<std::size_t> beside = besideTheEnd(motion, others);
+  std::set<std::size_t> blocking(beside.begin(), beside.end());
+  if (blocking.empty()) {
+    auto removed = inner_.certified(motion.group, motion.path, motion.method, present, stop);
+    if (removed) return std::move(*removed);
+  }
+  if (stop.stopRequested()) return Refused{{}, true};
+  for (const std::size_t body : inner_.inTheWay(motion.group, motion.path, bodiesIn(others), stop)) {
+    blocking.insert(body);
+  }
+  return Refused{{blocking.begin(), blocking.end()}, stop.stopRequested()};
+}
+
+/// Bodies because of which the motion does not end outside of the box of the others: empty where it does.
+std::vector<std::size_t> DemandingTrial::besideTheEnd(const OrderRules::GivenMotion& motion,
+                                                      const BodySet& others) const {
+  const Pose X_end = motion.path.back().q * inverse(motion.path.front().q);
+  const Box3 box = boxOf(product_, others);
+  const bool isInside = std::any_of(motion.group.begin(), motion.group.end(), [&](std::size_t body) {
+    const RigidBody& own = product_.bodies[body];
+    return !box.isEmpty() && box.intersects(boundingBox(*own.mesh, X_end * own.X_WB));
+  });
+  return isInside ? bodiesIn(others) : std::vector<std::size_t>();
+}
+
+}  // namespace glissade

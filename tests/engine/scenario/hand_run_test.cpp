@@ -1,0 +1,83 @@
+#include "engine/scenario/hand_run.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/scenario/product_file.h"
+#include "tests/engine/support/loaded_scenario.h"
+
+namespace glissade {
+namespace {
+
+BodyDescription box(const std::string& id, double x) {
+  return {id, id, Mobility::Static, BoxGeometry{{0.1, 0.1, 0.1}}, Pose::translation({x, 0.0, 0.0}), {}, {}};
+}
+
+Scenario threeBoxes() {
+  Scenario scenario;
+  scenario.bodies = {box("base", 0.0), box("left", -0.3), box("right", 0.3)};
+  scenario.object = {"object", "object", BoxGeometry{{0.1, 0.1, 0.1}}, false, Vector3::Zero(), {}, {}};
+  scenario.start = Pose::translation({0.0, 0.0, 0.3});
+  scenario.goal = Pose::translation({0.0, 0.0, 0.6});
+  scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
+  return scenario;
+}
+
+TEST(HandRun, HasThePartInTheHandAndWhatIsThereAtItsStep) {
+  const LoadedScenario loaded = test::loadedFrom(threeBoxes());
+  Scenario scenario = loaded.scenario;
+  ASSERT_TRUE(prepareHandRun("right", {"left", "object"}, loaded, scenario).ok());
+  const LoadedScenario run = test::loadedFrom(scenario);
+  EXPECT_EQ(run.object.id, "right");
+  ASSERT_EQ(run.obstacles.size(), 1U);
+  EXPECT_EQ(run.obstacles.front().id, "base");
+  EXPECT_TRUE(std::holds_alternative<GoalOut>(scenario.goal));
+  EXPECT_NEAR(run.problem.start.position.x(), 0.3, 1e-12);
+
+  // About the middle of its box, wherever the scenario has its reference point.
+  Scenario beside = loaded.scenario;
+  beside.object.referencePoint = {0.05, 0.05, 0.0};
+  const LoadedScenario turned = test::loadedFrom(beside);
+  ASSERT_TRUE(prepareHandRun("object", {}, turned, beside).ok());
+  EXPECT_LT((test::loadedFrom(beside).problem.start.position - Vector3(-0.05, -0.05, 0.3)).norm(), 1e-12);
+  EXPECT_LT((test::worldBox(test::loadedFrom(beside), "object").min() - test::worldBox(turned, "object").min()).norm(),
+            1e-12);
+
+  Scenario own = loaded.scenario;
+  ASSERT_TRUE(prepareHandRun("object", {"left"}, loaded, own).ok());
+  EXPECT_EQ(own.object.id, "object");
+  EXPECT_EQ(own.bodies.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<GoalOut>(own.goal));
+}
+
+TEST(HandRun, RefusesAPartOfABodyOfSeveral) {
+  LoadedScenario loaded = test::loadedFrom(threeBoxes());
+  loaded.obstacles[0].id = "robot/arm";
+  loaded.obstacles[1].id = "robot/hand";
+  Scenario scenario = loaded.scenario;
+  for (const auto& outcome :
+       {prepareHandRun("robot/arm", {}, loaded, scenario), prepareHandRun("right", {"robot/hand"}, loaded, scenario)}) {
+    ASSERT_FALSE(outcome.ok());
+    EXPECT_EQ(outcome.error().location, "body 'robot'");
+    EXPECT_FALSE(outcome.error().advice.empty());
+  }
+}
+
+TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
+  RigidBody body;
+  body.id = "right";
+  body.X_WB = {{0.3, 0.0, 0.0}, fromRollPitchYaw(0.0, 0.0, 1.0)};
+  // The object's frame lies elsewhere in the same rigid body.
+  const Pose X_BO{{0.02, 0.0, 0.01}, fromRollPitchYaw(0.3, 0.0, 0.0)};
+  const Pose there{{0.3, 0.5, 0.0}, fromRollPitchYaw(0.0, 0.4, 1.0)};
+  const DemandedMotion motion =
+      motionByHand(body, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}});
+  EXPECT_EQ(motion.bodies, std::vector<std::string>{"right"});
+  EXPECT_EQ(motion.method, kByHand);
+  EXPECT_EQ(motion.path.front().q, body.X_WB);
+  EXPECT_LT((motion.path.back().q.position - there.position).norm(), 1e-12);
+  EXPECT_LT(motion.path.back().q.orientation.angularDistance(there.orientation), 1e-7);
+  EXPECT_EQ(motion.path.back().author, Author::Operator);
+}
+
+}  // namespace
+}  // namespace glissade

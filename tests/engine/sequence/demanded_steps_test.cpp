@@ -1,0 +1,271 @@
+#include "engine/sequence/demand_edits.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/sequence/demanding_trial.h"
+#include "engine/sequence/plan_judge.h"
+#include "engine/sequence/sequence_run.h"
+#include "engine/sequence/step_motion.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+using Names = std::vector<std::string>;
+
+AssemblyPlan planOfSteps(const Names& order) {
+  AssemblyPlan plan;
+  for (const std::string& id : order) {
+    AssemblyStep step;
+    step.body = id;
+    step.path = {{Pose::identity(), Author::Computer}, {Pose::translation({0.0, 0.0, 1.0}), Author::Computer}};
+    step.method = "straight";
+    plan.steps.push_back(step);
+  }
+  return plan;
+}
+
+std::vector<std::pair<std::string, std::size_t>> placesOf(const SequenceDemands& demands) {
+  std::vector<std::pair<std::string, std::size_t>> places;
+  for (const DemandedPlace& each : demands.places) places.emplace_back(each.bodies.front(), each.place);
+  return places;
+}
+using Places = std::vector<std::pair<std::string, std::size_t>>;
+
+TEST(DemandedSteps, AMovedStepHasAPlaceAndOthersThatHaveOneMakeWay) {
+  const AssemblyPlan plan = planOfSteps({"a", "b", "c", "d", "e"});
+  SequenceDemands demands = withStepMoved(3, 1, plan, {});
+  EXPECT_EQ(placesOf(demands), (Places{{"d", 2}}));
+  const AssemblyPlan moved = planOfSteps({"a", "d", "b", "c", "e"});
+  demands = withStepMoved(4, 0, moved, demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"e", 1}, {"d", 3}}));
+  demands = withStepMoved(2, 4, planOfSteps({"e", "a", "d", "b", "c"}), demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"e", 1}, {"d", 5}}));
+}
+
+TEST(DemandedSteps, ALockedStepKeepsItsPlaceAndItsMotion) {
+  const AssemblyPlan plan = planOfSteps({"a", "b", "c", "d"});
+  SequenceDemands demands = withStepLocked(1, true, plan, {});
+  ASSERT_EQ(demands.motions.size(), 1U);
+  EXPECT_EQ(demands.motions[0].method, "straight");
+  EXPECT_TRUE(demandsOn({"b"}, demands).isLocked());
+  demands = withStepMoved(3, 1, plan, demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"b", 2}, {"d", 3}})) << "beside the locked one";
+  demands = withStepMoved(3, 0, plan, withStepLocked(1, true, plan, {}));
+  EXPECT_EQ(placesOf(demands), (Places{{"d", 1}, {"b", 2}}));
+  demands = withStepLocked(1, false, plan, demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"d", 1}}));
+  EXPECT_TRUE(demands.motions.empty());
+}
+
+TEST(DemandedSteps, TwoStepsNeverHaveOnePlace) {
+  SequenceDemands demands;
+  demands.places = {{{"stuck"}, 2}};
+  demands = withStepMoved(0, 1, planOfSteps({"a", "b"}), demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"a", 2}, {"stuck", 3}}));
+}
+
+TEST(DemandedSteps, EditsAreTakenBackTogether) {
+  const AssemblyPlan plan = planOfSteps({"a", "b", "c"});
+  SequenceDemands demands = withStepLocked(0, true, plan, {});
+  demands = withOrder({{"b"}, {"a"}}, demands);
+  demands = withOrder({{"a"}, {"b"}, {"c"}}, demands);
+  EXPECT_EQ(demands.before, (std::vector<std::pair<std::string, std::string>>{{"a", "b"}, {"b", "c"}}));
+  demands = withForbidden({"a"}, {0.0, 0.0, 2.0}, demands);
+  EXPECT_TRUE(demands.motions.empty()) << "the kept motion leads in the forbidden direction";
+  EXPECT_EQ(demandsOn({"a"}, demands).forbidden.size(), 1U);
+  const DemandedMotion up{{"a"}, plan.steps[0].path, kByHand};
+  EXPECT_TRUE(withMotion(up, demands).forbidden.empty()) << "what a person does is not forbidden any more";
+  demands = withoutDemandsOn({"b"}, withoutDemandsOn({"a"}, demands));
+  EXPECT_EQ(demands, SequenceDemands());
+}
+
+TEST(DemandedSteps, ADirectionIsForbiddenWithinThirtyDegrees) {
+  const std::vector<Vector3> forbidden{Vector3::UnitZ()};
+  EXPECT_TRUE(isForbidden({0.0, 0.5, 1.0}, forbidden));
+  EXPECT_FALSE(isForbidden({0.0, 0.6, 1.0}, forbidden));
+  EXPECT_FALSE(isForbidden({0.0, 0.0, -1.0}, forbidden));
+}
+
+/// Three boxes beside each other, free in every direction, beside a base.
+AssembledProduct looseBoxes() {
+  const auto box = [](const char* id, double x) {
+    return boxBody(id, Vector3::Constant(0.1), Pose::translation({x, 0.0, 0.0}));
+  };
+  return test::productOf({boxBody("base", {2.0, 2.0, 0.1}, Pose::translation({0.0, 0.0, -0.2})), box("one", -0.5),
+                          box("two", 0.0), box("three", 0.5)});
+}
+
+AssemblyPlan planned(const AssembledProduct& product, const std::string& staying, const SequenceDemands& demands,
+                     const std::string& strategy = "greedy", const AssemblyPlan* known = nullptr) {
+  const ProductFits fits = test::fitsOf(product);
+  test::QuietHost host;
+  BodySet stay(product.bodies.size(), false);
+  stay[*product.indexOf(staying)] = true;
+  auto plan = planSequence(product, fits, {stay, strategy, 1, demands, nullptr, known}, host);
+  EXPECT_TRUE(plan.ok()) << toString(plan.error());
+  return *plan;
+}
+
+TEST(DemandedSteps, StepsComeAtTheirPlaces) {
+  for (const char* strategy : {"greedy", "best-first"}) {
+    SequenceDemands demands;
+    demands.places = {{{"three"}, 1}, {{"one"}, 3}};
+    const AssembledProduct product = looseBoxes();
+    const AssemblyPlan plan = planned(product, "base", demands, strategy);
+    EXPECT_EQ(test::orderOf(plan), (Names{"three", "two", "one"})) << strategy;
+    EXPECT_EQ(plan.end, PlanEnd::Complete);
+    const auto judged = judgePlan(plan, product, std::nullopt);
+    ASSERT_TRUE(judged.ok());
+    for (const StepJudgement& each : *judged) EXPECT_TRUE(each.valid()) << each.againstDemand;
+  }
+}
+
+TEST(DemandedSteps, AForcedStepSaysWhatItDoesNotKeepAndTheJudgeDemandsThatItDoes) {
+  SequenceDemands demands;
+  demands.places = {{{"three"}, 1}};
+  demands.before = {{"one", "three"}};
+  const AssembledProduct product = looseBoxes();
+  AssemblyPlan plan = planned(product, "base", demands);
+  ASSERT_EQ(test::orderOf(plan).front(), "three");
+  ASSERT_EQ(plan.steps[0].violates.size(), 1U);
+  EXPECT_EQ(plan.steps[0].violates[0].rule, StepViolation::Rule::Before);
+  EXPECT_EQ(plan.steps[0].violates[0].bodies, Names{"one"});
+  EXPECT_TRUE((*judgePlan(plan, product, std::nullopt))[0].valid());
+  plan.steps[0].violates.clear();
+  const auto judged = judgePlan(plan, product, std::nullopt);
+  EXPECT_FALSE((*judged)[0].valid());
+  EXPECT_NE((*judged)[0].againstDemand.find("'one'"), std::string::npos);
+}
+
+TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
+  SequenceDemands demands;
+  demands.places = {{{"pin"}, 1}};
+  const AssemblyPlan plan = planned(test::lockedDrawer(), "cabinet", demands);
+  EXPECT_EQ(test::orderOf(plan), Names{"cap"}) << "nothing is forced, and nothing leaves through the pin";
+  EXPECT_EQ(plan.end, PlanEnd::Stuck);
+  ASSERT_EQ(plan.stuck.size(), 2U);
+  const auto& pin = plan.stuck[0].body == "pin" ? plan.stuck[0] : plan.stuck[1];
+  EXPECT_EQ(pin.body, "pin");
+  EXPECT_EQ(pin.reason, "it was to leave as step 1, and no motion was found there");
+  EXPECT_NE(std::find(pin.blockedBy.begin(), pin.blockedBy.end(), "cap"), pin.blockedBy.end()) << "it has left since";
+}
+
+TEST(DemandedSteps, APlaceBehindTheEndComesEarlyAndSaysSo) {
+  SequenceDemands demands;
+  demands.places = {{{"cap"}, 3}};
+  const AssemblyPlan plan = planned(test::lockedDrawer(), "cabinet", demands);
+  ASSERT_EQ(test::orderOf(plan), (Names{"cap", "pin", "drawer"}));
+  ASSERT_EQ(plan.steps[0].violates.size(), 1U);
+  EXPECT_EQ(plan.steps[0].violates[0].rule, StepViolation::Rule::Place);
+}
+
+TEST(DemandedSteps, NothingLeavesInAForbiddenDirection) {
+  SequenceDemands demands;
+  demands.forbidden = {{"two", Vector3::UnitZ()}, {"two", Vector3::UnitX()}};
+  const AssembledProduct product = looseBoxes();
+  const AssemblyPlan plan = planned(product, "base", demands);
+  ASSERT_EQ(plan.steps.size(), 3U);
+  for (const AssemblyStep& step : plan.steps) {
+    if (step.body != "two") continue;
+    const Vector3 way = exitDirection(step.path);
+    EXPECT_LT(way.z(), kForbiddenCone);
+    EXPECT_LT(way.x(), kForbiddenCone);
+  }
+  AssemblyPlan wrong = planned(product, "base", {});
+  wrong.demands.forbidden = {{wrong.steps[0].body, exitDirection(wrong.steps[0].path)}};
+  EXPECT_FALSE((*judgePlan(wrong, product, std::nullopt))[0].valid());
+}
+
+TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {
+  const AssembledProduct product = looseBoxes();
+  const RigidBody& two = product.bodies[*product.indexOf("two")];
+  Pose aside = two.X_WB;
+  aside.position += Vector3(0.0, 3.0, 0.0);
+  SequenceDemands demands;
+  demands.motions = {{{"two"}, {{two.X_WB, Author::Operator}, {aside, Author::Operator}}, kByHand}};
+  const AssemblyPlan plan = planned(product, "base", demands);
+  ASSERT_EQ(plan.steps.size(), 3U);
+  const auto own =
+      std::find_if(plan.steps.begin(), plan.steps.end(), [](const auto& step) { return step.body == "two"; });
+  EXPECT_EQ(own->method, kByHand);
+  EXPECT_EQ(own->path.back().q, aside);
+
+  Pose through = two.X_WB;
+  through.position += Vector3(3.0, 0.0, 0.0);
+  demands.motions[0].path.back().q = through;
+  demands.places = {{{"two"}, 1}};
+  const AssemblyPlan blocked = planned(product, "base", demands);
+  ASSERT_EQ(blocked.stuck.size(), 1U) << "there is a free motion, but not this one";
+  EXPECT_EQ(blocked.stuck[0].blockedBy, Names{"three"});
+}
+
+/// Refuses all that is asked but certifies all that is given.
+class CertifyingTrial final : public RemovalTrial {
+ public:
+  int efforts() const override { return 2; }
+  RemovalAnswer tryRemoval(const BodyGroup&, const BodySet&, int effort, const StopToken&) override {
+    searches += effort;
+    return Refused{};
+  }
+  std::vector<BodyGroup> groupsAlongLines(const GroupQuestion&, ThreadTeam&, const StopToken&) override { return {}; }
+  std::vector<std::size_t> inTheWay(const BodyGroup&, const std::vector<PathPoint>&, const std::vector<std::size_t>&,
+                                    const StopToken&) override {
+    return {};
+  }
+  std::optional<Removed> certified(const BodyGroup&, const std::vector<PathPoint>& path, const std::string& method,
+                                   const BodySet&, const StopToken&) override {
+    return Removed{{path, {}}, method, {}};
+  }
+  void learn(const BodyGroup&, const std::vector<PathPoint>&) override {}
+
+  int searches = 0;
+};
+
+TEST(DemandedSteps, AKnownMotionIsNotSearchedAgain) {
+  const AssembledProduct product = looseBoxes();
+  AssemblyPlan known = planOfSteps({"two"});
+  known.steps[0].path[0].q = product.bodies[2].X_WB;
+  known.steps[0].path[1].q.position = {0.0, 0.0, 9.0};
+  known.steps[0].method = "auto: known";
+  CertifyingTrial inner;
+  OrderRules rules;
+  DemandingTrial trial(inner, rules, product, &known);
+  const BodySet all(product.bodies.size(), true);
+  EXPECT_TRUE(std::holds_alternative<Removed>(trial.tryRemoval({2}, all, 1, {})));
+  EXPECT_EQ(inner.searches, 0);
+  EXPECT_TRUE(std::holds_alternative<Refused>(trial.tryRemoval({3}, all, 1, {})));
+  EXPECT_EQ(inner.searches, 1);
+  rules.forbidden.assign(product.bodies.size(), {});
+  rules.forbidden[2] = {Vector3::UnitZ()};
+  DemandingTrial forbidding(inner, rules, product, &known);
+  EXPECT_TRUE(std::holds_alternative<Refused>(forbidding.tryRemoval({2}, all, 1, {})));
+}
+
+TEST(DemandedSteps, DemandsThatContradictEachOtherAreErrors) {
+  const AssembledProduct product = looseBoxes();
+  const auto reasonOf = [&](const SequenceDemands& demands) {
+    const auto rules = resolved(demands, product);
+    return rules ? std::string() : rules.error().reason;
+  };
+  SequenceDemands demands;
+  demands.places = {{{"one"}, 1}, {{"two"}, 1}};
+  EXPECT_EQ(reasonOf(demands), "two steps are demanded at place 1");
+  demands.places = {{{"one"}, 1}, {{"one"}, 2}};
+  EXPECT_EQ(reasonOf(demands), "'one' is demanded at two places");
+  demands.places = {{{"one", "two"}, 1}, {{"two", "three"}, 2}};
+  EXPECT_EQ(reasonOf(demands), "'two' is in two steps or groups that are demanded");
+  demands.places = {{{"moon"}, 1}};
+  EXPECT_NE(reasonOf(demands).find("'moon'"), std::string::npos);
+  demands = {};
+  demands.forbidden = {{"one", Vector3::Zero()}};
+  EXPECT_NE(reasonOf(demands).find("no length"), std::string::npos);
+  demands = {};
+  demands.motions = {{{"one"}, {{Pose::identity(), Author::Operator}}, kByHand}};
+  EXPECT_EQ(reasonOf(demands), "a demanded motion goes nowhere");
+}
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QIcon>
+#include <QObject>
+
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "widgets/bridge/sequence_planner.h"
+
+namespace glissade {
+
+/// Pictures of the bodies of a product, drawn on a worker and kept: twins are drawn once.
+class PartPictures final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PartPictures(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Draws what is missing, then drawn() is announced. `atOnce`: before this returns. `pixels`: width and height.
+  void draw(const ProductPtr& product, int pixels, bool atOnce);
+  /// Empty where it is not drawn yet.
+  QIcon of(const RigidBody& body) const;
+
+ signals:
+  void drawn();
+
+ private:
+  using Key = std::tuple<MeshPtr, std::array<double, 4>, Colour>;
+  static Key keyOf(const RigidBody& body);
+
+  std::map<Key, QIcon> icons_;
+  BackgroundTask task_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,289 @@
+#include "widgets/panels/step_table.h"
+
+#include <QDropEvent>
+#include <QHeaderView>
+#include <QLocale>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QStyle>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+
+#include "engine/sequence/demand_edits.h"
+#include "widgets/commands/length_text.h"
+
+namespace glissade {
+namespace {
+
+enum StepColumn { StepNumber, StepPart, StepGaps, StepTools, StepState, StepColumns };
+
+constexpr int kStepRole = Qt::UserRole;         // counted in the plan
+constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
+constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
+constexpr int kPartColumn = 184;
+constexpr int kPictureSize = 32;
+/// Of Okabe and Ito's palette: readable on light and on dark ground.
+constexpr QRgb kForced = 0xffd55e00;
+
+QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
+
+QString joinedTexts(const std::vector<std::string>& texts, const QString& separator) {
+  QStringList list;
+  for (const std::string& text : texts) list << QString::fromStdString(text);
+  return list.join(separator);
+}
+
+QString largestAllowanceText(const AssemblyStep& step) {
+  double largest = 0.0;
+  for (const StepAllowance& allowance : step.allowances) largest = std::max(largest, allowance.allowance);
+  return largest > 0.0 ? lengthText(largest) : QStringLiteral("–");
+}
+
+QString checkText(StepCheck check) {
+  switch (check) {
+    case StepCheck::NotAsked: return StepTable::tr("certified");
+    case StepCheck::Agrees: return StepTable::tr("✓ proved");
+    case StepCheck::Disagrees: break;
+  }
+  return StepTable::tr("✗ not here");
+}
+
+QString checkTip(StepCheck check) {
+  switch (check) {
+    case StepCheck::NotAsked: return StepTable::tr("certified when it was found");
+    case StepCheck::Agrees: return StepTable::tr("proved again by the independent check");
+    case StepCheck::Disagrees: break;
+  }
+  return StepTable::tr("does not hold in this arrangement");
+}
+
+/// Texts of which the beginning counts.
+class BeginningDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->textElideMode = Qt::ElideRight;
+  }
+};
+
+/// What a person has done to the step: "locked", "by hand".
+QString markOf(const StepDemands& demands, const AssemblyStep& step) {
+  QStringList marks;
+  if (step.method == kByHand) marks << StepTable::tr("by hand");
+  if (demands.isLocked()) {
+    marks << StepTable::tr("locked");
+  } else if (demands.place != nullptr) {
+    marks << StepTable::tr("placed");
+  }
+  return marks.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+Language windowLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
+
+PlanWords windowPlanWords() {
+  return PlanWords(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });
+}
+
+StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), iconOf_(std::move(iconOf)) {
+  setObjectName(QStringLiteral("sequence"));
+  setColumnCount(StepColumns);
+  setHeaderLabels({tr("No."), twoLines(tr("Part"), tr("Motion")), twoLines(tr("Clearance"), tr("Allowance")),
+                   twoLines(tr("Tool"), tr("Standing")), tr("State")});
+  headerItem()->setToolTip(StepGaps, tr("Above: smallest distance to other parts. Below: the largest allowance of the "
+                                        "step; its tool tip lists all"));
+  headerItem()->setToolTip(StepTools, tr("Above: the tool that turns the fastener, and what it cannot be brought past. "
+                                         "Below: parts that would tip or fall, or what a forced step does not keep"));
+  headerItem()->setToolTip(StepState,
+                           tr("Above: whether the motion is proved. Below: what a person has done to the step, or the "
+                              "seconds after which it was found"));
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setAlternatingRowColors(true);
+  setIconSize({kPictureSize, kPictureSize});
+  setTextElideMode(Qt::ElideMiddle);
+  setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
+  setAccessibleName(tr("Steps of the sequence"));
+  setMinimumHeight(2 * fontMetrics().height());
+  header()->setSectionResizeMode(QHeaderView::Interactive);
+  header()->setMinimumSectionSize(20);
+  setSelectionMode(QAbstractItemView::ExtendedSelection);
+  setDragDropMode(QAbstractItemView::InternalMove);
+  setDropIndicatorShown(true);
+}
+
+QString StepTable::nameOf(const std::string& id) const {
+  const auto body = shown_.product->indexOf(id);
+  return QString::fromStdString(body ? shown_.product->bodies[*body].name : id);
+}
+
+/// A line each.
+QString StepTable::allNames(const std::vector<std::string>& ids) const {
+  QStringList names;
+  for (const std::string& id : ids) names << nameOf(id);
+  return names.join(QLatin1Char('\n'));
+}
+
+QString StepTable::shortNames(const std::vector<std::string>& ids) const {
+  QStringList names;
+  for (const std::string& id : ids) names << QString::fromStdString(shortName(nameOf(id).toStdString()));
+  return names.join(QStringLiteral(", "));
+}
+
+void StepTable::show(const ShownPlan& shown, PlanOrder order) {
+  const QSignalBlocker block(this);
+  const int scrolled = verticalScrollBar()->value();
+  shown_ = shown;
+  order_ = order;
+  clear();
+  const std::size_t steps = shown.plan ? shown.plan->steps.size() : 0;
+  for (std::size_t place = 0; place < steps; ++place) addStep(place);
+  if (shown.plan && !shown.growing) {
+    for (const StuckBody& stuck : shown.plan->stuck) addStuck(stuck);
+  }
+  for (const int column : {StepNumber, StepGaps, StepState}) resizeColumnToContents(column);
+  setColumnWidth(StepPart, kPartColumn);
+  const int used = columnWidth(StepNumber) + kPartColumn + columnWidth(StepGaps) + columnWidth(StepState);
+  const int inside = width() - 2 * frameWidth() - style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  setColumnWidth(StepTools, std::max(columnWidth(StepGaps), inside - used));
+  verticalScrollBar()->setValue(shown.growing ? verticalScrollBar()->maximum() : scrolled);
+  setDragEnabled(!shown.growing);
+}
+
+void StepTable::setIcon(QTreeWidgetItem& row, const std::string& bodyId) {
+  row.setData(StepNumber, kPictureRole, QString::fromStdString(bodyId));
+  const auto body = shown_.product->indexOf(bodyId);
+  if (body) row.setIcon(StepPart, iconOf_(shown_.product->bodies[*body]));
+}
+
+void StepTable::takeIcons() {
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = topLevelItem(i);
+    setIcon(*row, row->data(StepNumber, kPictureRole).toString().toStdString());
+  }
+}
+
+void StepTable::addStep(std::size_t place) {
+  const PlanWords words = windowPlanWords();
+  const auto& steps = shown_.plan->steps;
+  const std::size_t i = order_ == PlanOrder::Assembly ? steps.size() - 1 - place : place;
+  const AssemblyStep& step = steps[i];
+  auto* row = new QTreeWidgetItem(this);
+  row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled);
+  row->setData(StepNumber, kStepRole, static_cast<qulonglong>(i));
+  row->setText(StepNumber, QString::number(place + 1));
+  row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
+  setIcon(*row, step.body);
+  const QString motion = QString::fromStdString(words.motion(step, order_));
+  row->setText(StepPart, twoLines(QString::fromStdString(nameOfStep(step, *shown_.product)), motion));
+  row->setToolTip(StepPart, twoLines(allNames(step.bodies()), motion));
+  const bool isNear = !step.proof.nearest.empty();
+  row->setText(StepGaps, twoLines(isNear ? lengthText(step.proof.minClearance) : QStringLiteral("–"),
+                                  largestAllowanceText(step)));
+  row->setTextAlignment(StepGaps, Qt::AlignRight | Qt::AlignVCenter);
+  QStringList gaps;
+  if (isNear) {
+    gaps << tr("proved %1; smallest %2 to %3")
+                .arg(lengthText(step.proof.provedClearance), lengthText(step.proof.minClearance),
+                     nameOf(step.proof.nearest));
+  }
+  gaps << joinedTexts(words.allowances(step, *shown_.product), QStringLiteral("\n"));
+  row->setToolTip(StepGaps, gaps.join(QLatin1Char('\n')));
+  const QString forced = joinedTexts(words.violations(step, *shown_.product), QStringLiteral("; "));
+  const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
+  row->setText(StepTools, twoLines(QString::fromStdString(words.tool(step, *shown_.product)),
+                                   forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
+  if (!forced.isEmpty()) row->setForeground(StepTools, QColor::fromRgba(kForced));
+  row->setToolTip(StepTools, (QStringList{row->text(StepTools), allNames(step.tool.blockedBy), allNames(step.falling)})
+                                 .join(QLatin1Char('\n'))
+                                 .trimmed());
+  const auto after = i < shown_.foundAfter.size() ? shown_.foundAfter[i] : std::nullopt;
+  const QString seconds = after ? QLocale().toString(*after, 'f', 1) + QStringLiteral(" s") : QStringLiteral("–");
+  const StepCheck check = i < shown_.checks.size() ? shown_.checks[i] : StepCheck::NotAsked;
+  const QString mark = markOf(demandsOn(step.bodies(), shown_.plan->demands), step);
+  row->setText(StepState, twoLines(checkText(check), mark.isEmpty() ? seconds : mark));
+  row->setToolTip(StepState, (QStringList{checkTip(check), tr("found by %1").arg(QString::fromStdString(step.method)),
+                                          tr("found after %1").arg(seconds)})
+                                 .join(QLatin1Char('\n')));
+}
+
+void StepTable::addStuck(const StuckBody& stuck) {
+  auto* row = new QTreeWidgetItem(this);
+  row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+  const QString name = nameOf(stuck.body);
+  row->setData(StepNumber, kStuckRole, QString::fromStdString(stuck.body));
+  row->setText(StepNumber, QStringLiteral("–"));
+  row->setTextAlignment(StepNumber, Qt::AlignRight | Qt::AlignVCenter);
+  setIcon(*row, stuck.body);
+  const QString blocked =
+      stuck.blockedBy.empty() ? tr("no motion found") : tr("blocked by %1").arg(shortNames(stuck.blockedBy));
+  row->setText(StepPart, twoLines(QString::fromStdString(shortName(name.toStdString())), blocked));
+  QStringList names{name, blocked};
+  for (const std::string& other : stuck.blockedBy) names << nameOf(other);
+  if (!stuck.reason.empty()) names << QString::fromStdString(stuck.reason);
+  row->setToolTip(StepPart, names.join(QLatin1Char('\n')));
+  QFont bold = font();
+  bold.setBold(true);
+  row->setText(StepState, tr("stuck"));
+  row->setFont(StepState, bold);
+}
+
+std::optional<std::size_t> StepTable::stepOf(const QTreeWidgetItem* row) {
+  if (row == nullptr || !row->data(StepNumber, kStepRole).isValid()) return std::nullopt;
+  return static_cast<std::size_t>(row->data(StepNumber, kStepRole).toULongLong());
+}
+
+std::string StepTable::stuckOf(const QTreeWidgetItem* row) {
+  return row == nullptr ? std::string() : row->data(StepNumber, kStuckRole).toString().toStdString();
+}
+
+QTreeWidgetItem* StepTable::rowOf(std::size_t step) const {
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    if (stepOf(topLevelItem(i)) == step) return topLevelItem(i);
+  }
+  return nullptr;
+}
+
+QString StepTable::textOf(std::size_t step) const {
+  const QTreeWidgetItem* row = rowOf(step);
+  QStringList texts;
+  for (int column = 0; row != nullptr && column < StepColumns; ++column) texts << row->text(column);
+  return texts.join(QLatin1Char('\n'));
+}
+
+std::vector<std::size_t> StepTable::selectedSteps() const {
+  std::vector<std::size_t> steps;
+  for (const QTreeWidgetItem* row : selectedItems()) {
+    if (const auto step = stepOf(row)) steps.push_back(*step);
+  }
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+/// The rows stay as they are: the plan is made anew.
+void StepTable::dropEvent(QDropEvent* event) {
+  event->setDropAction(Qt::IgnoreAction);
+  event->accept();
+  dropAt(event->pos());
+}
+
+void StepTable::dropAt(const QPoint& place) {
+  const auto from = stepOf(currentItem());
+  if (!from) return;
+  QTreeWidgetItem* target = itemAt(place);
+  const bool below = target != nullptr && place.y() > visualItemRect(target).center().y();
+  const int row = target == nullptr ? topLevelItemCount() : indexOfTopLevelItem(target);
+  const int own = indexOfTopLevelItem(currentItem());
+  int to = row + (below ? 1 : 0);  // the row that it comes before
+  if (to > own) --to;
+  const auto steps = static_cast<int>(shown_.plan->steps.size());
+  const auto there = stepOf(topLevelItem(std::clamp(to, 0, steps - 1)));
+  if (there && *there != *from) emit stepDragged(static_cast<int>(*from), static_cast<int>(*there));
+}
+
+}  // namespace glissade

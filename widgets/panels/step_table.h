@@ -1,0 +1,72 @@
+#pragma once
+
+#include <QTreeWidget>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/study/plan_words.h"
+#include "widgets/bridge/sequence_planner.h"
+
+namespace glissade {
+
+/// What the panel shows of an assembly plan.
+struct ShownPlan {
+  ProductPtr product;  ///< null: there is none
+  PlanPtr plan;        ///< null: not planned yet
+  bool growing = false;
+  std::vector<std::optional<double>> foundAfter;  ///< seconds, of each step; nothing: not found here
+  std::vector<StepCheck> checks;                  ///< of each step; empty: not asked
+};
+
+/// Steps and stuck parts of an assembly plan, two lines a row. Steps can be dragged to another row.
+class StepTable final : public QTreeWidget {
+  Q_OBJECT
+
+ public:
+  using IconOf = std::function<QIcon(const RigidBody&)>;
+
+  StepTable(IconOf iconOf, QWidget* parent);
+
+  void show(const ShownPlan& shown, PlanOrder order);
+  /// Pictures have been drawn.
+  void takeIcons();
+  /// The step (its index in the plan), or the stuck part (its id), of a row or the current one.
+  static std::optional<std::size_t> stepOf(const QTreeWidgetItem* row);
+  static std::string stuckOf(const QTreeWidgetItem* row);
+  QTreeWidgetItem* rowOf(std::size_t step) const;
+  /// What all columns of the step's row say; empty where there is none.
+  QString textOf(std::size_t step) const;
+  /// Of the rows that are selected, in the order of removal.
+  std::vector<std::size_t> selectedSteps() const;
+  /// The current row was dropped there.
+  void dropAt(const QPoint& place);
+  QString nameOf(const std::string& id) const;
+  QString shortNames(const std::vector<std::string>& ids) const;
+
+ signals:
+  /// A person has dragged the step to where the other one is; indices in the plan.
+  void stepDragged(int from, int to);
+
+ protected:
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void addStep(std::size_t place);
+  void addStuck(const StuckBody& stuck);
+  void setIcon(QTreeWidgetItem& row, const std::string& bodyId);
+  QString allNames(const std::vector<std::string>& ids) const;
+
+  IconOf iconOf_;
+  ShownPlan shown_;
+  PlanOrder order_ = PlanOrder::Removal;
+};
+
+/// The language that the window has been opened in.
+Language windowLanguage();
+
+/// What people read of plans in this window.
+PlanWords windowPlanWords();
+
+}  // namespace glissade
