@@ -12,7 +12,7 @@ namespace glissade {
 /// other. What is too small to matter, or what the system does not permit, is left alone.
 inline void fillPages(void* memory, std::size_t bytes) {
 #ifdef MADV_POPULATE_WRITE
-  constexpr std::size_t kFewest = 4U << 20;
+  constexpr std::size_t kFewest = 1U << 20;
   if (bytes < kFewest) return;
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
   const auto begin = reinterpret_cast<std::uintptr_t>(memory);

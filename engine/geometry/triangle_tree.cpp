@@ -121,6 +121,7 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
     nodes_[index].box.extend(boxes_[order_[i]]);
     middles.extend(boxes_[order_[i]].center());
   }
+  nodes_[index].size = nodes_[index].box.diagonal().norm();
   if (last - first <= kMostInALeaf) {
     nodes_[index].first = first;
     nodes_[index].count = last - first;
@@ -225,8 +226,7 @@ bool TriangleTree::visitPair(const TriangleTree& other, double distance, const N
     }
     return true;
   }
-  const bool openMine =
-      theirs.count > 0 || (mine.count == 0 && mine.box.diagonal().norm() >= theirs.box.diagonal().norm());
+  const bool openMine = theirs.count > 0 || (mine.count == 0 && mine.size >= theirs.size);
   if (openMine) {
     open.push_back({mine.first, b});
     open.push_back({a + 1, b});

@@ -53,6 +53,7 @@ class TriangleTree {
     Box3 box;
     std::uint32_t first = 0;  ///< in `order_` of a leaf, else the node below that is not the next one
     std::uint32_t count = 0;  ///< of a leaf's triangles; 0: no leaf
+    double size = 0.0;        ///< diagonal of the box
   };
 
   void build(std::uint32_t first, std::uint32_t last);
