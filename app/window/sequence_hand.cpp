@@ -99,6 +99,7 @@ void SequenceHand::followUndo() {
 void SequenceHand::goBack(const std::function<void()>& then) {
   if (!run_ || run_->command < 0 || goingBack_) return;
   goingBack_ = true;
+  bench_.session.forgetPath();  // it is about other bodies
   for (int index = bench_.document.undoStack().index(); index >= run_->command; --index) bench_.document.undo();
   bench_.document.whenArranged([this, then] {
     goingBack_ = false;

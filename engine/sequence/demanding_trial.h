@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/removal_trial.h"
 

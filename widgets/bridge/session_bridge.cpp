@@ -97,7 +97,12 @@ void SessionBridge::takeSettings() {
 
 /// One that is still being examined is kept already.
 void SessionBridge::keepPath(const std::string& objectId) {
+  const bool forgets = std::exchange(forgets_, false);
   if (!session_ || fixed_) return;
+  if (forgets) {
+    kept_.erase(objectId);
+    return;
+  }
   const SnapshotPtr last = session_->snapshot();
   const Path* path = last->path ? last->path.get() : last->refused ? &last->refused->path : nullptr;
   if (path != nullptr) kept_[objectId] = {path->points, last->provenance};

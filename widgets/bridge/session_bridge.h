@@ -50,6 +50,8 @@ class SessionBridge final : public QObject {
   void setDevice(const std::string& deviceId);
   /// Takes a path from elsewhere in place of the run's: it is examined.
   void givePath(command::ExaminePath path);
+  /// The path that is there is not kept for the session that comes next.
+  void forgetPath() { forgets_ = true; }
   /// Who holds the object now; of a fixed run its own.
   const std::string& deviceId() const { return fixed_ ? fixedDeviceId_ : deviceId_; }
 
@@ -103,7 +105,8 @@ class SessionBridge final : public QObject {
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
   /// By the object's id, what a new session is given; nothing once a run has begun.
   std::map<std::string, command::ExaminePath> kept_;
-  bool fixed_ = false;  ///< session_ is a FixedRun
+  bool forgets_ = false;  ///< the present path
+  bool fixed_ = false;    ///< session_ is a FixedRun
   std::string fixedDeviceId_;
   QTimer pace_;  ///< of a fixed run on screen
 };
