@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QtTest>
 
 #include "tests/engine/sequence/products.h"
 
@@ -95,6 +96,21 @@ TEST_F(SequencePanelTest, ADraggedStepIsAnnouncedAndStaysUntilThePlanIsAnother) 
   ASSERT_EQ(moved.size(), 3);
   EXPECT_EQ(moved[2][0].toInt(), 0);
   EXPECT_EQ(moved[2][1].toInt(), 1);
+}
+
+TEST_F(SequencePanelTest, KeysMoveTheStepAndNotTheSelection) {
+  panel.show();
+  panel.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  ASSERT_TRUE(panel.chooseStep(1));
+  table().setFocus();
+  actions["sequence.step-up"]->setEnabled(true);
+  QSignalSpy up(actions["sequence.step-up"], &QAction::triggered);
+  QTest::keyClick(&table(), Qt::Key_Up, Qt::AltModifier);
+  EXPECT_EQ(up.size(), 1);
+  QTest::keyClick(&table(), Qt::Key_Up, Qt::AltModifier | Qt::KeypadModifier);
+  EXPECT_EQ(up.size(), 2);
+  EXPECT_EQ(panel.chosenStep(), std::optional<std::size_t>(1));
 }
 
 TEST_F(SequencePanelTest, ARowSaysWhatAPersonHasDoneAndWhatIsForced) {

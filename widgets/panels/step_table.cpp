@@ -1,7 +1,9 @@
 #include "widgets/panels/step_table.h"
 
+#include <QAction>
 #include <QDropEvent>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLocale>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -270,6 +272,18 @@ void StepTable::dropEvent(QDropEvent* event) {
   event->setDropAction(Qt::IgnoreAction);
   event->accept();
   dropAt(event->pos());
+}
+
+/// Keys of the keypad carry a modifier that shortcuts do not match: Alt with its arrows would move the selection.
+void StepTable::keyPressEvent(QKeyEvent* event) {
+  const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
+  const QKeySequence keys(event->key() | modifiers);
+  for (QAction* action : actions()) {
+    if (modifiers == 0 || action->shortcut() != keys) continue;
+    action->trigger();
+    return;
+  }
+  QTreeWidget::keyPressEvent(event);
 }
 
 void StepTable::dropAt(const QPoint& place) {

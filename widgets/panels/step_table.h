@@ -51,6 +51,7 @@ class StepTable final : public QTreeWidget {
 
  protected:
   void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void addStep(std::size_t place);
