@@ -1,6 +1,7 @@
 #include "app/window/theme.h"
 
 #include <QApplication>
+#include <QFont>
 #include <QPalette>
 #include <QStyleFactory>
 

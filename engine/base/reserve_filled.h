@@ -14,11 +14,10 @@ inline void fillPages(void* memory, std::size_t bytes) {
 #ifdef MADV_POPULATE_WRITE
   constexpr std::size_t kFewest = 1U << 20;
   if (bytes < kFewest) return;
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + page - 1) / page * page;
-  const std::uintptr_t last = (begin + bytes) / page * page;
-  ::madvise(reinterpret_cast<void*>(first), last - first, MADV_POPULATE_WRITE);
+  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(memory) % page) % page;
+  const std::size_t pages = (bytes - before) / page;
+  ::madvise(static_cast<std::byte*>(memory) + before, pages * page, MADV_POPULATE_WRITE);
 #else
   static_cast<void>(memory);
   static_cast<void>(bytes);

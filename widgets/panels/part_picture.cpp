@@ -45,7 +45,7 @@ class Raster {
         const double c = 1.0 - a - b;
         if (a < 0.0 || b < 0.0 || c < 0.0) continue;
         const double z = a * p[0].z() + b * p[1].z() + c * p[2].z();
-        const auto sample = static_cast<std::size_t>(y * size_ + x);
+        const std::size_t sample = sampleAt(x, y);
         if (z <= depth_[sample]) continue;
         depth_[sample] = z;
         shade_[sample] = shade;
@@ -53,12 +53,16 @@ class Raster {
     }
   }
 
+  std::size_t sampleAt(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size_) + static_cast<std::size_t>(x);
+  }
+
   QRgb pixel(int x, int y, const Colour& colour) const {
     int covered = 0;
     double shade = 0.0;
     for (int row = y * kSamples; row < (y + 1) * kSamples; ++row) {
       for (int column = x * kSamples; column < (x + 1) * kSamples; ++column) {
-        const double own = shade_[static_cast<std::size_t>(row * size_ + column)];
+        const double own = shade_[sampleAt(column, row)];
         if (own < 0.0) continue;
         ++covered;
         shade += own;
