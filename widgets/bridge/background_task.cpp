@@ -15,7 +15,7 @@ BackgroundTask::BackgroundTask(QObject* parent) : QObject(parent) {
   look_.setInterval(kLookMilliseconds);
   connect(&look_, &QTimer::timeout, this, [this] {
     emit progressed(share_->load());
-    collect();  // where a worker had no memory to announce its end
+    announceEnd();  // where a worker had no memory to do so
   });
 }
 
@@ -63,16 +63,20 @@ void BackgroundTask::startWorker(const std::string& doing, const Work& work) {
   const auto run = [this, &worker, work, watch] {
     worker.found.problem = guarded(worker.doing, [&] { worker.found.delivery = work(watch); });
     worker.done = true;
-    // Where this fails, the timer notices that the worker is done.
-    (void)guarded("announcing a result", [this] {
-      QMetaObject::invokeMethod(
-          this, [this] { collect(); }, Qt::QueuedConnection);
-    });
+    announceEnd();  // where this fails, the timer notices that the worker is done
   };
   if (auto why = guarded(doing, [&] { worker.thread = std::thread(run); })) {
     workers_.pop_back();
     deliver(doing, {{}, std::move(why)});
   }
+}
+
+/// Behind all that the worker has announced before.
+void BackgroundTask::announceEnd() {
+  (void)guarded("announcing a result", [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { collect(); }, Qt::QueuedConnection);
+  });
 }
 
 /// Joins the workers that are done and delivers what the last request has found.

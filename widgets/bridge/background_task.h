@@ -58,6 +58,7 @@ class BackgroundTask final : public QObject {
   };
 
   void startWorker(const std::string& doing, const Work& work);
+  void announceEnd();
   void collect();
   void deliver(const std::string& doing, const Found& found);
   void end();

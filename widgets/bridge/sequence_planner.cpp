@@ -123,11 +123,10 @@ SequencePlanner::~SequencePlanner() {
   drop();
 }
 
-/// What was asked before another request is not announced any more, and no step after the plan: the end of the task may
-/// be noticed before the last steps arrive.
+/// What was asked before another request is not announced any more.
 void SequencePlanner::deliver(const std::function<void()>& signal, std::uint64_t request) {
   QMetaObject::invokeMethod(this, [this, signal, request] {
-    if (request == request_ && planning_) signal();
+    if (request == request_) signal();
   });
 }
 
