@@ -14,6 +14,7 @@
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/sequence_run.h"
+#include "engine/sequence/step_motion.h"
 #include "engine/sequence/step_precedence.h"
 #include "engine/study/plan_words.h"
 
@@ -116,13 +117,7 @@ std::vector<std::string> listed(const std::string& text) {
 
 /// "-z", or three numbers; nothing where it is neither.
 std::optional<Vector3> directionIn(const std::vector<std::string>& words) {
-  constexpr std::string_view kAxes = "xyz";
-  if (words.size() == 1 && words[0].size() == 2) {
-    const std::size_t axis = kAxes.find(words[0][1]);
-    const char sign = words[0][0];
-    if (axis == std::string_view::npos || (sign != '+' && sign != '-')) return std::nullopt;
-    return Vector3((sign == '+' ? 1.0 : -1.0) * Vector3::Unit(static_cast<Eigen::Index>(axis)));
-  }
+  if (words.size() == 1) return axisNamed(words[0]);
   if (words.size() != 3) return std::nullopt;
   Vector3 direction;
   for (std::size_t i = 0; i < 3; ++i) {

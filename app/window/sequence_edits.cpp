@@ -15,20 +15,9 @@ namespace {
 
 using Words = ScriptCommands::Words;
 
-/// Of "-x"; nothing where it is no axis.
-std::optional<Vector3> axisNamed(const std::string& text) {
-  const std::string axes = "xyz";
-  const std::size_t axis = text.size() == 2 ? axes.find(text[1]) : std::string::npos;
-  if (axis == std::string::npos || (text[0] != '+' && text[0] != '-')) return std::nullopt;
-  return Vector3((text[0] == '+' ? 1.0 : -1.0) * Vector3::Unit(static_cast<Eigen::Index>(axis)));
-}
-
 QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product) {
   QStringList names;
-  for (const std::string& id : bodies) {
-    const auto body = product.indexOf(id);
-    names << QString::fromStdString(shortName(body ? product.bodies[*body].name : id));
-  }
+  for (const std::string& id : bodies) names << QString::fromStdString(shortNameOf(id, product));
   return names.join(QStringLiteral(", "));
 }
 

@@ -7,15 +7,6 @@
 #include "engine/sequence/demand_edits.h"
 
 namespace glissade {
-namespace {
-
-QString shortNameOf(const std::string& id, const AssembledProduct& product) {
-  const auto body = product.indexOf(id);
-  return QString::fromStdString(shortName(body ? product.bodies[*body].name : id));
-}
-
-}  // namespace
-
 SequenceHand::SequenceHand(const Workbench& bench, SequenceController& sequence)
     : QObject(&sequence), bench_(bench), sequence_(sequence) {
   bench.onAction("sequence.by-hand", this, [this] { begin(); });
@@ -45,7 +36,7 @@ void SequenceHand::begin() {
   for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
     for (const std::string& id : steps[i].bodies()) gone.push_back(id);
   }
-  const QString name = shortNameOf(run.body, *shown.product);
+  const QString name = QString::fromStdString(shortNameOf(run.body, *shown.product));
   run_ = run;
   const auto change = [this, body = run.body, gone](Scenario& scenario) {
     return prepareHandRun(body, gone, *bench_.document.scenario(), scenario);
@@ -66,7 +57,7 @@ void SequenceHand::noteBegun() {
     run_.reset();
   } else {
     run_->command = bench_.document.undoStack().index();
-    const QString name = shortNameOf(run_->body, *run_->plan.product);
+    const QString name = QString::fromStdString(shortNameOf(run_->body, *run_->plan.product));
     sequence_.panel()->setNotice(
         tr("%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
@@ -117,7 +108,7 @@ void SequenceHand::takePath() {
   const ShownPlan& shown = run_->plan;
   const DemandedMotion motion = motionByHand(shown.product->bodies[*shown.product->indexOf(run_->body)], path->points);
   const auto step = run_->step;
-  const QString name = shortNameOf(run_->body, *shown.product);
+  const QString name = QString::fromStdString(shortNameOf(run_->body, *shown.product));
   const PlanPtr plan = shown.plan;
   goBack([this, motion, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();

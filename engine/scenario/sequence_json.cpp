@@ -18,7 +18,7 @@ std::vector<std::string> readNames(const JsonCursor& at, std::size_t least) {
   return names;
 }
 
-Vector3 readGravity(const JsonCursor& at) {
+Vector3 readDirection(const JsonCursor& at) {
   if (at.size() != 3) at.fail("is not three numbers");
   const Vector3 gravity(at.element(0).coordinate(), at.element(1).coordinate(), at.element(2).coordinate());
   if (!(gravity.norm() > 0.0)) at.fail("has no direction");
@@ -85,7 +85,7 @@ void readSteps(const JsonCursor& at, SequenceDemands& demands) {
   for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor direction = forbidden->element(i);
     direction.allowOnly({"body", "direction"});
-    demands.forbidden.push_back({direction.at("body").nonEmptyText(), readGravity(direction.at("direction"))});
+    demands.forbidden.push_back({direction.at("body").nonEmptyText(), readDirection(direction.at("direction"))});
   }
 }
 
@@ -156,7 +156,7 @@ SequenceDemands readSequence(const JsonCursor& at) {
     if (names.size() != 2) before->element(i).fail("is not two names");
     demands.before.emplace_back(names[0], names[1]);
   }
-  if (const auto gravity = at.find("gravity")) demands.gravity = readGravity(*gravity);
+  if (const auto gravity = at.find("gravity")) demands.gravity = readDirection(*gravity);
   const auto densities = at.find("densities");
   for (std::size_t i = 0; densities && i < densities->sizeUpTo(limits::kMostBodies); ++i) {
     const JsonCursor density = densities->element(i);

@@ -61,4 +61,11 @@ Vector3 exitDirection(const std::vector<PathPoint>& path) {
   return moved.norm() > kLeastLength ? Vector3(moved.normalized()) : Vector3(Vector3::UnitZ());
 }
 
+std::optional<Vector3> axisNamed(std::string_view text) {
+  constexpr std::string_view kAxes = "xyz";
+  const std::size_t axis = text.size() == 2 ? kAxes.find(text[1]) : std::string_view::npos;
+  if (axis == std::string_view::npos || (text[0] != '+' && text[0] != '-')) return std::nullopt;
+  return Vector3((text[0] == '+' ? 1.0 : -1.0) * Vector3::Unit(static_cast<Eigen::Index>(axis)));
+}
+
 }  // namespace glissade

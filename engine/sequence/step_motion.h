@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "engine/planning/path.h"
@@ -22,5 +24,8 @@ std::vector<MotionLeg> reversed(const std::vector<MotionLeg>& legs);
 
 /// Unit direction from the first to the last position; nothing has moved: up.
 Vector3 exitDirection(const std::vector<PathPoint>& path);
+
+/// Unit vector of "+x", "-x", "+y", "-y", "+z" or "-z"; nothing where the text is none of these.
+std::optional<Vector3> axisNamed(std::string_view text);
 
 }  // namespace glissade

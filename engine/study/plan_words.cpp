@@ -40,8 +40,7 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
   constexpr std::size_t kNamed = 2;
   std::string text;
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) {
-    const auto body = product.indexOf(ids[i]);
-    text += (text.empty() ? "" : ", ") + shortName(body ? product.bodies[*body].name : ids[i]);
+    text += (text.empty() ? "" : ", ") + shortNameOf(ids[i], product);
   }
   return ids.size() <= kNamed ? text : words_("%1 and %2 more", {text, std::to_string(ids.size() - kNamed)});
 }
@@ -137,6 +136,11 @@ std::string kindOfPart(const std::string& name) {
   const bool counted = number != std::string::npos && number > 0 &&
                        last.find_first_not_of("0123456789", number + 1) == std::string::npos;
   return counted ? last.substr(0, number) : last;
+}
+
+std::string shortNameOf(const std::string& id, const AssembledProduct& product) {
+  const auto body = product.indexOf(id);
+  return shortName(body ? product.bodies[*body].name : id);
 }
 
 }  // namespace glissade

@@ -133,7 +133,7 @@ QString StepTable::allNames(const std::vector<std::string>& ids) const {
 
 QString StepTable::shortNames(const std::vector<std::string>& ids) const {
   QStringList names;
-  for (const std::string& id : ids) names << QString::fromStdString(shortName(nameOf(id).toStdString()));
+  for (const std::string& id : ids) names << QString::fromStdString(shortNameOf(id, *shown_.product));
   return names.join(QStringLiteral(", "));
 }
 
@@ -274,7 +274,8 @@ void StepTable::dropEvent(QDropEvent* event) {
   dropAt(event->pos());
 }
 
-/// Keys of the keypad carry a modifier that shortcuts do not match: Alt with its arrows would move the selection.
+/// Keys of the commands never move the selection. The table would get them while a command is off, and from the keypad,
+/// whose keys carry a modifier that shortcuts do not match.
 void StepTable::keyPressEvent(QKeyEvent* event) {
   const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
   const QKeySequence keys(event->key() | modifiers);
