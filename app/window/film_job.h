@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSize>
 #include <QString>
 
 #include <functional>
@@ -12,6 +13,9 @@
 
 namespace glissade {
 
+/// Pixels of a film.
+inline constexpr QSize kFilmPicture(1280, 720);
+
 /// What a film shows.
 struct FilmSubject {
   double seconds = 0.0;              ///< at the speed that is chosen for playing
@@ -19,8 +23,8 @@ struct FilmSubject {
   std::function<void()> restore;     ///< the scene as it was before
 };
 
-/// Films the 3D view as it is seen: a picture at each turn of the event loop, with its share in the status bar, where
-/// it is cancelled, too. In scripts all of it is done at once. GUI thread.
+/// Films the 3D view, seen as it is seen in the window: a picture at each turn of the event loop, with its share in the
+/// status bar, where it is cancelled, too. In scripts all of it is done at once. GUI thread.
 class FilmJob final : public QObject {
   Q_OBJECT
 

@@ -2,10 +2,12 @@
 
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 #include "app/window/report_file.h"
 #include "app/window/sequence_controller.h"
+#include "engine/sequence/plan_judge.h"
 #include "engine/sequence/step_view.h"
 #include "engine/study/plan_graph.h"
 #include "widgets/commands/length_text.h"
@@ -19,6 +21,21 @@ namespace {
 /// The part of a step is shown when so much of its way lies behind it, from where it is assembled.
 constexpr double kShownShare = 0.35;
 constexpr double kGraphScale = 1.5;
+
+/// What the pages say of each step: as it is known, or judged now where a step was not judged yet.
+std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct& product,
+                                const std::vector<StepCheck>& known, const StopToken& stop) {
+  const bool all =
+      known.size() == plan.steps.size() && std::find(known.begin(), known.end(), StepCheck::NotAsked) == known.end();
+  if (all) return known;
+  const auto judgements = judgePlan(plan, product, std::nullopt, stop);
+  if (!judgements) return known;
+  std::vector<StepCheck> checks;
+  for (const StepJudgement& judgement : *judgements) {
+    checks.push_back(judgement.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
+  }
+  return checks;
+}
 
 }  // namespace
 
@@ -39,16 +56,18 @@ void InstructionJob::start(const QString& file, Finished finished) {
 }
 
 void InstructionJob::chooseViews() {
-  bench_.work.run(
-      tr("Choosing the views"), [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
-        const auto views =
-            std::make_shared<const std::vector<Vector3>>(directionsToEye(*content->plan, *content->product, watch));
-        return [this, content, views] {
-          if (content != content_) return;
-          content->toEye = *views;
-          takePictures();
-        };
-      });
+  bench_.work.run(tr("Checking the steps and choosing the views"),
+                  [this, content = content_](const WorkWatch& watch) -> BackgroundTask::Delivery {
+                    const std::vector<StepCheck> checks =
+                        checksOf(*content->plan, *content->product, content->checks, watch.stop);
+                    const std::vector<Vector3> toEye = directionsToEye(*content->plan, *content->product, watch);
+                    return [this, content, checks, toEye] {
+                      if (content != content_) return;
+                      content->checks = checks;
+                      content->toEye = toEye;
+                      takePictures();
+                    };
+                  });
 }
 
 /// The next one, and the others at later turns of the event loop.
@@ -76,6 +95,7 @@ SaveResult InstructionJob::takeNextPicture() {
   }
   CameraController& camera = bench_.scene.view().camera();
   const CameraController before = camera;
+  camera.setAspect(static_cast<double>(kPagePicture.width()) / kPagePicture.height());
   const bool first = content_->exploded.empty();
   const std::size_t step = content_->pictures.size();
   if (first) {

@@ -34,7 +34,7 @@ PathController::PathController(const Workbench& bench)
       bench_(bench),
       panel_(new PathPanel(bench.actions, &bench.window)),
       report_(bench, nullptr),
-      film_(bench.work, [&bench] { return bench.scene.picture(); }) {
+      film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
     shownPose_ = pose;
     bench_.scene.view().setPlaybackPose(pose);

@@ -1,18 +1,10 @@
 #include "app/window/report_file.h"
 
-#include <QImage>
-
 #include "engine/study/report_html.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/studies/report_pdf.h"
 
 namespace glissade {
-namespace {
-
-/// Pixels.
-constexpr int kPageWidth = 900;
-
-}  // namespace
 
 SaveResult saveReport(const StudyReport& report, const QString& file) {
   if (file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return writeReportPdf(report, file);
@@ -21,10 +13,7 @@ SaveResult saveReport(const StudyReport& report, const QString& file) {
 }
 
 SaveResult saveScenePicture(SceneWidget& scene, const QString& file) {
-  scene.refresh();
-  const QImage picture = scene.picture();
-  if (picture.width() <= kPageWidth) return savePicture(picture, file);
-  return savePicture(picture.scaledToWidth(kPageWidth, Qt::SmoothTransformation), file);
+  return savePicture(scene.picture(kPagePicture), file);
 }
 
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QSize>
 #include <QString>
 
 #include "engine/base/file_save.h"
@@ -11,7 +12,10 @@ namespace glissade {
 /// Writes a report as PDF where the file's name ends so, else as HTML.
 SaveResult saveReport(const StudyReport& report, const QString& file);
 
-/// The scene as it is seen, as a PNG that is as wide as a page of a report needs, at most.
+/// Pixels of a picture on a page of a report.
+inline constexpr QSize kPagePicture(1200, 750);
+
+/// The scene as it is seen, as a PNG of that size.
 SaveResult saveScenePicture(SceneWidget& scene, const QString& file);
 
 }  // namespace glissade

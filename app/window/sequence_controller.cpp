@@ -31,6 +31,13 @@ std::vector<Vector3> wayOf(const AssemblyStep& step, const RigidBody& body) {
   return way;
 }
 
+/// The plan with the ids of the product's bodies: itself where it has them. Null where it is about another product.
+PlanPtr planOf(const AssembledProduct& product, const PlanPtr& plan) {
+  const auto ours = planAbout(product, *plan);
+  if (!ours) return nullptr;
+  return ours->bodies == plan->bodies ? plan : std::make_shared<const AssemblyPlan>(*ours);
+}
+
 /// What is there before a step is found.
 AssemblyPlan emptyPlan(const AssembledProduct& product, const BodySet& staying) {
   AssemblyPlan plan;
@@ -47,7 +54,7 @@ SequenceController::SequenceController(const Workbench& bench)
       bench_(bench),
       panel_(new SequencePanel(bench.actions, &bench.window)),
       instruction_(new InstructionJob(bench, *this)),
-      film_(bench.work, [&bench] { return bench.scene.picture(); }),
+      film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }),
       edits_(new SequenceEdits(bench, *this)),
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
@@ -143,7 +150,11 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
   next.checks.resize(std::min(next.checks.size(), knownSteps_));
-  setPlan(next);
+  if (growing && next.plan->steps.empty()) {
+    setPlan(next);
+  } else {
+    keepPlan(next);
+  }
   if (growing) return;
   remember();
   panel_->chooseBody(std::exchange(chosenLater_, {}));
@@ -156,6 +167,11 @@ void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>
   for (const bool agrees : agreed) next.checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
   setPlan(next);
   remember();
+}
+
+void SequenceController::keepPlan(const ShownPlan& shown) {
+  setPlan(shown);
+  bench_.document.setPlan(shown.plan);
 }
 
 void SequenceController::setPlan(const ShownPlan& shown) {
@@ -194,28 +210,27 @@ void SequenceController::followDocument(Changes what) {
   }
 }
 
-/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone.
+/// A plan holds for one arrangement: where bodies have moved it is judged again, where they are others it is gone. That
+/// of a scenario that is opened is judged, too.
 void SequenceController::followArrangement(bool another) {
   planner_.drop();
   panel_->setCost(bench_.document.demands().cost);
   if (another) memory_.clear();
   const ProductPtr product =
       another ? std::make_shared<const AssembledProduct>(productOf(*bench_.document.scenario())) : presentProduct();
-  if (hand_->isAway() && !another) {
+  if (another) {
+    const PlanPtr& kept = bench_.document.plan();
+    setPlan({product, kept ? planOf(*product, kept) : nullptr, false, {}, {}});
+  } else if (hand_->isAway()) {
     setPlan({product, nullptr, false, {}, {}});
     return;
-  }
-  if (const auto known = another ? std::nullopt : rememberedPlan(product)) {
-    setPlan(*known);
+  } else if (const auto known = rememberedPlan(product)) {
+    keepPlan(*known);
     return;
+  } else {
+    keepPlan({product, shown().plan ? planOf(*product, shown().plan) : nullptr, false, shown().foundAfter, {}});
   }
-  const auto plan = another || !shown().plan ? std::nullopt : planAbout(*product, *shown().plan);
-  if (!plan) {
-    setPlan({product, nullptr, false, {}, {}});
-    return;
-  }
-  setPlan({product, std::make_shared<const AssemblyPlan>(*plan), false, shown().foundAfter, {}});
-  planner_.judge(product, shown().plan, bench_.work.isAtOnce());
+  if (shown().plan) planner_.judge(product, shown().plan, bench_.work.isAtOnce());
 }
 
 void SequenceController::followDemands() {
@@ -225,7 +240,7 @@ void SequenceController::followDemands() {
   std::string chosen = std::exchange(chosenLater_, {});
   if (chosen.empty()) chosen = panel_->chosenBody();
   if (const auto known = rememberedPlan(shown().product)) {
-    setPlan(*known);
+    keepPlan(*known);
     panel_->chooseBody(chosen);
   } else {
     chosenLater_ = chosen;
@@ -304,7 +319,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const auto plan = readPlan(name);
   if (!plan) return plan.error();
   const ProductPtr product = presentProduct();
-  const auto ours = planAbout(*product, *plan);
+  const PlanPtr ours = planOf(*product, std::make_shared<const AssemblyPlan>(*plan));
   if (!ours) {
     std::vector<std::string> ids;
     for (const RigidBody& body : product->bodies) ids.push_back(body.id);
@@ -313,7 +328,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   planner_.drop();
   bench_.actions["panel.sequence"]->trigger();
   makeRoom();
-  setPlan({product, std::make_shared<const AssemblyPlan>(*ours), false, {}, {}});
+  keepPlan({product, ours, false, {}, {}});
   adoptDemands(*ours);
   planner_.judge(product, shown().plan, bench_.work.isAtOnce());
   return std::nullopt;

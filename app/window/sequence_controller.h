@@ -16,9 +16,9 @@ namespace glissade {
 class PlanGraphView;
 
 /// The assembly plan of the product that is open: planned on a worker, shown and played in the scene, read from files
-/// and written into them. It holds for one arrangement; in another one its steps are judged again. Which bodies stay is
-/// an attribute of bodies ("stays"), which is undoable and saved with the scenario; where nobody says so, the largest
-/// stays.
+/// and written into them, and kept by the document. It holds for one arrangement; in another one its steps are judged
+/// again. Which bodies stay is an attribute of bodies ("stays"), which is undoable and saved with the scenario; where
+/// nobody says so, the largest stays.
 class SequenceController final : public QObject {
   Q_OBJECT
 
@@ -66,6 +66,8 @@ class SequenceController final : public QObject {
   void takeGrown(const GrownPlan& grown, bool growing);
   void takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed);
   void setPlan(const ShownPlan& shown);
+  /// Shows the plan, and the document has it: it is saved with the scenario.
+  void keepPlan(const ShownPlan& shown);
   void showStuck(const QString& bodyId);
   void showGraph();
   /// The graph follows the plan while it is open.

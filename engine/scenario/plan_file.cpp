@@ -1,342 +1,20 @@
 #include "engine/scenario/plan_file.h"
 
-#include <glissade/version.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <set>
-#include <utility>
 
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
-#include "engine/base/limits.h"
-#include "engine/base/tolerances.h"
-#include "engine/product/contact_report.h"
 #include "engine/scenario/json_checksum.h"
-#include "engine/scenario/json_reader.h"
-#include "engine/scenario/sequence_json.h"
+#include "engine/scenario/plan_json.h"
 
 namespace glissade {
 namespace {
 
 using Json = JsonCursor::Json;
 
-constexpr const char* kFormat = "glissade-plan";
 constexpr std::size_t kMostBytes = 256U << 20;
-constexpr std::size_t kMostEffort = 64;
-constexpr std::array<std::pair<PlanEnd, const char*>, 4> kEndNames{{{PlanEnd::Complete, "complete"},
-                                                                    {PlanEnd::Stuck, "stuck"},
-                                                                    {PlanEnd::TimeLimit, "time_limit"},
-                                                                    {PlanEnd::Interrupted, "interrupted"}}};
-
-const char* endName(PlanEnd end) {
-  const auto found =
-      std::find_if(kEndNames.begin(), kEndNames.end(), [&](const auto& each) { return each.first == end; });
-  return found->second;
-}
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json toJson(const StepProof& proof) {
-  return {{"status", "certified"},
-          {"after_steps", proof.afterSteps},
-          {"required_m", proof.required},
-          {"proved_clearance_m", number(proof.provedClearance)},
-          {"min_clearance_m", number(proof.minClearance)},
-          {"nearest", proof.nearest.empty() ? Json(nullptr) : Json(proof.nearest)}};
-}
-
-Json toJson(const StepAllowance& allowance) {
-  Json json{{"body", allowance.body},
-            {"kind", kindName(allowance.kind)},
-            {"overlap_m", allowance.overlap},
-            {"allowance_m", allowance.allowance},
-            {"text", allowance.text}};
-  if (!allowance.moving.empty()) json["moving"] = allowance.moving;
-  if (allowance.yields) json["yields"] = true;
-  if (allowance.pitch == 0.0) return json;
-  json["pitch_m"] = allowance.pitch;
-  json["turns"] = allowance.turns;
-  return json;
-}
-
-constexpr std::array<std::pair<ToolAccess, const char*>, 3> kAccessNames{
-    {{ToolAccess::NotAsked, "not_asked"}, {ToolAccess::Free, "free"}, {ToolAccess::Blocked, "blocked"}}};
-
-Json toJson(const StepTool& tool) {
-  Json json{{"kind", toolName(tool.kind)}};
-  for (const auto& [access, name] : kAccessNames) {
-    if (access == tool.access) json["access"] = name;
-  }
-  if (!tool.blockedBy.empty()) json["blocked_by"] = tool.blockedBy;
-  return json;
-}
-
-constexpr std::array<std::pair<StepViolation::Rule, const char*>, 4> kRuleNames{
-    {{StepViolation::Rule::Before, "before"},
-     {StepViolation::Rule::Fastener, "fastener"},
-     {StepViolation::Rule::Standing, "standing"},
-     {StepViolation::Rule::Place, "place"}}};
-
-const char* ruleName(StepViolation::Rule rule) {
-  const auto found =
-      std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return each.first == rule; });
-  return found->second;
-}
-
-Json toJson(const AssemblyStep& step) {
-  Json json{
-      {"bodies", step.bodies()},           {"method", step.method},      {"wave", step.wave}, {"after", step.after},
-      {"certificate", toJson(step.proof)}, {"allowances", Json::array()}};
-  if (!step.falling.empty()) json["falling"] = step.falling;
-  if (step.fastener != FastenerKind::None) json["fastener"] = fastenerName(step.fastener);
-  if (step.tool.kind != ToolKind::None) json["tool"] = toJson(step.tool);
-  for (const StepAllowance& allowance : step.allowances) json["allowances"].push_back(toJson(allowance));
-  json["path"] = motionJson(step.path);
-  for (const StepViolation& violation : step.violates) {
-    json["violates"].push_back({{"rule", ruleName(violation.rule)}, {"bodies", violation.bodies}});
-  }
-  return json;
-}
-
-/// Reads one document. Throws JsonError.
-class PlanReader {
- public:
-  AssemblyPlan read(const JsonCursor& at) {
-    at.allowOnly({"format", "version", "program", "product", "strategy", "seed", "deflection_m", "parts", "removed",
-                  "end", "certified", "bodies", "staying", "steps", "stuck", "refusals", "waiting", "sequence"});
-    if (at.at("format").text() != kFormat) at.at("format").fail("is not \"glissade-plan\"");
-    if (at.at("version").wholeNumber() != 1) at.at("version").fail("is not 1", "Use a newer Glissade.");
-    plan_.strategy = at.at("strategy").nonEmptyText();
-    plan_.seed = at.at("seed").wholeNumber();
-    if (const auto demands = at.find("sequence")) plan_.demands = readSequence(*demands);
-    if (const auto deflection = at.find("deflection_m")) plan_.deflection = readLength(*deflection);
-    plan_.end = readEnd(at.at("end"));
-    readBodies(at.at("bodies"));
-    plan_.staying = readIds(at.at("staying"));
-    for (std::size_t i = 0; i < plan_.staying.size(); ++i) {
-      if (!gone_.insert(plan_.staying[i]).second) at.at("staying").element(i).fail("is there twice");
-    }
-    const JsonCursor steps = at.at("steps");
-    for (std::size_t i = 0; i < steps.sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.steps.push_back(readStep(steps.element(i)));
-      for (const std::string& id : plan_.steps.back().bodies()) gone_.insert(id);
-    }
-    const auto waiting = at.find("waiting");
-    for (std::size_t i = 0; waiting && i < waiting->sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.waiting.push_back(readStep(waiting->element(i)));
-    }
-    const JsonCursor stuck = at.at("stuck");
-    for (std::size_t i = 0; i < stuck.sizeUpTo(limits::kMostBodies); ++i) readStuck(stuck.element(i));
-    const JsonCursor refusals = at.at("refusals");
-    for (std::size_t i = 0; i < refusals.sizeUpTo(kMostEffort * limits::kMostBodies); ++i) {
-      readRefusal(refusals.element(i));
-    }
-    return std::move(plan_);
-  }
-
- private:
-  static PlanEnd readEnd(const JsonCursor& at) {
-    const std::string text = at.text();
-    for (const auto& [end, name] : kEndNames) {
-      if (text == name) return end;
-    }
-    at.fail("is not complete, stuck, time_limit or interrupted");
-  }
-
-  void readBodies(const JsonCursor& at) {
-    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
-      plan_.bodies.push_back(at.element(i).nonEmptyText());
-      if (!known_.insert(plan_.bodies.back()).second) at.element(i).fail("is there twice");
-    }
-  }
-
-  std::string readId(const JsonCursor& at) const {
-    std::string id = at.text();
-    if (known_.count(id) == 0) at.fail("is none of the plan's bodies");
-    return id;
-  }
-
-  std::vector<std::string> readIds(const JsonCursor& at) const {
-    std::vector<std::string> ids;
-    for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) ids.push_back(readId(at.element(i)));
-    return ids;
-  }
-
-  /// Of steps that were carried out before something was found.
-  std::size_t readAfter(const JsonCursor& at) const {
-    const std::uint64_t after = at.wholeNumber();
-    if (after > plan_.steps.size()) at.fail("is more than the steps before it");
-    return static_cast<std::size_t>(after);
-  }
-
-  static double readLength(const JsonCursor& at) {
-    if (at.json().is_null()) return std::numeric_limits<double>::infinity();
-    const double value = at.coordinate();
-    if (value < 0.0) at.fail("is below zero");
-    return value;
-  }
-
-  AssemblyStep readStep(const JsonCursor& at) const {
-    at.allowOnly({"bodies", "method", "wave", "after", "fastener", "tool", "falling", "certificate", "allowances",
-                  "path", "violates"});
-    AssemblyStep step;
-    const JsonCursor bodies = at.at("bodies");
-    std::vector<std::string> ids = readIds(bodies);
-    if (ids.empty()) bodies.fail("is empty", "Name the bodies that leave.");
-    std::set<std::string> gone = gone_;
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      if (!gone.insert(ids[i]).second) bodies.element(i).fail("stays, or has left before");
-    }
-    step.body = ids.front();
-    step.with.assign(ids.begin() + 1, ids.end());
-    step.after = readPredecessors(at);
-    if (const auto fastener = at.find("fastener")) {
-      const auto kind = fastenerByName(fastener->text());
-      if (!kind) fastener->fail("is not screw, nut, washer, pin or none");
-      step.fastener = *kind;
-    }
-    if (const auto tool = at.find("tool")) step.tool = readTool(*tool);
-    step.method = at.at("method").text();
-    if (const auto falling = at.find("falling")) step.falling = readIds(*falling);
-    const auto violates = at.find("violates");
-    for (std::size_t i = 0; violates && i < violates->sizeUpTo(kRuleNames.size()); ++i) {
-      step.violates.push_back(readViolation(violates->element(i)));
-    }
-    step.wave = static_cast<std::size_t>(at.at("wave").wholeNumber());
-    step.proof = readProof(at.at("certificate"));
-    const JsonCursor allowances = at.at("allowances");
-    for (std::size_t i = 0; i < allowances.sizeUpTo(limits::kMostBodies); ++i) {
-      step.allowances.push_back(readAllowance(allowances.element(i)));
-    }
-    step.path = readMotion(at.at("path"));
-    return step;
-  }
-
-  StepViolation readViolation(const JsonCursor& at) const {
-    at.allowOnly({"rule", "bodies"});
-    const std::string rule = at.at("rule").text();
-    const auto known =
-        std::find_if(kRuleNames.begin(), kRuleNames.end(), [&](const auto& each) { return rule == each.second; });
-    if (known == kRuleNames.end()) at.at("rule").fail("is not before, fastener, standing or place");
-    return {known->first, readIds(at.at("bodies"))};
-  }
-
-  StepTool readTool(const JsonCursor& at) const {
-    at.allowOnly({"kind", "access", "blocked_by"});
-    const auto kind = toolByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is not hex_key, socket, screwdriver, open_wrench or none");
-    StepTool tool{*kind};
-    const std::string access = at.at("access").text();
-    const auto known =
-        std::find_if(kAccessNames.begin(), kAccessNames.end(), [&](const auto& each) { return access == each.second; });
-    if (known == kAccessNames.end()) at.at("access").fail("is not not_asked, free or blocked");
-    tool.access = known->first;
-    if (const auto blockers = at.find("blocked_by")) tool.blockedBy = readIds(*blockers);
-    return tool;
-  }
-
-  /// All earlier steps where the file does not say.
-  std::vector<std::size_t> readPredecessors(const JsonCursor& step) const {
-    std::vector<std::size_t> after;
-    const auto at = step.find("after");
-    for (std::size_t number = 1; !at && number <= plan_.steps.size(); ++number) after.push_back(number);
-    for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
-      const std::uint64_t number = at->element(i).wholeNumber();
-      if (number == 0 || number > plan_.steps.size()) at->element(i).fail("is no earlier step");
-      after.push_back(static_cast<std::size_t>(number));
-    }
-    return after;
-  }
-
-  StepProof readProof(const JsonCursor& at) const {
-    at.allowOnly({"status", "after_steps", "required_m", "proved_clearance_m", "min_clearance_m", "nearest"});
-    if (at.at("status").text() != "certified") at.at("status").fail("is not \"certified\"");
-    StepProof proof;
-    proof.afterSteps = readAfter(at.at("after_steps"));
-    proof.required = at.at("required_m").positiveNumber();
-    proof.provedClearance = readLength(at.at("proved_clearance_m"));
-    proof.minClearance = readLength(at.at("min_clearance_m"));
-    if (!at.at("nearest").json().is_null()) proof.nearest = readId(at.at("nearest"));
-    return proof;
-  }
-
-  StepAllowance readAllowance(const JsonCursor& at) const {
-    at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "pitch_m", "turns"});
-    const auto kind = kindByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is no kind of fit");
-    StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
-                            readLength(at.at("allowance_m")), at.at("text").text()};
-    if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
-    if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
-    if (const auto pitch = at.find("pitch_m")) {
-      allowance.pitch = pitch->coordinate();
-      if (allowance.pitch == 0.0) pitch->fail("is no pitch");
-    }
-    if (const auto turns = at.find("turns")) {
-      allowance.turns = readLength(*turns);
-      if (allowance.pitch == 0.0) turns->fail("is without a pitch");
-    }
-    return allowance;
-  }
-
-  void readStuck(const JsonCursor& at) {
-    at.allowOnly({"part", "blocked_by", "reason"});
-    plan_.stuck.push_back({readId(at.at("part")), readIds(at.at("blocked_by"))});
-    if (const auto reason = at.find("reason")) plan_.stuck.back().reason = reason->text();
-    if (gone_.count(plan_.stuck.back().body) != 0) at.at("part").fail("stays, or has left");
-  }
-
-  void readRefusal(const JsonCursor& at) {
-    at.allowOnly({"part", "with", "effort", "after_steps", "blocked_by"});
-    const std::uint64_t effort = at.at("effort").wholeNumber();
-    if (effort >= kMostEffort) at.at("effort").fail("is too large");
-    plan_.refusals.push_back({readId(at.at("part")), static_cast<int>(effort), readAfter(at.at("after_steps")),
-                              readIds(at.at("blocked_by"))});
-    if (const auto with = at.find("with")) plan_.refusals.back().with = readIds(*with);
-  }
-
-  std::set<std::string> known_;
-  std::set<std::string> gone_;
-  AssemblyPlan plan_;
-};
 
 }  // namespace
-
-Json planJson(const AssemblyPlan& plan, const std::string& product) {
-  Json json{{"format", kFormat},
-            {"version", 1},
-            {"program", std::string("Glissade ") + kVersion},
-            {"product", product},
-            {"strategy", plan.strategy},
-            {"seed", plan.seed},
-            {"deflection_m", plan.deflection},
-            {"parts", plan.parts()},
-            {"removed", plan.removed()},
-            {"end", endName(plan.end)},
-            {"certified", true},
-            {"bodies", plan.bodies},
-            {"staying", plan.staying},
-            {"steps", Json::array()},
-            {"stuck", Json::array()},
-            {"refusals", Json::array()}};
-  addSequence(plan.demands, json);
-  for (const AssemblyStep& step : plan.steps) json["steps"].push_back(toJson(step));
-  for (const AssemblyStep& step : plan.waiting) json["waiting"].push_back(toJson(step));
-  for (const StuckBody& stuck : plan.stuck) {
-    json["stuck"].push_back({{"part", stuck.body}, {"blocked_by", stuck.blockedBy}, {"reason", stuck.reason}});
-  }
-  for (const RefusedRemoval& refused : plan.refusals) {
-    json["refusals"].push_back({{"part", refused.body},
-                                {"effort", refused.effort},
-                                {"after_steps", refused.afterSteps},
-                                {"blocked_by", refused.blockedBy}});
-    if (!refused.with.empty()) json["refusals"].back()["with"] = refused.with;
-  }
-  return json;
-}
 
 Outcome savePlan(const AssemblyPlan& plan, const std::string& product, const std::string& file) {
   Json json = planJson(plan, product);
@@ -350,7 +28,7 @@ Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file)
   if (!document) return document.error();
   const ChecksumState checksum = takeChecksum(*document);
   try {
-    auto plan = PlanReader().read(JsonCursor(*document, file, ""));
+    auto plan = readPlanJson(JsonCursor(*document, file, ""));
     if (checksum == ChecksumState::Wrong) {
       return wrongChecksum(file, "Plan again. To use an edited plan, remove its checksum.");
     }
@@ -372,7 +50,7 @@ bool isPlanFile(const std::string& file) {
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first == std::string::npos || (*text)[first] != '{') return false;
   const auto document = parseJson(*text, file);
-  return document && document->is_object() && document->value("format", Json()) == kFormat;
+  return document && document->is_object() && document->value("format", Json()) == kPlanFormat;
 }
 
 Outcome checkSameBodies(const AssemblyPlan& plan, const std::vector<std::string>& bodies, const std::string& file) {

@@ -65,6 +65,7 @@ std::string problemSha256(const Scenario& scenario) {
   problem.parameters.clear();
   problem.seed = usual.seed;
   problem.paths.clear();
+  problem.plan.reset();
   problem.sequence = {};
   for (Asset& asset : problem.assets) {
     asset.path = fs::path(asset.path).filename().string();  // the scenario may have been saved elsewhere since

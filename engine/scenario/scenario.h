@@ -14,6 +14,7 @@
 #include "engine/planning/problem.h"
 #include "engine/product/object_fits.h"
 #include "engine/scenario/kept_path.h"
+#include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/order_rules.h"
 
 namespace glissade {
@@ -105,7 +106,8 @@ struct Scenario {
   FitSettings fits;
   SequenceDemands sequence;
   std::uint64_t seed = 1;
-  KeptPaths paths;  ///< results that are kept, by name
+  KeptPaths paths;                           ///< results that are kept, by name
+  std::shared_ptr<const AssemblyPlan> plan;  ///< the sequence that was planned last; null: none. It may hold no more
 };
 
 /// What the user has said about places and bodies, as the semantic layer takes it; and back.

@@ -6,6 +6,7 @@
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/kept_path_json.h"
+#include "engine/scenario/plan_json.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 #include "engine/scenario/sequence_json.h"
@@ -146,7 +147,7 @@ Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version",     "name",       "description", "assets",     "bodies",
                   "object",     "start",       "goal",       "workspace",   "way_points", "planner",
                   "parameters", "environment", "attributes", "places",      "milestones", "rules",
-                  "fits",       "sequence",    "seed",       "paths"});
+                  "fits",       "sequence",    "seed",       "paths",       "plan"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();
@@ -178,6 +179,7 @@ Scenario readScenario(const JsonCursor& root) {
   if (const auto fits = root.find("fits")) scenario.fits = readFits(*fits);
   if (const auto seed = root.find("seed")) scenario.seed = seed->wholeNumber();
   if (const auto paths = root.find("paths")) scenario.paths = readKeptPaths(*paths);
+  if (const auto plan = root.find("plan")) scenario.plan = std::make_shared<const AssemblyPlan>(readPlanJson(*plan));
   return scenario;
 }
 

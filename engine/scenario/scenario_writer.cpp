@@ -3,6 +3,7 @@
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/json_reader.h"
 #include "engine/scenario/kept_path_json.h"
+#include "engine/scenario/plan_file.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/semantics_json.h"
 #include "engine/scenario/sequence_json.h"
@@ -114,6 +115,7 @@ Json scenarioJson(const Scenario& scenario) {
   addSequence(scenario.sequence, json);
   json["seed"] = scenario.seed;
   addKeptPaths(scenario.paths, json);
+  if (scenario.plan) json["plan"] = planJson(*scenario.plan, scenario.name);
   return json;
 }
 

@@ -5607,8 +5607,8 @@
 <context>
     <name>glissade::InstructionJob</name>
     <message>
-        <source>Choosing the views</source>
-        <translation>Choix des points de vue</translation>
+        <source>Checking the steps and choosing the views</source>
+        <translation>Vérification des étapes et choix des points de vue</translation>
     </message>
     <message>
         <source>Writing the work instruction</source>

@@ -26,6 +26,7 @@ class UnseenScene final : public SceneWidget {
   QWidget* widget() override { return &widget_; }
   void refresh() override {}
   QImage picture() override { return {}; }
+  QImage picture(const QSize& /*pixels*/) override { return {}; }
   void setNavigationStyle(NavigationStyle /*style*/) override {}
   void onCameraMoved(std::function<void()>) override {}
 

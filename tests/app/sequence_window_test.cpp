@@ -43,8 +43,10 @@ TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearra
   expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nopen-sequence %1\n"
                                        "expect-sequence proved 10\nexpect-sequence refuted 0\n"
                                        "place stand 0,0,1 0,0,0\nexpect-sequence proved 10\n"
-                                       "open %2\nexpect-sequence end none\n")
-                            .arg(file("plan.json"), kSource + QStringLiteral("/samples/sliding-plane/scenario.json"))));
+                                       "save %3\nopen %2\nexpect-sequence end none\n"
+                                       "open %3\nexpect-sequence end complete\nexpect-sequence proved 10\n")
+                            .arg(file("plan.json"), kSource + QStringLiteral("/samples/sliding-plane/scenario.json"),
+                                 file("stand.json"))));
 }
 
 TEST_F(SequenceWindow, ThePlanOfTheCommandLineIsThatOfTheWindow) {

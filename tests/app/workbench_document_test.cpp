@@ -1,4 +1,5 @@
 #include "widgets/document/workbench_document.h"
+#include "tests/engine/scenario/some_plan.h"
 #include "tests/engine/support/directories.h"
 
 #include <gtest/gtest.h>
@@ -354,6 +355,21 @@ TEST_F(WorkbenchDocumentTest, APathThatARunFoundIsUnsavedUntilItIsKeptOrExported
   document.undo();
   document.redo();
   EXPECT_TRUE(document.paths().paths().empty()) << "edits of bodies leave kept paths alone";
+}
+
+TEST_F(WorkbenchDocumentTest, AnAssemblyPlanIsUnsavedUntilItIsSaved) {
+  EXPECT_EQ(document.plan(), nullptr);
+  const auto plan = std::make_shared<const AssemblyPlan>(test::somePlan());
+  document.setPlan(plan);
+  EXPECT_TRUE(document.isModified());
+  const Scenario saved = document.contentFor("a.json");
+  EXPECT_EQ(saved.plan, plan);
+  document.noteSaved("a.json", saved);
+  EXPECT_FALSE(document.isModified());
+  ASSERT_TRUE(document.place(wall, Pose::translation({0.1, 0.2, 0.3})).ok());
+  document.undo();
+  EXPECT_EQ(document.plan(), plan) << "edits of bodies leave it alone";
+  EXPECT_TRUE(document.isProblemSaved()) << "a plan is no part of the problem";
 }
 
 /// Bodies that stay are not prepared again, and neither is anything where only the ends move.

@@ -121,6 +121,7 @@ void WorkbenchDocument::open(const ScenarioPtr& scenario) {
     settings_ = {scenario->scenario.planner, scenario->scenario.seed, scenario->parameters};
     results_ = {};
     demands_ = scenario->scenario.sequence;
+    plan_ = scenario->scenario.plan;
     unkept_ = false;
     undo_.clear();
     paths_.open(scenario->scenario.paths);
@@ -151,6 +152,7 @@ Scenario WorkbenchDocument::current() const {
   scenario.sequence = demands_;  // attributes of parts are edits, which come over it
   setSemanticEdits(semantics_.edits(), scenario);
   scenario.paths = paths_.paths();
+  scenario.plan = plan_;
   return scenario;
 }
 
@@ -286,6 +288,12 @@ void WorkbenchDocument::takeDemands(const SequenceDemands& demands) {
   announce(Change::Sequence);
 }
 
+void WorkbenchDocument::setPlan(const std::shared_ptr<const AssemblyPlan>& plan) {
+  const bool before = isModified();
+  plan_ = plan;
+  if (isModified() != before) announce(Change::File);
+}
+
 void WorkbenchDocument::noteUnkept() {
   const bool before = unkept_;
   const Path* path = results_.path.get();
@@ -336,8 +344,9 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
 }
 
 bool WorkbenchDocument::isModified() const {
-  return scenario_ && (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
-                       settings_.strategy != scenario_->scenario.planner || unkept_);
+  return scenario_ &&
+         (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
+          settings_.strategy != scenario_->scenario.planner || unkept_ || plan_ != scenario_->scenario.plan);
 }
 
 bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }

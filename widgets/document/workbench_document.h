@@ -69,6 +69,10 @@ class WorkbenchDocument final : public QObject {
   const SequenceDemands& demands() const { return demands_; }
   /// Undoable.
   void setDemands(const QString& text, const SequenceDemands& demands);
+  /// The assembly plan that was found or opened last; null: none. It may not hold for the arrangement any more.
+  const std::shared_ptr<const AssemblyPlan>& plan() const { return plan_; }
+  /// A plan is a result: it is saved with the scenario, and no step of the undo stack.
+  void setPlan(const std::shared_ptr<const AssemblyPlan>& plan);
   /// For observers; undo() and redo() do not wait for geometry.
   QUndoStack& undoStack() { return undo_; }
 
@@ -155,6 +159,7 @@ class WorkbenchDocument final : public QObject {
   PathShelf paths_;
   ScenarioPtr scenario_;
   SequenceDemands demands_;
+  std::shared_ptr<const AssemblyPlan> plan_;
   SemanticEditsPtr edits_ = std::make_shared<const SemanticEdits>();
   EnvironmentOptions options_;
   RunSettings settings_;

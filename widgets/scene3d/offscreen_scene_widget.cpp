@@ -28,8 +28,20 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
     update();
   }
   QImage picture() override {
-    if (stale_ || image_.size() != size()) render();
+    if (stale_ || image_.size() != size()) {
+      image_ = picture(size());
+      stale_ = false;
+    }
     return image_;
+  }
+  QImage picture(const QSize& pixels) override {
+    const CameraController before = view_.camera();
+    const QSize rendered = pixels.expandedTo(QSize(1, 1)) * kOversampling;
+    context_->makeCurrent(rendered.width(), rendered.height());
+    renderer_.resize(rendered.width(), rendered.height());
+    renderer_.render(0);
+    view_.camera() = before;
+    return context_->read().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
   }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
@@ -46,15 +58,6 @@ class OffscreenSceneWidget final : public QWidget, public SceneWidget {
   void wheelEvent(QWheelEvent* event) override { moved(mouse_.wheel(*event, *this, view_)); }
 
  private:
-  void render() {
-    const QSize pixels = size().expandedTo(QSize(1, 1)) * kOversampling;
-    context_->makeCurrent(pixels.width(), pixels.height());
-    renderer_.resize(pixels.width(), pixels.height());
-    renderer_.render(0);
-    image_ = context_->read().scaled(size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    stale_ = false;
-  }
-
   void moved(bool camera) {
     if (!camera) return;
     if (cameraMoved_) cameraMoved_();

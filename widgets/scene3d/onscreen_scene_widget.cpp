@@ -1,5 +1,7 @@
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 
+#include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/mouse_navigation.h"
 #include "widgets/scene3d/scene_renderer.h"
 #include "widgets/scene3d/scene_widget.h"
@@ -7,11 +9,13 @@
 namespace glissade {
 namespace {
 
+constexpr int kSamples = 4;  ///< of a pixel, against jagged edges
+
 class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
  public:
   explicit OnscreenSceneWidget(QWidget* parent) : QOpenGLWidget(parent), renderer_(view_) {
     QSurfaceFormat format;
-    format.setSamples(4);
+    format.setSamples(kSamples);
     format.setDepthBufferSize(24);
     format.setProfile(QSurfaceFormat::CompatibilityProfile);
     setFormat(format);
@@ -26,6 +30,23 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
   QImage picture() override { return grabFramebuffer(); }
+  QImage picture(const QSize& pixels) override {
+    const CameraController before = view_.camera();
+    makeCurrent();
+    QOpenGLFramebufferObjectFormat format;
+    format.setSamples(kSamples);
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    QOpenGLFramebufferObject target(pixels.expandedTo(QSize(1, 1)), format);
+    target.bind();
+    view_.setPixelScale(1.0);
+    renderer_.resize(target.width(), target.height());
+    renderer_.render(target.handle());
+    const QImage image = target.toImage();
+    view_.camera() = before;
+    resizeGL(width(), height());
+    doneCurrent();
+    return image;
+  }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 

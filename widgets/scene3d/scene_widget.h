@@ -23,6 +23,8 @@ class SceneWidget {
   virtual void refresh() = 0;
   /// The picture as it is now, rendered if need be.
   virtual QImage picture() = 0;
+  /// The scene in another size (pixels), with the same camera but for the ratio of width to height.
+  virtual QImage picture(const QSize& pixels) = 0;
   virtual void setNavigationStyle(NavigationStyle style) = 0;
   /// Called after the user moved the camera (R_WV changed: view-relative steering).
   virtual void onCameraMoved(std::function<void()> callback) = 0;

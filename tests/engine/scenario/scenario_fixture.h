@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/scenario/scenario.h"
+#include "tests/engine/scenario/some_plan.h"
 #include "tests/engine/support/directories.h"
 
 namespace glissade::test {
@@ -127,6 +128,7 @@ inline Scenario fullScenario() {
   kept.problemSha256 = std::string(64, 'b');
   kept.points = {{scenario.start}, {Pose::translation({1.0 / 3.0, 0, 0}), Author::Contact, Author::Operator}};
   scenario.paths = {std::make_shared<const KeptPath>(kept)};
+  scenario.plan = std::make_shared<const AssemblyPlan>(somePlan());
   return scenario;
 }
 

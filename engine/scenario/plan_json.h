@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/scenario/json_reader.h"
+#include "engine/sequence/assembly_plan.h"
+
+namespace glissade {
+
+inline constexpr const char* kPlanFormat = "glissade-plan";
+
+/// Reads what planJson() makes. Private to the readers of this room. Throws JsonError.
+AssemblyPlan readPlanJson(const JsonCursor& at);
+
+}  // namespace glissade
