@@ -12,6 +12,9 @@ namespace {
 /// What is seen of the tightest place: a box with this half side, in radii of the object.
 constexpr double kTightestSurroundings = 1.2;
 
+/// Of the width of a page of paper.
+constexpr double kPictureShare = 0.75;
+
 std::string lengthWords(double metres) { return lengthText(metres).toStdString(); }
 
 }  // namespace
@@ -27,10 +30,10 @@ void PathReportJob::start(const RunResults& results, const std::shared_ptr<const
   }
   const auto folder = std::make_shared<QTemporaryDir>();
   const StudyWords words(windowLanguage());
-  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path")};
+  ReportPicture overview{folder->filePath(QStringLiteral("path.png")).toStdString(), words("The path"), kPictureShare};
   if (!saveScenePicture(bench_.scene, QString::fromStdString(overview.file))) overview = {};
   ReportPicture tightest{folder->filePath(QStringLiteral("tightest.png")).toStdString(),
-                         words("The place with the smallest clearance")};
+                         words("The place with the smallest clearance"), kPictureShare};
   const auto place = profile ? profile->tightest() : std::nullopt;
   if (!place || !takeTightest(profile->samples[*place], tightest.file)) tightest = {};
   const ScenarioPtr scenario = bench_.document.scenario();

@@ -13,7 +13,7 @@ namespace glissade {
 SaveResult saveReport(const StudyReport& report, const QString& file);
 
 /// Pixels of a picture on a page of a report.
-inline constexpr QSize kPagePicture(1200, 750);
+inline constexpr QSize kPagePicture(960, 600);
 
 /// The scene as it is seen, as a PNG of that size.
 SaveResult saveScenePicture(SceneWidget& scene, const QString& file);

@@ -59,7 +59,11 @@ SequenceController::SequenceController(const Workbench& bench)
       hand_(new SequenceHand(bench, *this)) {
   connect(&planner_, &SequencePlanner::grown, this, [this](const GrownPlan& grown) { takeGrown(grown, true); });
   connect(&planner_, &SequencePlanner::planned, this, [this](const GrownPlan& grown) { takeGrown(grown, false); });
-  connect(&planner_, &SequencePlanner::judged, this, &SequenceController::takeJudged);
+  connect(&planner_, &SequencePlanner::judged, this, [this](const PlanPtr& plan, const std::vector<bool>& agreed) {
+    std::vector<StepCheck> checks;
+    for (const bool agrees : agreed) checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
+    noteChecks(plan, checks);
+  });
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
@@ -160,11 +164,10 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   panel_->chooseBody(std::exchange(chosenLater_, {}));
 }
 
-void SequenceController::takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed) {
-  if (plan != shown().plan) return;
+void SequenceController::noteChecks(const PlanPtr& plan, const std::vector<StepCheck>& checks) {
+  if (plan != shown().plan || checks == shown().checks) return;
   ShownPlan next = shown();
-  next.checks.clear();
-  for (const bool agrees : agreed) next.checks.push_back(agrees ? StepCheck::Agrees : StepCheck::Disagrees);
+  next.checks = checks;
   setPlan(next);
   remember();
 }
@@ -372,10 +375,15 @@ void SequenceController::showStuck(const QString& bodyId) {
   bench_.document.semantics().select(selection);
 }
 
+/// A scenario made of parts is named as the part that moves, which is no name of the product.
 std::string SequenceController::productName() const {
   const ScenarioPtr& scenario = bench_.document.scenario();
-  if (!scenario->scenario.name.empty()) return scenario->scenario.name;
-  return QFileInfo(QString::fromStdString(scenario->file)).completeBaseName().toStdString();
+  const Scenario& content = scenario->scenario;
+  if (!content.name.empty() && content.name != content.object.name) return content.name;
+  const bool assets = scenario->file.empty() && !content.assets.empty();
+  const std::string& file = assets ? content.assets.front().path : scenario->file;
+  const std::string stem = QFileInfo(QString::fromStdString(file)).completeBaseName().toStdString();
+  return stem.empty() ? content.name : stem;
 }
 
 void SequenceController::exportTo(const QString& file, const InstructionJob::Finished& finished) {

@@ -33,6 +33,8 @@ class SequenceController final : public QObject {
   bool isEditable() const;
   /// The plan of the scenario and the demands as they are, where it is known.
   void showRemembered() { followArrangement(false); }
+  /// What was found when the steps of this plan were judged.
+  void noteChecks(const PlanPtr& plan, const std::vector<StepCheck>& checks);
   /// The row of this body becomes the current one when the next plan is there.
   void chooseLater(const std::string& body) { chosenLater_ = body; }
   /// Reads a plan of the product that is open and judges it; nothing on success.
@@ -41,7 +43,7 @@ class SequenceController final : public QObject {
   /// PDF, a film as MP4, WebM or a series of pictures, by the ending of the file.
   /// `finished` is called when it is done: at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
-  /// The name of the scenario, or of its file.
+  /// The name of the scenario, of its file, or of the file that its parts come from.
   std::string productName() const;
   /// The scene as the panel's sliders have it.
   void showPanelsScene();
@@ -64,7 +66,6 @@ class SequenceController final : public QObject {
   /// The dock is made large enough for the table, once.
   void makeRoom();
   void takeGrown(const GrownPlan& grown, bool growing);
-  void takeJudged(const PlanPtr& plan, const std::vector<bool>& agreed);
   void setPlan(const ShownPlan& shown);
   /// Shows the plan, and the document has it: it is saved with the scenario.
   void keepPlan(const ShownPlan& shown);

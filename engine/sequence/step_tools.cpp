@@ -11,6 +11,12 @@
 namespace glissade {
 namespace {
 
+/// A tool where it turns the fastener, with what its handle sweeps, and while it is brought on.
+struct ToolMesh {
+  MeshPtr inPlace;
+  MeshPtr entering;
+};
+
 /// The meshes of the tools of a plan, each once: twins have the same.
 class ToolMeshes {
  public:
@@ -23,8 +29,11 @@ class ToolMeshes {
       if (isNew) at->second = headOf(*mesh, question.fasteners[body]);
       if (!at->second) continue;
       for (const ToolKind kind : question.tools[body]) {
-        MeshPtr& tool = tools_[{mesh, kind}];
-        if (!tool) tool = std::make_shared<const TriangleMesh>(toolShape(kind, *at->second));
+        ToolMesh& tool = tools_[{mesh, kind}];
+        if (tool.inPlace) continue;
+        tool.inPlace = std::make_shared<const TriangleMesh>(toolShape(kind, *at->second));
+        const auto entering = enteringToolShape(kind, *at->second);
+        tool.entering = entering ? std::make_shared<const TriangleMesh>(*entering) : tool.inPlace;
       }
     }
   }
@@ -34,11 +43,11 @@ class ToolMeshes {
     const auto known = heads_.find(mesh);
     return known != heads_.end() && known->second ? &*known->second : nullptr;
   }
-  const MeshPtr& tool(const MeshPtr& mesh, ToolKind kind) const { return tools_.at({mesh, kind}); }
+  const ToolMesh& tool(const MeshPtr& mesh, ToolKind kind) const { return tools_.at({mesh, kind}); }
 
  private:
   std::map<MeshPtr, std::optional<FastenerHead>> heads_;
-  std::map<std::pair<MeshPtr, ToolKind>, MeshPtr> tools_;
+  std::map<std::pair<MeshPtr, ToolKind>, ToolMesh> tools_;
 };
 
 /// The frame of a tool at the head: a nut's tool comes from where the nut leaves to.
@@ -55,20 +64,45 @@ Pose toolFrame(const FastenerHead& head, const Pose& X_WB, const Vector3& exit, 
   return X_WT;
 }
 
-/// What is in the way of a tool, the position of the handle with the fewest.
-std::vector<std::size_t> blockersOf(ToolKind kind, const MeshPtr& mesh, const FastenerHead& head, const Pose& X_WB,
-                                    const Vector3& exit, const std::vector<std::size_t>& others,
-                                    const SequenceQuestion& question, const StopToken& stop) {
-  std::optional<std::vector<std::size_t>> fewest;
-  const int positions = handlePositions(kind);
-  for (int i = 0; i < positions && !(fewest && fewest->empty()); ++i) {
-    const Pose on = toolFrame(head, X_WB, exit, 2.0 * std::numbers::pi * i / positions);
-    Pose off = on;
-    off.position += takeOffLength(kind, head) * (on.orientation * Vector3::UnitZ());
-    auto blocking = question.trial.inTheWayOfTool(mesh, {off, on}, others, stop);
-    if (!fewest || blocking.size() < fewest->size()) fewest = std::move(blocking);
+using Blockers = std::vector<std::size_t>;
+
+Blockers fewer(Blockers one, Blockers other) { return other.size() < one.size() ? std::move(other) : std::move(one); }
+
+/// The question of one tool at one head.
+struct ToolQuestion {
+  ToolKind kind;
+  const ToolMesh& mesh;
+  const FastenerHead& head;
+  const std::vector<std::size_t>& others;
+  RemovalTrial& trial;
+  const StopToken& stop;
+};
+
+/// What is in the way of a tool that is in place in this frame, or else of the best way to bring it on.
+Blockers blockersAt(const Pose& X_WT, const ToolQuestion& tool) {
+  if (tool.mesh.entering != tool.mesh.inPlace) {
+    Blockers inPlace = tool.trial.inTheWayOfTool(tool.mesh.inPlace, {X_WT, X_WT}, tool.others, tool.stop);
+    if (!inPlace.empty()) return inPlace;
   }
-  return *fewest;
+  std::optional<Blockers> best;
+  for (const Vector3& way : takeOffWays(tool.kind, tool.head)) {
+    Pose off = X_WT;
+    off.position += X_WT.orientation * way;
+    Blockers blocking = tool.trial.inTheWayOfTool(tool.mesh.entering, {off, X_WT}, tool.others, tool.stop);
+    best = best ? fewer(std::move(*best), std::move(blocking)) : std::move(blocking);
+  }
+  return best ? std::move(*best) : Blockers();
+}
+
+/// Those of the position of the handle with the fewest.
+Blockers blockersOf(const ToolQuestion& tool, const Pose& X_WB, const Vector3& exit) {
+  std::optional<Blockers> fewest;
+  const int positions = handlePositions(tool.kind);
+  for (int i = 0; i < positions && !(fewest && fewest->empty()); ++i) {
+    Blockers blocking = blockersAt(toolFrame(tool.head, X_WB, exit, 2.0 * std::numbers::pi * i / positions), tool);
+    fewest = fewest ? fewer(std::move(*fewest), std::move(blocking)) : std::move(blocking);
+  }
+  return std::move(*fewest);
 }
 
 StepTool toolOf(const AssemblyStep& step, const std::vector<std::size_t>& others, const ToolMeshes& meshes,
@@ -79,8 +113,8 @@ StepTool toolOf(const AssemblyStep& step, const std::vector<std::size_t>& others
   if (head == nullptr) return step.tool;
   std::optional<StepTool> preferred;
   for (const ToolKind kind : question.tools[body]) {
-    const auto blocking = blockersOf(kind, meshes.tool(own.mesh, kind), *head, own.X_WB, exitDirection(step.path),
-                                     others, question, stop);
+    const ToolQuestion tool{kind, meshes.tool(own.mesh, kind), *head, others, question.trial, stop};
+    const auto blocking = blockersOf(tool, own.X_WB, exitDirection(step.path));
     if (stop.stopRequested()) return step.tool;
     if (blocking.empty()) return {kind, ToolAccess::Free, {}};
     if (!preferred) preferred = {kind, ToolAccess::Blocked, idsOf(blocking, question.product)};

@@ -92,6 +92,23 @@ TriangleMesh openWrench(const FastenerHead& head) {
   return both(sector({kAbout * R, 1.6 * R, low, high}, kFullTurn), sector({1.5 * R, 12.0 * R, low, high}, kSwing));
 }
 
+/// Where an open wrench begins its swing: its jaw is open away from the arm, and as wide as the head.
+TriangleMesh wrenchAtRest(const FastenerHead& head) {
+  const double R = head.radius;
+  const double low = -0.9 * head.height;
+  const double high = -0.1 * head.height;
+  Pose back = Pose::identity();
+  back.orientation = Quaternion(Eigen::AngleAxisd(-0.25 * kFullTurn, Vector3::UnitZ()));
+  TriangleMesh mesh = transformed(sector({kAbout * R, 1.6 * R, low, high}, 0.5 * kFullTurn), back);
+  const TriangleMesh prong = makeBox({0.6 * R, (1.6 - kAbout) * R, high - low});
+  for (const double side : {-1.0, 1.0}) {
+    const Vector3 middle(-0.3 * R, side * 0.5 * (kAbout + 1.6) * R, 0.5 * (low + high));
+    append(mesh, transformed(prong, Pose::translation(middle)));
+  }
+  append(mesh, sector({1.5 * R, 12.0 * R, low, high}, kSwing / 5.0));
+  return mesh;
+}
+
 }  // namespace
 
 TriangleMesh toolShape(ToolKind kind, const FastenerHead& head) {
@@ -105,9 +122,21 @@ TriangleMesh toolShape(ToolKind kind, const FastenerHead& head) {
   return {};
 }
 
-double takeOffLength(ToolKind kind, const FastenerHead& head) {
-  if (kind == ToolKind::OpenWrench) return 0.0;
-  return kind == ToolKind::Socket ? head.height + head.radius : head.radius;
+std::optional<TriangleMesh> enteringToolShape(ToolKind kind, const FastenerHead& head) {
+  if (kind != ToolKind::OpenWrench) return std::nullopt;
+  return wrenchAtRest(head);
+}
+
+std::vector<Vector3> takeOffWays(ToolKind kind, const FastenerHead& head) {
+  const double R = head.radius;
+  switch (kind) {
+    case ToolKind::OpenWrench: return {{2.0 * R, 0.0, 0.0}, {0.0, 0.0, head.height}};
+    case ToolKind::Socket: return {{0.0, 0.0, head.height + R}};
+    case ToolKind::HexKey:
+    case ToolKind::Screwdriver: return {{0.0, 0.0, R}};
+    case ToolKind::None: break;
+  }
+  return {};
 }
 
 int handlePositions(ToolKind kind) { return kind == ToolKind::Screwdriver ? 1 : 12; }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/tool_kind.h"
@@ -11,12 +14,17 @@ namespace glissade {
 /// - hex key: a leg as wide as a recess takes, 6 R long, and an arm of 14 R
 /// - socket: a ring about the head that takes a bolt 4 R long, a bar, and an arm of 14 R at 10 R
 /// - screwdriver: a blade of 10 R, and a handle of 15 R, at least 6 mm in radius
-/// - open wrench: a jaw about the head, and an arm of 12 R beside it
+/// - open wrench: a jaw, a ring about the head as it turns, and an arm of 12 R beside it
 /// Precondition: not None.
 TriangleMesh toolShape(ToolKind kind, const FastenerHead& head);
 
-/// How far the tool is taken off along z until nothing of it is about the head, metres; 0: it comes from the side.
-double takeOffLength(ToolKind kind, const FastenerHead& head);
+/// An open wrench while it is brought on: its jaw is open, and its arm is where the swing begins. Nothing for the other
+/// tools: they come as toolShape() has them.
+std::optional<TriangleMesh> enteringToolShape(ToolKind kind, const FastenerHead& head);
+
+/// The translations that take the tool off until nothing of it is about the head, in the tool's frame: along the axis,
+/// and an open wrench also to the side of its handle. Each is a way to bring it on.
+std::vector<Vector3> takeOffWays(ToolKind kind, const FastenerHead& head);
 
 /// How many positions of the handle are tried, evenly about the axis.
 int handlePositions(ToolKind kind);

@@ -36,6 +36,7 @@ struct ReportTable {
 struct ReportPicture {
   std::string file;  ///< a PNG
   std::string caption;
+  double share = 0.46;  ///< of the width of a page of paper
 };
 /// Commands, a line each, as typed.
 struct ReportCommands {

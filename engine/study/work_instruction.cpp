@@ -41,7 +41,7 @@ class Composer {
     return {"", {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}}, std::move(rows)};
   }
   void picture(const std::string& file, const std::string& caption) {
-    if (!file.empty()) report_.blocks.emplace_back(ReportPicture{file, caption});
+    if (!file.empty()) report_.blocks.emplace_back(ReportPicture{file, caption, 1.0});
   }
   /// In the order of assembly, from 1.
   std::size_t numberOf(std::size_t step) const { return content_.plan.steps.size() - step; }

@@ -117,10 +117,16 @@ TEST_F(SequenceWindow, EveryFormatIsWritten) {
   EXPECT_TRUE(content("plan.pdf").startsWith("%PDF"));
   EXPECT_EQ(content("plan.csv").count('\n'), 11);
   EXPECT_TRUE(content("plan.glb").startsWith("glTF"));
+  QProcess raster;
+  raster.start(QStringLiteral("pdftoppm"),
+               {QStringLiteral("-r"), QStringLiteral("72"), QStringLiteral("-png"), QStringLiteral("-f"),
+                QStringLiteral("7"), QStringLiteral("-singlefile"), file("plan.pdf"), file("page")});
+  ASSERT_TRUE(raster.waitForFinished() && raster.exitCode() == 0) << "pdftoppm (poppler-utils) is not installed";
+  expectLike(file("page.png"), QStringLiteral("instruction-page"));
 }
 
 TEST_F(SequenceWindow, TheWorkInstructionIsInTheLanguageOfTheWindow) {
-  expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\n").arg(file("fr.html")),
+  expectGood(runOnStand(QStringLiteral("plan-sequence 2\nexport-sequence %1\n").arg(file("fr.html")),
                         {QStringLiteral("--language"), QStringLiteral("fr")}));
   EXPECT_TRUE(content("fr.html").contains("Gamme de montage"));
 }

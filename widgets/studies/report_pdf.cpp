@@ -27,7 +27,7 @@ constexpr double kFooterMm = 8.0;
 constexpr double kBodyPoints = 8.5;
 constexpr double kTablePoints = 6.8;
 constexpr double kWideTablePoints = 5.6;
-constexpr double kPictureShare = 0.46;    ///< of the width of a page
+constexpr double kHighestPicture = 0.55;  ///< of the height of a page
 constexpr double kBelowHeadingMm = 35.0;  ///< what a page has to hold of a heading and what follows
 constexpr std::size_t kManyColumns = 10;  ///< tables with more have smaller letters
 constexpr int kLongestLabel = 28;         ///< characters of a row's label that stay on one line
@@ -125,9 +125,10 @@ class Composer {
     const QString name = QStringLiteral("picture:") + text(picture.file);
     cursor_.document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
     format.setName(name);
-    const double width = kPictureShare * width_ * kScreenDotsPerInch / kDotsPerInch;
-    format.setWidth(width);
-    format.setHeight(width * image.height() / image.width());
+    const double highest = kHighestPicture * cursor_.document()->pageSize().height();
+    const double width = std::min(picture.share * width_, highest * image.width() / image.height());
+    format.setWidth(width * kScreenDotsPerInch / kDotsPerInch);
+    format.setHeight(format.width() * image.height() / image.width());
     cursor_.insertImage(format);
     caption(picture.caption);
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/sequence/fasteners.h"
 #include "engine/sequence/sequence_run.h"
@@ -69,6 +70,10 @@ TEST(StepTools, WhatABodyNeedsIsAsked) {
   };
   EXPECT_EQ(toolOf("screwdriver").access, ToolAccess::Free) << "it has no handle to the side";
   EXPECT_EQ(toolOf("open_wrench").access, ToolAccess::Blocked);
+  SequenceDemands tubeFirst;
+  tubeFirst.before = {{"tube", "screw"}};
+  tubeFirst.tools = {{"screw", "open_wrench"}};
+  EXPECT_EQ(stepOf(planWith(product, tubeFirst), "screw").tool.access, ToolAccess::Free);
   EXPECT_EQ(toolOf("none").kind, ToolKind::None);
 }
 
@@ -100,8 +105,28 @@ TEST(ToolShape, EveryToolIsMadeOfClosedSolidsTurnedOutwards) {
     EXPECT_GT(solidMass(mesh).volume, 0.0) << toolName(kind);
     EXPECT_EQ(toolByName(toolName(kind)), kind);
   }
-  EXPECT_EQ(takeOffLength(ToolKind::OpenWrench, head), 0.0);
-  EXPECT_GT(takeOffLength(ToolKind::Socket, head), head.height);
+  ASSERT_EQ(takeOffWays(ToolKind::Socket, head).size(), 1U);
+  EXPECT_GT(takeOffWays(ToolKind::Socket, head).front().z(), head.height);
+}
+
+TEST(ToolShape, AnOpenWrenchLeavesTheHeadToTheSideOfItsArm) {
+  const FastenerHead head{Vector3::Zero(), Vector3::UnitZ(), 0.007, 0.006, 0.004, 6, 0, false};
+  const auto wrench = enteringToolShape(ToolKind::OpenWrench, head);
+  ASSERT_TRUE(wrench);
+  EXPECT_GT(solidMass(*wrench).volume, 0.0);
+  EXPECT_FALSE(enteringToolShape(ToolKind::Socket, head));
+  const Vector3 way = takeOffWays(ToolKind::OpenWrench, head).front();
+  ASSERT_EQ(way.z(), 0.0);
+  for (const auto& triangle : wrench->triangles) {
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+      const Vector3 on = wrench->vertices[triangle[0]] * (1.0 - share) +
+                         0.5 * share * (wrench->vertices[triangle[1]] + wrench->vertices[triangle[2]]);
+      // The head, as seen from the wrench, goes from the origin against the way.
+      const double along = std::clamp(-on.dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const Vector3 nearest = -along * way;
+      EXPECT_GE((on - nearest).head<2>().norm(), head.radius) << on.transpose();
+    }
+  }
 }
 
 }  // namespace
