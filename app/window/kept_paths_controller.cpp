@@ -200,6 +200,9 @@ void KeptPathsController::compareSelected() {
     return [this, scenario, compared] {
       auto* dialog = new ComparePathsDialog(compared, *scenario, &bench_.window);
       dialog->setAttribute(Qt::WA_DeleteOnClose);
+      connect(&bench_.document, &WorkbenchDocument::changed, dialog, [dialog](Changes what) {
+        if (what & (Change::Scenario | Change::Arrangement)) dialog->close();  // it is about what was there
+      });
       dialog->show();
     };
   };

@@ -77,8 +77,9 @@ Outcome selectStrategy(SessionBridge& session, const std::string& id) {
 Outcome wait(SessionBridge& session, const std::string& state, const std::string& until) {
   const auto limit = toNumber(until);
   if (!limit) return wrongCommand("'" + until + "' is not a limit");
+  const auto reached = [&] { return isIn(session.snapshot(), state) && !session.isStarting(); };
   if (session.clock() == SessionClock::Lockstep) {
-    for (auto left = static_cast<std::uint64_t>(*limit); left > 0 && !isIn(session.snapshot(), state);) {
+    for (auto left = static_cast<std::uint64_t>(*limit); left > 0 && !reached();) {
       const std::uint64_t slice = std::min(kWaitSlice, left);
       session.advance(slice);
       left -= slice;
@@ -86,12 +87,12 @@ Outcome wait(SessionBridge& session, const std::string& state, const std::string
   } else {
     QElapsedTimer timer;
     timer.start();
-    while (!isIn(session.snapshot(), state) && static_cast<double>(timer.elapsed()) < *limit * 1000.0) {
+    while (!reached() && static_cast<double>(timer.elapsed()) < *limit * 1000.0) {
       QApplication::processEvents(QEventLoop::AllEvents, 10);
       QThread::msleep(2);
     }
   }
-  if (isIn(session.snapshot(), state)) return Done{};
+  if (reached()) return Done{};
   return unmetExpectation("the session did not reach the state '" + state + "'");
 }
 

@@ -96,12 +96,13 @@ double leastBound(const Box3& box, double points) {
   return kBound * spacing;
 }
 
-/// The bound with which the way of the motion times the surface of the body's box, in spacings, is the usual work.
-double boundOfUsualWork(const Box3& body, double way) {
-  const Vector3 sizes = body.sizes();
-  const double surface = 2.0 * (sizes.x() * sizes.y() + sizes.y() * sizes.z() + sizes.z() * sizes.x());
-  return kBound * std::cbrt(way * surface / kUsualWork);
+double surfaceOf(const Box3& box) {
+  const Vector3 sizes = box.sizes();
+  return 2.0 * (sizes.x() * sizes.y() + sizes.y() * sizes.z() + sizes.z() * sizes.x());
 }
+
+/// The bound with which the way of the motion times the surface of the body's box, in spacings, is the usual work.
+double boundOfUsualWork(const Box3& body, double way) { return kBound * std::cbrt(way * surfaceOf(body) / kUsualWork); }
 
 /// The least bound for which coordinates of 32 bits, as files have them, are within what is added for rounding.
 double boundOfSinglePrecision(const Box3& box) {
@@ -155,7 +156,7 @@ class WorldDistances {
   void lower(const Pose& pose, int firstPlane, int lastPlane) {
     const Eigen::Matrix3d R_WB = pose.orientation.toRotationMatrix();
     const Vector3 half = Vector3::Constant(0.5 * body_.blockSize());
-    const Vector3 half_W = R_WB.cwiseAbs() * half;
+    const Vector3 half_W = R_WB.cwiseAbs() * half + Vector3::Constant(kMargin * lattice_.spacing);
     for (const SurfaceDistances::Block& block : body_.blocks()) {
       const Vector3 middle = R_WB * (block.least_B + half) + pose.position;
       LatticeRange range = rangeWithin(lattice_, Box3(middle - half_W, middle + half_W));

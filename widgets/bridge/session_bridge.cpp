@@ -186,6 +186,7 @@ std::unique_ptr<OperatorDevice> SessionBridge::makeDevice(const std::string& id,
 }
 
 void SessionBridge::begin(SessionConfig config, SessionClock clock) {
+  startedRun_ = 0;
   if (clock == SessionClock::Lockstep) {
     auto lockstep = makeLockstepSession(std::move(config));
     lockstep_ = lockstep.get();
@@ -204,7 +205,10 @@ void SessionBridge::post(Command command) {
   if (const auto* known = std::get_if<command::SetKnowledge>(&command)) knowledge_ = known->knowledge;
   if (scenario_ && !session_) restart();  // it could not be made
   if (!session_) return;
-  if (std::holds_alternative<command::Start>(command)) kept_.erase(scenario_->object.id);
+  if (std::holds_alternative<command::Start>(command)) {
+    kept_.erase(scenario_->object.id);
+    startedRun_ = announced_ ? announced_->run + 1 : 1;
+  }
   session_->post(std::move(command));
   // In lockstep commands are carried out at once; in real time the planner thread does it.
   advance(0);

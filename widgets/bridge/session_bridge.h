@@ -66,6 +66,8 @@ class SessionBridge final : public QObject {
 
   /// The one announced last; null while no scenario is open. Asking takes no news away from those who listen.
   const SnapshotPtr& snapshot() const { return announced_; }
+  /// A run was started that snapshot() does not show yet.
+  bool isStarting() const { return session_ && announced_ && announced_->run < startedRun_; }
   SessionClock clock() const { return clock_; }
   /// Lockstep only: lets the session do so many planner steps.
   void advance(std::uint64_t steps);
@@ -102,6 +104,7 @@ class SessionBridge final : public QObject {
   HandInputsPtr hand_;
   std::unique_ptr<Session> session_;
   SnapshotPtr announced_;
+  std::uint64_t startedRun_ = 0;         ///< of session_: the number that the run posted last has at least
   LockstepSession* lockstep_ = nullptr;  ///< session_, where it is one
   /// By the object's id, what a new session is given; nothing once a run has begun.
   std::map<std::string, command::ExaminePath> kept_;

@@ -84,6 +84,28 @@ TEST(SweptVolume, OfAStraightMotionIsThePrismWithARim) {
   EXPECT_LT(sweep->volume, (swept.array() + 2.0 * sweep->bound).prod());
 }
 
+/// Points of the world's lattice on the border of two blocks of the body's lattice belong to both.
+TEST(SweptVolume, OfStraightMotionsHasNoSlits) {
+  RandomStream random(7, "slits");
+  for (int i = 0; i < 12; ++i) {
+    const Vector3 sizes(random.uniform(0.02, 0.03), random.uniform(0.15, 0.2), random.uniform(0.15, 0.2));
+    const Vector3 way = 0.1 * Vector3::Unit(i % 3);
+    const double bound = 0.02;
+    const Pose start = Pose::translation(Vector3(0.1765, 0.075, 0.06) * i);
+    const auto sweep = sweptVolume(makeBox(sizes), {start, Pose::translation(start.position + way)}, bound);
+    ASSERT_TRUE(sweep);
+    double area = 0.0;
+    for (const auto& triangle : sweep->surface_W.triangles) {
+      const auto& vertices = sweep->surface_W.vertices;
+      area += 0.5 * (vertices[triangle[1]] - vertices[triangle[0]])
+                        .cross(vertices[triangle[2]] - vertices[triangle[0]])
+                        .norm();
+    }
+    const Vector3 prism = sizes + way + Vector3::Constant(2.0 * bound);
+    EXPECT_LE(area, 2.0 * (prism.x() * prism.y() + prism.y() * prism.z() + prism.z() * prism.x())) << i;
+  }
+}
+
 TEST(SweptVolume, TheMiddleOfARingIsOutside) {
   std::vector<Pose> path;
   for (int i = 0; i <= 8; ++i) {
