@@ -210,6 +210,7 @@ void ArrangeTool::letGo() {
   if (!inHand_) return;
   draw(inHand_->before);
   inHand_.reset();
+  scene_.view().putBackObstacles();
   if (on_) scene_.widget()->setCursor(Qt::OpenHandCursor);
   showGizmo();
 }

@@ -30,7 +30,7 @@ QToolButton* actionButton(QAction* action, QWidget* parent) {
 }  // namespace
 
 ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
-    : QFrame(scene), item_(new QLabel(this)), keys_(new QLabel(this)) {
+    : QFrame(scene), top_(new QBoxLayout(QBoxLayout::LeftToRight)), item_(new QLabel(this)), keys_(new QLabel(this)) {
   setObjectName(QStringLiteral("arrange-bar"));
   setAccessibleName(tr("Arranging"));
   setAutoFillBackground(true);
@@ -47,14 +47,28 @@ ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
   keys_->setTextFormat(Qt::PlainText);
   keys_->setWordWrap(true);
   showKeys();
-  auto* top = new QHBoxLayout;
-  top->setSpacing(6);
-  top->addWidget(item_, 1);
-  top->addWidget(actionButton(actions[QLatin1String("assembly.snap")], this));
-  top->addWidget(distance_);
-  top->addWidget(angle_);
-  top->addWidget(actionButton(actions[QLatin1String("assembly.align")], this));
-  top->addWidget(actionButton(actions[QLatin1String("assembly.flip")], this));
+  top_->setSpacing(4);
+  top_->addWidget(item_, 1);
+  top_->addLayout(makeControls(actions));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 8, 6);
+  column->setSpacing(4);
+  column->addLayout(top_);
+  column->addWidget(keys_);
+  scene->installEventFilter(this);
+  showItem(QString());
+  hide();
+}
+
+QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
+  auto* controls = new QHBoxLayout;
+  controls->setSpacing(6);
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.snap")], this));
+  controls->addWidget(distance_);
+  controls->addWidget(angle_);
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.align")], this));
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.flip")], this));
+  controls->addStretch();
   auto* done = new QToolButton(this);
   done->setText(QStringLiteral("✕"));
   done->setAutoRaise(true);
@@ -62,15 +76,8 @@ ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
   done->setToolTip(tr("End arranging (Esc)"));
   done->setAccessibleName(tr("End arranging"));
   connect(done, &QToolButton::clicked, this, &ArrangeBar::left);
-  top->addWidget(done);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 8, 6);
-  column->setSpacing(4);
-  column->addLayout(top);
-  column->addWidget(keys_);
-  scene->installEventFilter(this);
-  showItem(QString());
-  hide();
+  controls->addWidget(done);
+  return controls;
 }
 
 QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, double most, const QString& suffix,
@@ -100,6 +107,7 @@ void ArrangeBar::showKeys() {
 void ArrangeBar::showItem(const QString& name) {
   item_->setText(name.isEmpty() ? tr("Arranging: click a body, the start or the goal") : tr("Arranging %1").arg(name));
   item_->setToolTip(item_->text());
+  if (isVisible()) fit();
 }
 
 void ArrangeBar::setSteps(double metres, double radians) {
@@ -111,10 +119,14 @@ double ArrangeBar::distanceStep() const { return 1e-3 * distance_->value(); }
 
 double ArrangeBar::angleStep() const { return angle_->value() * std::numbers::pi / 180.0; }
 
-/// In the middle of the lower border.
+/// In the middle of the lower border. What is arranged stands above the buttons where it has no room beside them.
 void ArrangeBar::fit() {
   const QSize scene = parentWidget()->size();
   const int width = std::min(kWidestBar, scene.width() - 2 * kArrangeMargin);
+  const QMargins margins = layout()->contentsMargins();
+  const int needed = item_->sizeHint().width() + top_->itemAt(1)->sizeHint().width() + 2 * top_->spacing();
+  const bool beside = needed <= width - margins.left() - margins.right();
+  top_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   setFixedWidth(width);
   layout()->activate();
   const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();

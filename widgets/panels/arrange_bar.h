@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QCheckBox>
+#include <QBoxLayout>
 #include <QFrame>
 #include <QLabel>
 
@@ -37,10 +37,12 @@ class ArrangeBar final : public QFrame {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  QLayout* makeControls(const ActionCatalogue& actions);
   QuantityBox* addStep(QuantityBox::Quantity quantity, double most, const QString& suffix, const QString& name);
   void showKeys();
   void fit();
 
+  QBoxLayout* top_;
   QLabel* item_;
   QLabel* keys_;
   QuantityBox* distance_;

@@ -162,12 +162,14 @@ void PlacementPanel::showNumbers() {
 }
 
 void PlacementPanel::takePosition(int axis) {
+  refused_->hide();
   const double turned = (X_WB_.orientation * frame().position)[axis];
   X_WB_.position[axis] = position_[axis]->value() / kMillimetres - turned;
   emit placed(X_WB_);
 }
 
 void PlacementPanel::takeTurn(int axis) {
+  refused_->hide();
   rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
   const Pose own = frame();
   const Vector3 stays = X_WB_ * own.position;

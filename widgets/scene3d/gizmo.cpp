@@ -16,6 +16,8 @@ constexpr double kSquareFrom = 0.30;
 constexpr double kSquareTo = 0.50;
 constexpr double kRingRadius = 0.78;
 constexpr double kLetter = 1.14;
+/// Share of the margin that lines come nearer than before a square that they cross.
+constexpr double kInsideSquare = 0.4;
 constexpr int kRingSteps = 72;
 /// Sine of the angle between an arrow and the line of sight below which the arrow cannot be taken.
 constexpr double kLeastArrowSine = 0.17;
@@ -46,9 +48,10 @@ bool isInside(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& corn
   return left == 0 || left == static_cast<int>(corners.size());
 }
 
-/// On the screen, in fractions of the view's height; endless where the handle cannot be taken.
+/// On the screen, in fractions of the view's height; endless where the handle cannot be taken. Inside a square it is
+/// `inside`, so that lines that cross it can be taken there.
 double distanceTo(const GizmoHandle& handle, const Gizmo& gizmo, const CameraController& camera,
-                  const Eigen::Vector2d& pointer) {
+                  const Eigen::Vector2d& pointer, double inside) {
   double least = std::numeric_limits<double>::infinity();
   if (!isUsable(handle, gizmo, camera)) return least;
   std::vector<Eigen::Vector2d> corners;
@@ -61,7 +64,7 @@ double distanceTo(const GizmoHandle& handle, const Gizmo& gizmo, const CameraCon
     least = std::min(least, distanceToSegment(pointer, *a, *b));
     corners.push_back(*a);
   }
-  return handle.kind == Kind::Square && isInside(pointer, corners) ? 0.0 : least;
+  return handle.kind == Kind::Square && isInside(pointer, corners) ? inside : least;
 }
 
 }  // namespace
@@ -116,7 +119,7 @@ std::optional<GizmoHandle> handleAt(const Gizmo& gizmo, const CameraController& 
   std::optional<GizmoHandle> nearest;
   double least = margin;
   for (const GizmoHandle& handle : kGizmoHandles) {
-    const double distance = distanceTo(handle, gizmo, camera, pointer);
+    const double distance = distanceTo(handle, gizmo, camera, pointer, kInsideSquare * margin);
     if (distance >= least) continue;
     least = distance;
     nearest = handle;
