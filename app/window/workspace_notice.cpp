@@ -1,6 +1,7 @@
 #include "app/window/workspace_notice.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/window/arranged_item.h"
 
@@ -9,22 +10,6 @@ namespace {
 
 /// Room for the view cube.
 constexpr int kCubeWidth = 104;
-
-/// Bodies of which nothing lies in the workspace, and ends of the motion whose reference point does not.
-std::vector<AssemblyItem> itemsOutside(const LoadedScenario& scenario) {
-  const Box3& workspace = scenario.problem.bounds;
-  std::vector<AssemblyItem> outside;
-  for (const RigidBody& body : scenario.obstacles) {
-    const AssemblyItem item{AssemblyItem::Kind::Body, bodyIdOf(body.id)};
-    if (workspace.intersects(boundingBox(*body.mesh, body.X_WB))) continue;
-    if (std::find(outside.begin(), outside.end(), item) == outside.end()) outside.push_back(item);
-  }
-  for (const auto kind : {AssemblyItem::Kind::Start, AssemblyItem::Kind::Goal}) {
-    const auto X_WB = poseOf(scenario.scenario, {kind, {}});
-    if (X_WB && !workspace.contains(X_WB->position)) outside.push_back({kind, {}});
-  }
-  return outside;
-}
 
 }  // namespace
 
@@ -35,27 +20,45 @@ WorkspaceNotice::WorkspaceNotice(const Workbench& bench)
   addCommands();
 }
 
-/// What was outside already, and was not moved, is not told again.
+/// Bodies of which nothing lies in the workspace, and ends of the motion whose reference point does not.
+std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedScenario& scenario) {
+  const Box3& workspace = scenario.problem.bounds;
+  std::vector<Outside> outside;
+  const auto add = [&](const AssemblyItem& item, bool inside) {
+    const auto X_WB = poseOf(scenario.scenario, item);
+    if (X_WB && !inside) outside.push_back({item, *X_WB});
+  };
+  for (const RigidBody& body : scenario.obstacles) {
+    add({AssemblyItem::Kind::Body, bodyIdOf(body.id)}, workspace.intersects(boundingBox(*body.mesh, body.X_WB)));
+  }
+  const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
+  add({AssemblyItem::Kind::Start, {}}, workspace.contains(scenario.problem.start.position));
+  add({AssemblyItem::Kind::Goal, {}}, goal == nullptr || workspace.contains(goal->position));
+  return outside;
+}
+
 void WorkspaceNotice::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
-  const ScenarioPtr before = std::exchange(before_, bench_.document.scenario());
-  if (what & Change::Scenario) {
-    bar_->hide();
-    return;
+  const std::vector<Outside> before = std::exchange(known_, findOutside(*bench_.document.scenario()));
+  if (known_.empty() || (what & Change::Scenario)) bar_->hide();
+  if (what & Change::Scenario) return;
+  for (const Outside& now : known_) {
+    if (std::find(before.begin(), before.end(), now) == before.end()) tell(now.item);
   }
-  const std::vector<AssemblyItem> outside = itemsOutside(*before_);
-  if (outside.empty()) bar_->hide();
-  for (const AssemblyItem& item : outside) {
-    if (poseOf(before->scenario, item) == poseOf(before_->scenario, item)) continue;
-    bar_->showNotice(
-        {item.kind == AssemblyItem::Kind::Body
-             ? tr("%1 is outside of the workspace now.").arg(QLatin1Char('\'') + nameOf(item) + QLatin1Char('\''))
-             : (item.kind == AssemblyItem::Kind::Start ? tr("The start is outside of the workspace now.")
-                                                       : tr("The goal is outside of the workspace now.")),
-         item.kind == AssemblyItem::Kind::Body ? tr("The object does not get there. Undo, or fit the workspace.")
-                                               : tr("A run is refused there. Undo, or fit the workspace."),
-         {"assembly.fit-workspace", "edit.undo"}});
+}
+
+void WorkspaceNotice::tell(const AssemblyItem& item) {
+  Notice notice{{}, tr("A run is refused there. Undo, or fit the workspace."), {"assembly.fit-workspace", "edit.undo"}};
+  switch (item.kind) {
+    case AssemblyItem::Kind::Start: notice.title = tr("The start is outside of the workspace now."); break;
+    case AssemblyItem::Kind::Goal: notice.title = tr("The goal is outside of the workspace now."); break;
+    case AssemblyItem::Kind::Body:
+      notice.title =
+          tr("%1 is outside of the workspace now.").arg(QLatin1Char('\'') + nameOf(item) + QLatin1Char('\''));
+      notice.details = tr("The object does not get there. Undo, or fit the workspace.");
+      break;
   }
+  bar_->showNotice(notice);
 }
 
 void WorkspaceNotice::addCommands() {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "app/window/workbench.h"
+#include "engine/scenario/assembly_edits.h"
 #include "widgets/panels/notice_bar.h"
 
 namespace glissade {
@@ -14,12 +17,20 @@ class WorkspaceNotice final : public QObject {
   explicit WorkspaceNotice(const Workbench& bench);
 
  private:
+  /// Something that is outside, and where.
+  struct Outside {
+    AssemblyItem item;
+    Pose X_WB;
+    friend bool operator==(const Outside&, const Outside&) = default;
+  };
+  static std::vector<Outside> findOutside(const LoadedScenario& scenario);
   void followDocument(Changes what);
+  void tell(const AssemblyItem& item);
   void addCommands();
 
   const Workbench& bench_;
   NoticeBar* bar_;
-  ScenarioPtr before_;
+  std::vector<Outside> known_;  ///< it was told, or the file has it there
 };
 
 }  // namespace glissade
