@@ -45,6 +45,7 @@ void ArrangeController::connectTool() {
 }
 
 void ArrangeController::connectMeasure(MeasureController& measure) {
+  connect(&assembly_, &AssemblyController::placementShown, &measure, &MeasureController::setSelected);
   connect(&measure, &MeasureController::movingPicked, &assembly_, &AssemblyController::choose);
   connect(&measure, &MeasureController::alignmentPicked, this, &ArrangeController::align);
   connect(&measure, &MeasureController::alignmentLeft, this, &ArrangeController::resume);

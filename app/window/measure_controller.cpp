@@ -172,7 +172,11 @@ std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& 
 
 /// What can be arranged; the object counts where its start and its goal are.
 std::optional<MeasureController::Picked> MeasureController::pickItem(const QPointF& position) const {
-  const auto hit = itemAt(*bench_.document.scenario(), bench_.scene.view(), rayThrough(bench_.scene, position));
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const Ray ray = rayThrough(bench_.scene, position);
+  std::optional<ItemHit> hit;
+  if (selected_ && features_.empty()) hit = itemAt(scenario, bench_.scene.view(), ray, selected_);
+  if (!hit) hit = itemAt(scenario, bench_.scene.view(), ray);
   if (!hit) return std::nullopt;
   return Picked{hit->body, hit->hit, hit->p_W, 0.0, hit->item};
 }

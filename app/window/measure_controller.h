@@ -25,6 +25,9 @@ class MeasureController final : public QObject {
 
   explicit MeasureController(const Workbench& bench);
 
+  /// What is selected: the first click of an alignment means it also behind other bodies.
+  void setSelected(const std::optional<AssemblyItem>& item) { selected_ = item; }
+
  signals:
   /// A frame of a body, in the frame of its mesh (MeasurableMesh::frameAt()).
   void framePicked(const glissade::RigidBody& body, const glissade::Pose& X_BF);
@@ -74,8 +77,9 @@ class MeasureController final : public QObject {
   QLabel* hint_;
   QString result_;
   std::vector<MeasureFeature> features_;  ///< that were clicked, world frame
-  AssemblyItem moving_;                   ///< of Kind::Align: whose feature was clicked first
-  std::vector<RigidBody> bodies_;         ///< likewise
+  std::optional<AssemblyItem> selected_;
+  AssemblyItem moving_;            ///< of Kind::Align: whose feature was clicked first
+  std::vector<RigidBody> bodies_;  ///< likewise
   std::map<MeshPtr, std::shared_ptr<const MeasurableMesh>> prepared_;
   BackgroundTask preparation_;
   QPointF pressed_;

@@ -40,7 +40,9 @@ std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedS
 void WorkspaceNotice::followDocument(Changes what) {
   if (!(what & (Change::Scenario | Change::Arrangement))) return;
   const std::vector<Outside> before = std::exchange(known_, findOutside(*bench_.document.scenario()));
-  if (known_.empty() || (what & Change::Scenario)) bar_->hide();
+  const bool stays =
+      std::any_of(known_.begin(), known_.end(), [this](const Outside& now) { return now.item == told_; });
+  if (!stays || (what & Change::Scenario)) bar_->hide();
   if (what & Change::Scenario) return;
   for (const Outside& now : known_) {
     if (std::find(before.begin(), before.end(), now) == before.end()) tell(now.item);
@@ -58,6 +60,7 @@ void WorkspaceNotice::tell(const AssemblyItem& item) {
       notice.details = tr("The object does not get there. Undo, or fit the workspace.");
       break;
   }
+  told_ = item;
   bar_->showNotice(notice);
 }
 

@@ -31,6 +31,7 @@ class WorkspaceNotice final : public QObject {
   const Workbench& bench_;
   NoticeBar* bar_;
   std::vector<Outside> known_;  ///< it was told, or the file has it there
+  AssemblyItem told_;           ///< what the bar says
 };
 
 }  // namespace glissade
