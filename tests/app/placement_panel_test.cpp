@@ -136,5 +136,20 @@ TEST_F(PlacementPanelTest, WhatCannotBeReadIsRefusedVisiblyAndChangesNothing) {
   EXPECT_TRUE(refused.isHidden());
 }
 
+TEST(QuantityBox, ReadsTheDecimalSignOfTheUserAndAPoint) {
+  QuantityBox box(QuantityBox::Quantity::Length, nullptr);
+  box.setLocale(QLocale(QLocale::French));
+  box.setRange(-1e6, 1e6);
+  box.setSuffix(QStringLiteral(" mm"));
+  box.setValue(1234.5);
+  EXPECT_EQ(box.text(), QStringLiteral("1234,50 mm"));
+  write(box, QStringLiteral("25,4 mm"));
+  EXPECT_DOUBLE_EQ(box.value(), 25.4);
+  write(box, QStringLiteral("1.5 in"));
+  EXPECT_DOUBLE_EQ(box.value(), 38.1);
+  write(box, QStringLiteral("-3"));
+  EXPECT_DOUBLE_EQ(box.value(), -3.0);
+}
+
 }  // namespace
 }  // namespace glissade
