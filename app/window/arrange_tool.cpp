@@ -1,110 +1,297 @@
 #include "app/window/arrange_tool.h"
 
+#include <QLocale>
+#include <QMouseEvent>
+
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "app/window/arranged_item.h"
 #include "app/window/scene_ray.h"
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
-struct Hit {
-  AssemblyItem item;
-  Vector3 p_W;
+QString withSign(double value, const QString& text) { return value > 0.0 ? QLatin1Char('+') + text : text; }
+
+/// What a key of the arrows moves along: 0, 1, 2: to the right, upwards, towards the viewer.
+struct NudgeKey {
+  int key;
+  int viewAxis;
+  double sign;
 };
 
-/// What the ray meets first of the items that are drawn and for which `accept` is true.
-template <class Accept>
-std::optional<Hit> hitOf(const LoadedScenario& scenario, const SceneView& view, const Ray& ray, Accept&& accept) {
-  std::vector<RigidBody> bodies;
-  std::vector<AssemblyItem> items;  // per body
-  const auto add = [&](const RigidBody& body, const Pose& X_WB, const AssemblyItem& item) {
-    if (!accept(item)) return;
-    bodies.push_back(body);
-    bodies.back().X_WB = X_WB;
-    items.push_back(item);
-  };
-  for (const RigidBody& body : scenario.obstacles) {
-    if (view.hiddenBodies().count(body.id) == 0) add(body, body.X_WB, {AssemblyItem::Kind::Body, bodyIdOf(body.id)});
+constexpr std::array<NudgeKey, 6> kNudgeKeys{{{Qt::Key_Left, 0, -1.0},
+                                              {Qt::Key_Right, 0, 1.0},
+                                              {Qt::Key_Down, 1, -1.0},
+                                              {Qt::Key_Up, 1, 1.0},
+                                              {Qt::Key_PageUp, 2, -1.0},
+                                              {Qt::Key_PageDown, 2, 1.0}}};
+
+/// The gizmo's axes, with their signs, that are nearest to the view's: each is one of them.
+struct NearestAxes {
+  std::array<int, 3> axis{};
+  std::array<double, 3> sign{};
+};
+
+NearestAxes nearestAxes(const Quaternion& R_GV) {
+  NearestAxes nearest;
+  std::array<bool, 3> taken{};
+  for (std::size_t v = 0; v < 3; ++v) {
+    const Vector3 direction = R_GV * Vector3(Vector3::Unit(static_cast<int>(v)));
+    double best = -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double share = std::abs(direction[axis]);
+      if (taken[static_cast<std::size_t>(axis)] || share <= best) continue;
+      best = share;
+      nearest.axis[v] = axis;
+    }
+    taken[static_cast<std::size_t>(nearest.axis[v])] = true;
+    nearest.sign[v] = direction[nearest.axis[v]] < 0.0 ? -1.0 : 1.0;
   }
-  if (view.layerVisible(SceneLayer::StartAndGoal)) {
-    add(scenario.object, scenario.problem.start, {AssemblyItem::Kind::Start, {}});
-    const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
-    if (goal != nullptr) add(scenario.object, *goal, {AssemblyItem::Kind::Goal, {}});
-  }
-  const auto hit = pickBody(bodies, ray);
-  if (!hit) return std::nullopt;
-  return Hit{items[hit->body], ray.origin + hit->distance * ray.direction};
+  return nearest;
 }
 
 }  // namespace
 
 ArrangeTool::ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent)
-    : DragTool(scene, parent), document_(document) {
-  connect(&document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (!inHand_ || !(what & (Change::Scenario | Change::Arrangement))) return;
-    const bool stays =
-        !(what & Change::Scenario) && poseOf(document_.scenario()->scenario, inHand_->item) == inHand_->before;
-    if (stays) {
-      draw(inHand_->drag.pose());
-    } else {
-      inHand_.reset();
-    }
+    : DragTool(scene, parent), document_(document), gizmo_(new GizmoOverlay(scene.view(), scene.widget())) {
+  gizmo_->hide();
+  connect(&document, &WorkbenchDocument::changed, this, &ArrangeTool::followDocument);
+  connect(&document, &WorkbenchDocument::editFailed, this, [this] {
+    put_.reset();
+    showGizmo();
   });
 }
 
+void ArrangeTool::followDocument(Changes what) {
+  if (!(what & (Change::Scenario | Change::Arrangement))) return;
+  const Scenario& scenario = document_.scenario()->scenario;
+  if (put_ && ((what & Change::Scenario) || poseOf(scenario, put_->item) == put_->X_WB)) put_.reset();
+  const bool stays = inHand_ && !(what & Change::Scenario) && poseOf(scenario, inHand_->item) == inHand_->before;
+  if (stays) {
+    draw(inHand_->now);
+  } else {
+    inHand_.reset();
+    showGizmo();
+  }
+}
+
 void ArrangeTool::setOn(bool on) {
+  if (on == on_) return;
+  letGo();
   on_ = on;
-  if (inHand_) draw(inHand_->before);
-  inHand_.reset();
+  gizmo_->setVisible(on);
+  scene_.widget()->setMouseTracking(on);
+  showGizmo();
   if (on) {
     scene_.widget()->setCursor(Qt::OpenHandCursor);
+    scene_.widget()->setFocus();
   } else {
     scene_.widget()->unsetCursor();
   }
 }
 
+void ArrangeTool::setSelected(const std::optional<ArrangedItem>& selected) {
+  selected_ = selected;
+  if (!inHand_) showGizmo();
+}
+
+void ArrangeTool::setSnapping(bool snapping, const GizmoSteps& steps) {
+  snapping_ = snapping;
+  steps_ = steps;
+}
+
+bool ArrangeTool::eventFilter(QObject* watched, QEvent* event) {
+  if (on_ && event->type() == QEvent::MouseMove && !holds()) {
+    const auto& pointer = static_cast<const QMouseEvent&>(*event);
+    hover(pointer.buttons() == Qt::NoButton ? pointer.localPos() : QPointF(-1.0, -1.0));
+  }
+  if (on_ && event->type() == QEvent::KeyPress && pressKey(static_cast<const QKeyEvent&>(*event))) return true;
+  return DragTool::eventFilter(watched, event);
+}
+
 bool ArrangeTool::grip(const QPointF& position) {
-  const ScenarioPtr& scenario = document_.scenario();
-  if (!on_ || !scenario) return false;
-  const Ray ray = rayThrough(scene_, position);
-  const auto grippable = [&](const AssemblyItem& item) { return selected_ && item == *selected_; };
-  auto hit = hitOf(*scenario, scene_.view(), ray, grippable);
-  if (!hit) hit = hitOf(*scenario, scene_.view(), ray, [](const AssemblyItem&) { return true; });
-  if (!hit) return false;
-  const Pose before = *poseOf(scenario->scenario, hit->item);
-  inHand_ = InHand{hit->item, before, PoseDrag(before, hit->p_W, scene_.view().camera().R_WV())};
+  if (!on_ || !document_.scenario()) return false;
+  if (!gripHandle(position) && !gripBody(position)) return false;
   scene_.widget()->setCursor(Qt::ClosedHandCursor);
   emit gripped(inHand_->item);
   return true;
 }
 
-void ArrangeTool::moveTo(const QPointF& position) {
-  inHand_->drag.moveTo(rayThrough(scene_, position));
-  draw(inHand_->drag.pose());
+bool ArrangeTool::gripHandle(const QPointF& position) {
+  const auto handle = gizmo_->handleAt(position);
+  if (!handle || !selected_) return false;
+  const Pose before = *poseOf(document_.scenario()->scenario, selected_->item);
+  inHand_ = InHand{selected_->item, before, before, GizmoDrag(*handle, gizmo_->gizmo(), rayThrough(scene_, position))};
+  dragHandle(position, false);
+  return true;
 }
 
-void ArrangeTool::turn(const QPointF& by) {
-  inHand_->drag.turn(by.x(), by.y());
-  draw(inHand_->drag.pose());
+bool ArrangeTool::gripBody(const QPointF& position) {
+  const LoadedScenario& scenario = *document_.scenario();
+  const Ray ray = rayThrough(scene_, position);
+  std::optional<ItemHit> hit;
+  if (selected_) hit = itemAt(scenario, scene_.view(), ray, selected_->item);
+  if (!hit) hit = itemAt(scenario, scene_.view(), ray);
+  if (!hit) return false;
+  const Pose before = *poseOf(scenario.scenario, hit->item);
+  inHand_ = InHand{hit->item, before, before, PoseDrag(before, hit->p_W, scene_.view().camera().R_WV())};
+  return true;
+}
+
+void ArrangeTool::moveTo(const QPointF& position) {
+  if (auto* drag = std::get_if<PoseDrag>(&inHand_->drag)) {
+    drag->moveTo(rayThrough(scene_, position));
+    draw(drag->pose());
+  } else {
+    dragHandle(position, snapping_);
+  }
+}
+
+/// Ctrl is held: a body turns, and a handle snaps where it does not otherwise.
+void ArrangeTool::turn(const QPointF& position, const QPointF& by) {
+  if (auto* drag = std::get_if<PoseDrag>(&inHand_->drag)) {
+    drag->turn(by.x(), by.y());
+    draw(drag->pose());
+  } else {
+    dragHandle(position, !snapping_);
+  }
+}
+
+void ArrangeTool::dragHandle(const QPointF& position, bool snapping) {
+  auto& drag = std::get<GizmoDrag>(inHand_->drag);
+  drag.moveTo(rayThrough(scene_, position));
+  const GizmoAmount amount = snapping ? snapped(drag.amount(), steps_) : drag.amount();
+  const Pose& from = drag.gizmo().X_WG;
+  inHand_->now = motionOf(amount, drag.handle().axis, from) * inHand_->before;
+  drawItemAt(inHand_->item, inHand_->now, *document_.scenario(), scene_.view());
+  showGizmo(
+      GizmoPicture::Held{drag.handle(), from, drag.grippedAt(), amount.angle, amountText(drag, amount), position});
+  scene_.refresh();
+}
+
+QString ArrangeTool::amountText(const GizmoDrag& drag, const GizmoAmount& amount) const {
+  const auto letter = [](int axis) { return QString(QLatin1Char("XYZ"[axis])); };
+  const int axis = drag.handle().axis;
+  if (drag.handle().kind == GizmoHandle::Kind::Ring) {
+    const double degrees = amount.angle * 180.0 / std::numbers::pi;
+    return QStringLiteral("∠%1 %2°").arg(letter(axis), withSign(degrees, QLocale().toString(degrees, 'f', 2)));
+  }
+  QStringList parts;
+  for (int along = 0; along < 3; ++along) {
+    if ((along == axis) != (drag.handle().kind == GizmoHandle::Kind::Arrow)) continue;
+    parts << letter(along) + QLatin1Char(' ') + withSign(amount.shift[along], lengthText(amount.shift[along]));
+  }
+  return parts.join(QStringLiteral("   "));
 }
 
 void ArrangeTool::draw(const Pose& X_WB) {
-  SceneView& view = scene_.view();
-  const InHand& hand = *inHand_;
-  if (hand.item.kind == AssemblyItem::Kind::Start) view.placeStart(X_WB);
-  if (hand.item.kind == AssemblyItem::Kind::Goal) view.placeGoal(X_WB);
-  const std::vector<RigidBody>& obstacles = document_.scenario()->obstacles;
-  for (std::size_t i = 0; i < obstacles.size() && hand.item.kind == AssemblyItem::Kind::Body; ++i) {
-    const RigidBody& body = obstacles[i];
-    if (bodyIdOf(body.id) == hand.item.bodyId) view.placeObstacle(i, X_WB * inverse(hand.before) * body.X_WB);
-  }
+  inHand_->now = X_WB;
+  drawItemAt(inHand_->item, X_WB, *document_.scenario(), scene_.view());
+  showGizmo();
   scene_.refresh();
 }
 
 void ArrangeTool::drop() {
   const InHand hand = *std::exchange(inHand_, std::nullopt);
   scene_.widget()->setCursor(Qt::OpenHandCursor);
-  if (hand.drag.pose() != hand.before) emit dropped(hand.item, hand.drag.pose());
+  if (hand.now != hand.before) {
+    put_ = Put{hand.item, hand.now};
+    emit dropped(hand.item, hand.now);
+  }
+  showGizmo();
+}
+
+void ArrangeTool::letGo() {
+  if (!inHand_) return;
+  draw(inHand_->before);
+  inHand_.reset();
+  scene_.view().putBackObstacles();
+  if (on_) scene_.widget()->setCursor(Qt::OpenHandCursor);
+  showGizmo();
+}
+
+bool ArrangeTool::pressKey(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Escape) {
+    if (holds()) {
+      letGo();
+    } else {
+      emit left();
+    }
+    return true;
+  }
+  if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+  for (const NudgeKey& entry : kNudgeKeys) {
+    if (entry.key != event.key()) continue;
+    if (!holds()) nudge(entry.viewAxis, entry.sign, event.modifiers().testFlag(Qt::ShiftModifier));
+    return true;
+  }
+  return false;
+}
+
+/// Along the axis that is nearest to the direction of the key, or about the one that is across: to the right turns
+/// about what points upwards, upwards about what points to the left.
+void ArrangeTool::nudge(int viewAxis, double sign, bool turning) {
+  const auto X_WG = gizmoPose();
+  if (!X_WG) return;
+  const NearestAxes nearest = nearestAxes(X_WG->orientation.conjugate() * scene_.view().camera().R_WV());
+  if (turning && viewAxis < 2) {
+    viewAxis = 1 - viewAxis;
+    if (viewAxis == 0) sign = -sign;
+  }
+  const int axis = nearest.axis[static_cast<std::size_t>(viewAxis)];
+  const double amount = sign * nearest.sign[static_cast<std::size_t>(viewAxis)];
+  GizmoAmount step;
+  if (turning) {
+    step.angle = amount * steps_.angle;
+  } else {
+    step.shift[axis] = amount * steps_.distance;
+  }
+  put_ = Put{selected_->item, motionOf(step, axis, *X_WG) * *shownPose(selected_->item)};
+  drawItemAt(put_->item, put_->X_WB, *document_.scenario(), scene_.view());
+  showGizmo();
+  scene_.refresh();
+  emit nudged(selected_->item, Pose(put_->X_WB));
+}
+
+void ArrangeTool::hover(const QPointF& position) {
+  if (!gizmo_->picture()) return;
+  const auto handle = gizmo_->handleAt(position);
+  if (handle == gizmo_->picture()->hovered) return;
+  GizmoPicture picture = *gizmo_->picture();
+  picture.hovered = handle;
+  gizmo_->setPicture(picture);
+  scene_.widget()->setCursor(handle ? Qt::PointingHandCursor : Qt::OpenHandCursor);
+}
+
+std::optional<Pose> ArrangeTool::shownPose(const AssemblyItem& item) const {
+  if (inHand_ && inHand_->item == item) return inHand_->now;
+  if (put_ && put_->item == item && document_.isArranging()) return put_->X_WB;
+  return poseOf(document_.scenario()->scenario, item);
+}
+
+std::optional<Pose> ArrangeTool::gizmoPose() const {
+  if (!on_ || !selected_ || !document_.scenario()) return std::nullopt;
+  const auto X_WB = shownPose(selected_->item);
+  if (!X_WB) return std::nullopt;
+  Pose X_WG = *X_WB * selected_->X_BG;
+  if (!selected_->ownAxes) X_WG.orientation = Quaternion::Identity();
+  return X_WG;
+}
+
+void ArrangeTool::showGizmo(const std::optional<GizmoPicture::Held>& held) {
+  auto X_WG = gizmoPose();
+  if (!X_WG) {
+    gizmo_->setPicture(std::nullopt);
+    return;
+  }
+  // While a ring is turned, it stays where its axis was.
+  if (held) X_WG->orientation = held->from.orientation;
+  gizmo_->setPicture(GizmoPicture{*X_WG, std::nullopt, held});
 }
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "app/window/arranged_item.h"
 #include "app/window/assembly_script.h"
 #include "app/window/end_clearance.h"
 
@@ -13,7 +14,6 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
     : QObject(&bench.window),
       bench_(bench),
       document_(bench.document),
-      tool_(bench.document, bench.scene, this),
       panel_(new QWidget(&bench.window)),
       scenePanel_(new ScenePanel(panel_)),
       placement_(new PlacementPanel(panel_)) {
@@ -48,11 +48,9 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   connect(scenePanel_, &ScenePanel::endChosen, this, [this](AssemblyItem::Kind end) { choose(AssemblyItem{end, {}}); });
   connect(placement_, &PlacementPanel::placed, this, [this](const Pose& X_WB) {
     const QString key = QStringLiteral("place %1 %2").arg(static_cast<int>(chosen_->kind));
-    showFailure(document_.place(*chosen_, X_WB, key.arg(QString::fromStdString(chosen_->bodyId))));
+    place(*chosen_, X_WB, key.arg(QString::fromStdString(chosen_->bodyId)));
   });
-  connect(&tool_, &ArrangeTool::gripped, this, &AssemblyController::choose);
-  connect(&tool_, &ArrangeTool::dropped, this,
-          [this](const AssemblyItem& item, const Pose& X_WB) { showFailure(document_.place(item, X_WB)); });
+  connect(placement_, &PlacementPanel::pointChosen, this, &AssemblyController::showPlacement);
   connectActions();
   enableActions();
   addAssemblyCommands(bench, parts);
@@ -67,12 +65,11 @@ void AssemblyController::connectActions() {
   const auto on = [this](const char* id, auto handler) { bench_.onAction(id, this, handler); };
   on("assembly.remove", [this] { removeSelected(); });
   on("assembly.moves", [this] { markSelected(); });
-  on("assembly.arrange", [this](bool arrange) { tool_.setOn(arrange); });
   on("assembly.start-here", [this] {
-    showFailure(document_.place({AssemblyItem::Kind::Start, {}}, bench_.session.snapshot()->device.q_device));
+    place({AssemblyItem::Kind::Start, {}}, bench_.session.snapshot()->device.q_device);
   });
   on("assembly.goal-here", [this] {
-    showFailure(document_.place({AssemblyItem::Kind::Goal, {}}, bench_.session.snapshot()->device.q_device));
+    place({AssemblyItem::Kind::Goal, {}}, bench_.session.snapshot()->device.q_device);
   });
   on("assembly.goal-out", [this] {
     editScenario(tr("Goal out"), [](Scenario& scenario) {
@@ -102,15 +99,17 @@ void AssemblyController::followRun(const SnapshotPtr& snapshot) {
   const bool editable = bench_.run.isLive() && !isRunning(*snapshot);
   if (editable == editable_) return;
   editable_ = editable;
-  QAction* arrange = bench_.actions["assembly.arrange"];
-  if (!editable) arrange->setChecked(false);
-  tool_.setOn(arrange->isChecked());
   showPlacement();
   enableActions();
+  emit editableChanged(editable);
 }
 
 void AssemblyController::showFailure(const Outcome& outcome) {
   if (!outcome) bench_.messages.showError(tr("This cannot be done"), outcome.error());
+}
+
+void AssemblyController::place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey) {
+  showFailure(document_.place(item, X_WB, mergeKey));
 }
 
 void AssemblyController::editScenario(const QString& text, const std::function<Outcome(Scenario&)>& change) {
@@ -170,7 +169,7 @@ void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& move
                                                          : tr("the goal went %1 mm").arg(by));
   }
   const auto change = [ends = *moved](Scenario& scenario) {
-    for (const MovedEnd& end : ends) (void)place(end.item, end.X_WB, scenario);
+    for (const MovedEnd& end : ends) (void)glissade::place(end.item, end.X_WB, scenario);
     return Outcome(Done{});
   };
   const Outcome edited = document_.edit(tr("Clear start and goal"), change);
@@ -205,7 +204,6 @@ void AssemblyController::takeSelection() {
   } else if (!ids.empty() || !endChosen) {
     chosen_.reset();
   }
-  tool_.setSelected(chosen_);
   scenePanel_->showSelection(document_.semantics().selection().bodies, chosen_);
   showPlacement();
   enableActions();
@@ -215,16 +213,15 @@ void AssemblyController::showPlacement() {
   if (!document_.scenario()) return;
   if (placed_ == chosen_ && document_.isArranging()) return;  // what the user types is not there yet
   placed_ = chosen_;
-  QString name;
-  if (chosen_ && chosen_->kind == AssemblyItem::Kind::Start) name = tr("the start");
-  if (chosen_ && chosen_->kind == AssemblyItem::Kind::Goal) name = tr("the goal");
-  if (chosen_ && chosen_->kind == AssemblyItem::Kind::Body) name = QString::fromStdString(chosen_->bodyId);
+  const QString name = chosen_ ? nameOf(*chosen_) : QString();
   const auto pose = chosen_ ? poseOf(document_.scenario()->scenario, *chosen_) : std::nullopt;
   PlacementPoints points = pose ? placementPoints(*document_.scenario(), *chosen_) : PlacementPoints();
   const auto picked = chosen_ ? picked_.find(chosen_->bodyId) : picked_.end();
   if (picked != picked_.end()) points.picked = picked->second;
   placement_->show(name, pose, points);
   placement_->setEnabled(editable_);
+  points.picked = placement_->chosenFrame();
+  emit placementShown(pose ? chosen_ : std::nullopt, points);
 }
 
 void AssemblyController::placeByFrame(const RigidBody& body, const Pose& X_MF) {
@@ -248,7 +245,6 @@ void AssemblyController::enableActions() {
   enable("assembly.add", editable_);
   enable("assembly.remove", editable_ && bodies > 0);
   enable("assembly.moves", editable_ && bodies == 1);
-  enable("assembly.arrange", editable_);
   enable("assembly.fit-workspace", editable_);
   enable("assembly.free-ends", editable_);
   enable("assembly.start-here", editable_);

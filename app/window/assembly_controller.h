@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 
-#include "app/window/arrange_tool.h"
 #include "app/window/end_clearance.h"
 #include "app/window/part_import.h"
 #include "widgets/panels/placement_panel.h"
@@ -22,8 +21,18 @@ class AssemblyController final : public QObject {
   ScenePanel* scenePanel() const { return scenePanel_; }
   /// The scene panel with the placement of what is selected in it.
   QWidget* panel() const { return panel_; }
+  bool isEditable() const { return editable_; }
+  /// Selects what is arranged.
+  void choose(const std::optional<AssemblyItem>& item);
+  /// Puts it somewhere, as one undoable edit, and says why where that fails. As WorkbenchDocument::place().
+  void place(const AssemblyItem& item, const Pose& X_WB, const QString& mergeKey = {});
   /// The body, or where it is the object an end of its motion, is placed by this frame of its mesh.
   void placeByFrame(const RigidBody& body, const Pose& X_MF);
+
+ signals:
+  /// What can be placed now, with its points: it was selected, moved, or the numbers are about another point.
+  void placementShown(const std::optional<glissade::AssemblyItem>& item, const glissade::PlacementPoints& points);
+  void editableChanged(bool editable);
 
  private:
   void connectActions();
@@ -36,7 +45,6 @@ class AssemblyController final : public QObject {
   void markSelected();
   void moveEndsClear();
   void takeMovedEnds(const Result<std::vector<MovedEnd>>& moved);
-  void choose(const std::optional<AssemblyItem>& item);
   void takeSelection();
   void showPlacement();
   void enableActions();
@@ -44,7 +52,6 @@ class AssemblyController final : public QObject {
 
   const Workbench& bench_;
   WorkbenchDocument& document_;
-  ArrangeTool tool_;
   QWidget* panel_;
   ScenePanel* scenePanel_;
   PlacementPanel* placement_;

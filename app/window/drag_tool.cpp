@@ -30,7 +30,7 @@ bool DragTool::eventFilter(QObject* watched, QEvent* event) {
 
 void DragTool::follow(const QPointF& position, bool turning) {
   if (turning) {
-    turn((position - last_) / std::max(1, scene_.widget()->height()));
+    turn(position, (position - last_) / std::max(1, scene_.widget()->height()));
   } else {
     moveTo(position);
   }

@@ -19,8 +19,8 @@ class DragTool : public QObject {
   virtual bool grip(const QPointF& position) = 0;
   virtual bool holds() const = 0;
   virtual void moveTo(const QPointF& position) = 0;
-  /// The pointer went by this, in fractions of the view's height.
-  virtual void turn(const QPointF& by) = 0;
+  /// The same while Ctrl is held; the pointer went by this, in fractions of the view's height.
+  virtual void turn(const QPointF& position, const QPointF& by) = 0;
   virtual void drop() = 0;
 
   SceneWidget& scene_;

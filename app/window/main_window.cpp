@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 #include <QStatusBar>
 
+#include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
 #include "app/window/command_palette.h"
@@ -35,6 +36,7 @@
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
 #include "app/window/window_script.h"
+#include "app/window/workspace_notice.h"
 
 namespace glissade {
 
@@ -93,6 +95,8 @@ void MainWindow::addParts() {
   new RefusalController(bench_);
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
+  new ArrangeController(bench_, *assembly, *measure);
+  new WorkspaceNotice(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/window/arranged_item.h"
 #include "app/window/scene_ray.h"
 #include "engine/product/contact_report.h"
 #include "widgets/commands/length_text.h"
@@ -26,21 +27,15 @@ constexpr double kStillPixels = 4.0;
 constexpr double kSnapPixels = 9.0;
 constexpr int kHintMargin = 10;
 
-constexpr std::array<std::pair<const char*, Kind>, 5> kKinds{{{"measure.distance", Kind::Distance},
+constexpr std::array<std::pair<const char*, Kind>, 6> kKinds{{{"measure.distance", Kind::Distance},
                                                               {"measure.angle", Kind::Angle},
                                                               {"measure.radius", Kind::Radius},
                                                               {"measure.clearance", Kind::Clearance},
-                                                              {"assembly.pick-frame", Kind::Frame}}};
+                                                              {"assembly.pick-frame", Kind::Frame},
+                                                              {"assembly.align", Kind::Align}}};
 
 QString degreesText(double radians) {
   return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
-}
-
-/// Metres that a pixel stands for at a distance from the eye.
-double metresPerPixel(const CameraController& camera, double distance, int height) {
-  const double viewed =
-      camera.isOrthographic() ? camera.viewHeight() : 2.0 * distance * std::tan(0.5 * camera.verticalFieldOfView());
-  return viewed / std::max(1, height);
 }
 
 /// Of the vertex, the edge or the face that was clicked.
@@ -88,7 +83,9 @@ MeasureController::MeasureController(const Workbench& bench)
       setKind(Kind::None);
     }
     if (what & (Change::Scenario | Change::Arrangement)) clear();
-    for (const auto& [id, kind] : kKinds) bench_.enable(id, true);
+    for (const auto& [id, kind] : kKinds) {
+      if (kind != Kind::Align) bench_.enable(id, true);  // an edit is not always possible
+    }
   });
   connectActions();
   addCommands();
@@ -99,11 +96,17 @@ void MeasureController::connectActions() {
     bench_.enable(id, false);
     bench_.onAction(id, this, [this, kind = kind](bool on) { setKind(on ? kind : Kind::None); });
   }
+  connect(bench_.actions["assembly.arrange"], &QAction::toggled, this, [this](bool on) {
+    if (!on) return;
+    setKind(Kind::None);
+    clear();
+  });
   bench_.enable("measure.clear", false);
   bench_.onAction("measure.clear", this, [this] { clear(); });
 }
 
 void MeasureController::setKind(Kind kind) {
+  if (kind == kind_) return;
   kind_ = kind;
   for (const auto& [id, other] : kKinds) bench_.actions[QLatin1String(id)]->setChecked(other == kind);
   clear();
@@ -131,7 +134,9 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) placeHint();
   if (kind_ == Kind::None) return QObject::eventFilter(watched, event);
   if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    const bool aligning = kind_ == Kind::Align;
     setKind(Kind::None);
+    if (aligning) emit alignmentLeft();
     return true;
   }
   if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease) {
@@ -160,12 +165,24 @@ std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& 
   const Ray ray = rayThrough(bench_.scene, position);
   const auto hit = pickBody(bodies, ray, view.hiddenBodies());
   if (!hit) return std::nullopt;
-  const double pixel = metresPerPixel(view.camera(), hit->distance, bench_.scene.widget()->height());
-  return Picked{bodies[hit->body], *hit, ray.origin + hit->distance * ray.direction, kSnapPixels * pixel};
+  const Vector3 p_W = ray.origin + hit->distance * ray.direction;
+  const double pixel = view.camera().viewHeightAt(p_W) / std::max(1, bench_.scene.widget()->height());
+  return Picked{bodies[hit->body], *hit, p_W, kSnapPixels * pixel, std::nullopt};
+}
+
+/// What can be arranged; the object counts where its start and its goal are.
+std::optional<MeasureController::Picked> MeasureController::pickItem(const QPointF& position) const {
+  const LoadedScenario& scenario = *bench_.document.scenario();
+  const Ray ray = rayThrough(bench_.scene, position);
+  std::optional<ItemHit> hit;
+  if (selected_ && features_.empty()) hit = itemAt(scenario, bench_.scene.view(), ray, selected_);
+  if (!hit) hit = itemAt(scenario, bench_.scene.view(), ray);
+  if (!hit) return std::nullopt;
+  return Picked{hit->body, hit->hit, hit->p_W, 0.0, hit->item};
 }
 
 void MeasureController::click(const QPointF& position) {
-  const auto picked = pick(position);
+  const auto picked = kind_ == Kind::Align ? pickItem(position) : pick(position);
   if (!picked) return;
   if (!result_.isEmpty()) clear();
   if (kind_ == Kind::Clearance) {
@@ -184,7 +201,12 @@ void MeasureController::takeFeature(const Picked& picked) {
   if (known != prepared_.end()) {
     const Vector3 p_B = inverse(picked.body.X_WB) * picked.p_W;
     const double snap = kind_ == Kind::Radius ? 0.0 : picked.snap;
-    addFeature(placed(known->second->featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB));
+    const MeasureFeature feature = placed(known->second->featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB);
+    if (picked.item) {
+      takeAlignment(*picked.item, feature);
+    } else {
+      addFeature(feature);
+    }
     return;
   }
   const auto prepare = [this, picked](const WorkWatch&) -> BackgroundTask::Delivery {
@@ -194,8 +216,7 @@ void MeasureController::takeFeature(const Picked& picked) {
       takeFeature(picked);
     };
   };
-  hint_->setText(tr("Finding edges and faces of the body…"));
-  placeHint();
+  writeHint(tr("Finding edges and faces of the body…"));
   preparation_.start("finding edges and faces", prepare, bench_.work.isAtOnce());
 }
 
@@ -207,6 +228,25 @@ void MeasureController::takeFrame(const Picked& picked, const MeasurableMesh& me
   }
   setKind(Kind::None);
   emit framePicked(picked.body, *frame);
+}
+
+/// A click that does not fit leaves what was clicked first.
+void MeasureController::takeAlignment(const AssemblyItem& item, const MeasureFeature& feature) {
+  if (!canAlign(feature, feature)) {
+    writeHint(tr("This is neither a plane nor a cylinder."));
+  } else if (features_.empty()) {
+    moving_ = item;
+    addFeature(feature);
+    emit movingPicked(item);
+  } else if (item == moving_) {
+    writeHint(tr("This is what moves. Click a face of another body. Esc ends this."));
+  } else if (!canAlign(features_.front(), feature)) {
+    writeHint(tr("A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this."));
+  } else {
+    const MeasureFeature moving = features_.front();
+    setKind(Kind::None);
+    emit alignmentPicked(moving_, moving, feature);
+  }
 }
 
 void MeasureController::addFeature(const MeasureFeature& feature) {
@@ -286,8 +326,7 @@ void MeasureController::measureClearance() {
       }
     };
   };
-  hint_->setText(tr("Measuring the clearance…"));
-  placeHint();
+  writeHint(tr("Measuring the clearance…"));
   preparation_.start("measuring a clearance", measure, bench_.work.isAtOnce());
 }
 
@@ -309,6 +348,10 @@ void MeasureController::showHint() {
       case Kind::None: break;
       case Kind::Radius: text = tr("Click a cylindrical face. Esc ends measuring."); break;
       case Kind::Frame: text = tr("Click a plane or a cylinder of what is placed. Esc ends this."); break;
+      case Kind::Align:
+        text = first ? tr("Click a plane or a cylinder of what moves. Esc ends this.")
+                     : tr("Click the plane or the cylinder of another body that it goes onto. Esc ends this.");
+        break;
       case Kind::Clearance:
         text = first ? tr("Click the first body. Esc ends measuring.") : tr("Click the second body.");
         break;
@@ -321,6 +364,10 @@ void MeasureController::showHint() {
         break;
     }
   }
+  writeHint(text);
+}
+
+void MeasureController::writeHint(const QString& text) {
   hint_->setText(text);
   hint_->setVisible(!text.isEmpty());
   placeHint();

@@ -47,7 +47,7 @@ void MilestoneTool::moveTo(const QPointF& position) {
   emit moved();
 }
 
-void MilestoneTool::turn(const QPointF& by) {
+void MilestoneTool::turn(const QPointF& /*position*/, const QPointF& by) {
   drag_->turn(by.x(), by.y());
   emit moved();
 }

@@ -28,7 +28,7 @@ class MilestoneTool final : public DragTool {
   bool grip(const QPointF& position) override;
   bool holds() const override { return drag_.has_value(); }
   void moveTo(const QPointF& position) override;
-  void turn(const QPointF& by) override;
+  void turn(const QPointF& position, const QPointF& by) override;
   void drop() override;
 
   WorkbenchDocument& document_;

@@ -31,7 +31,8 @@ Outcome pressKey(const Workbench& bench, const std::string& how, const std::stri
   if (sequence.count() != 1) return wrongCommand("there is no key '" + key + "'");
   if (how != "press" && how != "release" && how != "tap") return wrongCommand("say press, release or tap");
   const auto send = [&](QEvent::Type type) {
-    QKeyEvent event(type, sequence[0], Qt::NoModifier);
+    const int modifiers = sequence[0] & static_cast<int>(Qt::KeyboardModifierMask);
+    QKeyEvent event(type, sequence[0] & ~modifiers, Qt::KeyboardModifiers(modifiers));
     QApplication::sendEvent(bench.scene.widget(), &event);
   };
   if (how != "release") send(QEvent::KeyPress);

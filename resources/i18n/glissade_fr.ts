@@ -852,10 +852,6 @@
         <translation>Disposer à la so&amp;uris</translation>
     </message>
     <message>
-        <source>Drag bodies, start and goal in the view; Ctrl+drag turns them</source>
-        <translation>Tirer les corps, le départ et le but dans la vue ; Ctrl+tirer les tourne</translation>
-    </message>
-    <message>
         <source>Place by a face or a&amp;xis</source>
         <translation>Placer par une face ou un a&amp;xe</translation>
     </message>
@@ -1426,6 +1422,38 @@
     <message>
         <source>Go back to the sequence without a path</source>
         <translation>Revenir à la séquence sans chemin</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Retourner</translation>
+    </message>
+    <message>
+        <source>Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or the body itself</source>
+        <translation>Déplacer et tourner les corps, le départ et le but dans la vue : par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
+    </message>
+    <message>
+        <source>Al&amp;ign...</source>
+        <translation>Al&amp;igner...</translation>
+    </message>
+    <message>
+        <source>Put an axis onto an axis, or a face onto a face: click that of what moves, then that of another body</source>
+        <translation>Mettre un axe sur un axe, ou une face sur une face : cliquer celle de ce qui bouge, puis celle d&apos;un autre corps</translation>
+    </message>
+    <message>
+        <source>Flip the ali&amp;gnment</source>
+        <translation>Retourner l&apos;ali&amp;gnement</translation>
+    </message>
+    <message>
+        <source>Turn what was aligned last round: the axis, or the face, looks the other way</source>
+        <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Par &amp;pas</translation>
+    </message>
+    <message>
+        <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
+        <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
     </message>
 </context>
 <context>
@@ -2555,14 +2583,6 @@
     <message>
         <source>Clear of all bodies: %1</source>
         <translation>À l&apos;écart de tous les corps : %1</translation>
-    </message>
-    <message>
-        <source>the start</source>
-        <translation>le départ</translation>
-    </message>
-    <message>
-        <source>the goal</source>
-        <translation>le but</translation>
     </message>
     <message>
         <source>This cannot be done</source>
@@ -3876,6 +3896,22 @@
         <source>Click the second edge or face.</source>
         <translation>Cliquer la seconde arête ou face.</translation>
     </message>
+    <message>
+        <source>This is what moves. Click a face of another body. Esc ends this.</source>
+        <translation>C&apos;est ce qui bouge. Cliquer une face d&apos;un autre corps. Échap termine.</translation>
+    </message>
+    <message>
+        <source>A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this.</source>
+        <translation>Un plan va sur un plan, et un cylindre sur un cylindre. Cliquer une autre face. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click a plane or a cylinder of what moves. Esc ends this.</source>
+        <translation>Cliquer un plan ou un cylindre de ce qui bouge. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click the plane or the cylinder of another body that it goes onto. Esc ends this.</source>
+        <translation>Cliquer le plan ou le cylindre d&apos;un autre corps sur lequel il va. Échap termine.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::MessageLog</name>
@@ -4299,14 +4335,6 @@
 <context>
     <name>glissade::PlacementPanel</name>
     <message>
-        <source>Along the world&apos;s axis %1, in millimetres</source>
-        <translation>Le long de l&apos;axe %1 du monde, en millimètres</translation>
-    </message>
-    <message>
-        <source>Turned about the world&apos;s axis %1, in degrees: first X, then Y, then Z</source>
-        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés : d&apos;abord X, puis Y, puis Z</translation>
-    </message>
-    <message>
         <source>Placement: select one body, start or goal</source>
         <translation>Position : choisir un corps, départ ou but</translation>
     </message>
@@ -4349,6 +4377,22 @@
     <message>
         <source>Picked face or axis</source>
         <translation>Face ou axe choisi</translation>
+    </message>
+    <message>
+        <source>Along the world&apos;s axis %1, in millimetres, or with a unit: 25.4 mm, 1 in</source>
+        <translation>Le long de l&apos;axe %1 du monde, en millimètres, ou avec une unité : 25,4 mm, 1 in</translation>
+    </message>
+    <message>
+        <source>Turned about the world&apos;s axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, then Z</source>
+        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés, ou avec une unité : 0,1 rad ; d&apos;abord X, puis Y, puis Z</translation>
+    </message>
+    <message>
+        <source>“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5&quot;. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas une longueur jusqu&apos;à 1 km. Écrire 12,5, 25,4 mm, 1 in ou 0,5&quot;. Rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas un angle jusqu&apos;à 360°. Écrire 30, 30 deg ou 0,1 rad. Rien n&apos;a bougé.</translation>
     </message>
 </context>
 <context>
@@ -5718,6 +5762,90 @@
     <message>
         <source>Writing the report</source>
         <translation>Écriture du rapport</translation>
+    </message>
+</context>
+<context>
+    <name>Arranging</name>
+    <message>
+        <source>the start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>the goal</source>
+        <translation>le but</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ArrangeBar</name>
+    <message>
+        <source>Arranging</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Step of distances</source>
+        <translation>Pas des distances</translation>
+    </message>
+    <message>
+        <source>Step of angles</source>
+        <translation>Pas des angles</translation>
+    </message>
+    <message>
+        <source>End arranging (Esc)</source>
+        <translation>Terminer la disposition (Échap)</translation>
+    </message>
+    <message>
+        <source>End arranging</source>
+        <translation>Terminer la disposition</translation>
+    </message>
+    <message>
+        <source>%1, in any unit: 25.4 mm, 1 in, 30 deg</source>
+        <translation>%1, dans n&apos;importe quelle unité : 25,4 mm, 1 in, 30 deg</translation>
+    </message>
+    <message>
+        <source>“%1” is no step. Write 10, 25.4 mm, 1 in or 30 deg.</source>
+        <translation>« %1 » n&apos;est pas un pas. Écrire 10, 25,4 mm, 1 in ou 30 deg.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
+        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl inverse le déplacement par pas. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Arranging: click a body, the start or the goal</source>
+        <translation>Disposition : cliquer un corps, le départ ou le but</translation>
+    </message>
+    <message>
+        <source>Arranging %1</source>
+        <translation>Disposition : %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ArrangeController</name>
+    <message>
+        <source>%1 is aligned. %2 turns it round.</source>
+        <translation>%1 : aligné. %2 le retourne.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WorkspaceNotice</name>
+    <message>
+        <source>%1 is outside of the workspace now.</source>
+        <translation>%1 est maintenant hors de l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>The start is outside of the workspace now.</source>
+        <translation>Le départ est maintenant hors de l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>The goal is outside of the workspace now.</source>
+        <translation>Le but est maintenant hors de l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>The object does not get there. Undo, or fit the workspace.</source>
+        <translation>L&apos;objet n&apos;y va pas. Annuler, ou ajuster l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>A run is refused there. Undo, or fit the workspace.</source>
+        <translation>Un calcul y est refusé. Annuler, ou ajuster l&apos;espace de travail.</translation>
     </message>
 </context>
 </TS>

@@ -63,15 +63,45 @@ TEST_F(AssemblyWindow, AMobileBodyIsDraggedAndTheCellsFollowAsIfItHadAlwaysBeenT
   const QString back = folder.filePath(QStringLiteral("back.png"));
   const QString before = folder.filePath(QStringLiteral("before.png"));
   // Selected, the body is gripped behind the wall, too.
-  expectGood(run(shapeGame, QStringLiteral("action layer.mobile-cells\nselect body O3\nscreenshot %1\n"
-                                           "action assembly.arrange\ndrag 285 300 345 340\nscreenshot %2\n"
-                                           "action environment.build\nscreenshot %3\n"
-                                           "action edit.undo\nscreenshot %4\naction edit.redo\n"
-                                           "action run.start\nwait ended 40000\nexpect solved\n")
-                                .arg(before, dragged, fresh, back)));
+  expectGood(
+      run(shapeGame, QStringLiteral("action layer.mobile-cells\nselect body O3\n"
+                                    "action assembly.arrange\nscreenshot %1\ndrag 272 316 332 356\nscreenshot %2\n"
+                                    "action environment.build\nscreenshot %3\n"
+                                    "action edit.undo\nscreenshot %4\naction edit.redo\n"
+                                    "action run.start\nwait ended 40000\nexpect solved\n")
+                         .arg(before, dragged, fresh, back)));
   EXPECT_GT(difference(middle(before), middle(dragged)).share, 0.01);
   EXPECT_EQ(middle(dragged), middle(fresh));
   EXPECT_EQ(middle(before), middle(back));
+}
+
+TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
+  const QString picture = folder.filePath(QStringLiteral("arranging.png"));
+  expectGood(run(QStringLiteral("teaching"),
+                 QStringLiteral("action assembly.arrange\nexpect-arranging yes\nselect body O5\n"
+                                "set-steps 50mm 30deg\naction assembly.snap\n"
+                                "drag-handle x 70 -20\nexpect-place O5 1925,1575,300\n"
+                                "drag-handle rz 40 0\nexpect-place O5 1925,1575,300\n"
+                                "action edit.undo\naction edit.undo\nexpect-place O5 1375,1575,300\n"
+                                // A drag that Esc takes back is no edit, and does not leave the mode.
+                                "hold-handle rz 40 0\nscreenshot %1\nkey tap Esc\nexpect-place O5 1375,1575,300\n"
+                                "expect-arranging yes\n"
+                                // Keys in a row are one edit.
+                                "key tap Right\nkey tap Right\nkey tap PgUp\nkey tap Up\nkey tap Shift+Left\n"
+                                "expect-place O5 1475,1625,350\n"
+                                "action edit.undo\nexpect-place O5 1375,1575,300\n"
+                                "drag-handle z 0 -200\nexpect-outside O5\naction assembly.fit-workspace\n"
+                                "expect-outside none\naction edit.undo\naction edit.undo\n"
+                                // Its front onto the front of O3, then the other way round; both are one edit.
+                                "action assembly.align\nexpect-arranging no\nclick 324 228\nclick 444 273\n"
+                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1354.58,775,300\n"
+                                "action assembly.flip\nexpect-place O5 1375,1025,300\n"
+                                "action edit.undo\nexpect-place O5 1375,1575,300\n"
+                                "key tap Esc\nexpect-arranging no\n"
+                                "action assembly.arrange\nopen %2\nexpect-arranging no\n")
+                     .arg(picture, kSource + QStringLiteral("/samples/teaching/scenario.json"))));
+  expectLike(picture, QStringLiteral("arranging"));
+  expectRefused(QStringLiteral("teaching"), QStringLiteral("drag-handle x 70 -20\n"), "cannot be taken now");
 }
 
 TEST_F(AssemblyWindow, WhereThingsAreIsKeptByTheFile) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QVector>
+#include <QtTest/QTest>
 
 namespace glissade {
 namespace {
@@ -86,6 +87,68 @@ TEST_F(PlacementPanelTest, APickedFrameIsPlacedByPositionAndTurn) {
   EXPECT_LT(angleBetween(X_WF.orientation, Quaternion::Identity()), 1e-7);
   panel.show(QStringLiteral("other"), before);
   EXPECT_EQ(panel.chosenPoint(), QStringLiteral("Origin of the file"));
+}
+
+/// As a person does: over what is there, with Enter at the end.
+void write(QDoubleSpinBox& box, const QString& text) {
+  box.setFocus();
+  box.selectAll();
+  QTest::keyClicks(&box, text);
+  QTest::keyClick(&box, Qt::Key_Return);
+}
+
+TEST_F(PlacementPanelTest, NumbersAreWrittenInAnyUnit) {
+  panel.show(QStringLiteral("part"), Pose{});
+  const auto expectX = [&](const char* text, double metres) {
+    write(box("place-x"), QString::fromUtf8(text));
+    ASSERT_FALSE(placed.isEmpty()) << text;
+    EXPECT_DOUBLE_EQ(placed.back().position.x(), metres) << text;
+    EXPECT_TRUE(panel.findChild<QLabel*>(QStringLiteral("place-refused"))->isHidden());
+  };
+  expectX("25.4 mm", 0.0254);
+  expectX("2 in", 0.0508);
+  expectX("0.5\"", 0.0127);
+  expectX("7", 0.007);
+  expectX("-1.5cm", -0.015);
+  write(box("turn-z"), QStringLiteral("0.1 rad"));
+  EXPECT_NEAR(rollPitchYawOf(placed.back().orientation).z(), 0.1, 1e-12) << "not only the digits that are shown";
+  write(box("turn-z"), QStringLiteral("30 deg"));
+  EXPECT_NEAR(rollPitchYawOf(placed.back().orientation).z(), std::acos(0.0) / 3.0, 1e-12);
+}
+
+TEST_F(PlacementPanelTest, WhatCannotBeReadIsRefusedVisiblyAndChangesNothing) {
+  const Pose before{Vector3(1.0 / 3.0, 0, 0), fromRollPitchYaw(0.0, 0.0, 0.3)};
+  panel.show(QStringLiteral("part"), before);
+  const QLabel& refused = *panel.findChild<QLabel*>(QStringLiteral("place-refused"));
+  for (const char* text : {"12 mn", "abc", "3 deg", "2000 m"}) {
+    write(box("place-x"), QString::fromUtf8(text));
+    EXPECT_TRUE(placed.isEmpty()) << text;
+    EXPECT_FALSE(refused.isHidden()) << text;
+    EXPECT_TRUE(refused.text().contains(QString::fromUtf8(text))) << refused.text().toStdString();
+    EXPECT_EQ(box("place-x").text(), QStringLiteral("333.33"));
+  }
+  write(box("turn-z"), QStringLiteral("1 mm"));
+  EXPECT_TRUE(placed.isEmpty());
+  write(box("place-x"), box("place-x").text());
+  EXPECT_TRUE(placed.isEmpty()) << "the digits that are shown are the number that is there";
+  write(box("place-x"), QStringLiteral("1 in"));
+  EXPECT_EQ(placed.size(), 1);
+  EXPECT_TRUE(refused.isHidden());
+}
+
+TEST(QuantityBox, ReadsTheDecimalSignOfTheUserAndAPoint) {
+  QuantityBox box(QuantityBox::Quantity::Length, nullptr);
+  box.setLocale(QLocale(QLocale::French));
+  box.setRange(-1e6, 1e6);
+  box.setSuffix(QStringLiteral(" mm"));
+  box.setValue(1234.5);
+  EXPECT_EQ(box.text(), QStringLiteral("1234,50 mm"));
+  write(box, QStringLiteral("25,4 mm"));
+  EXPECT_DOUBLE_EQ(box.value(), 25.4);
+  write(box, QStringLiteral("1.5 in"));
+  EXPECT_DOUBLE_EQ(box.value(), 38.1);
+  write(box, QStringLiteral("-3"));
+  EXPECT_DOUBLE_EQ(box.value(), -3.0);
 }
 
 }  // namespace

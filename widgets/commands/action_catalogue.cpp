@@ -13,6 +13,7 @@ QString translated(const char* text) { return QCoreApplication::translate("Actio
 
 /// What a button says where its panel tells what it is about; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
+    {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip")},
     {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
     {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},
     {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Milestone")},
@@ -82,7 +83,22 @@ const std::vector<ActionSpec>& actionSpecs() {
                          "until now stays where it started"),
        false},
       {"assembly.arrange", QT_TRANSLATE_NOOP("Actions", "Arrange &with the mouse"), "Ctrl+G",
-       QT_TRANSLATE_NOOP("Actions", "Drag bodies, start and goal in the view; Ctrl+drag turns them"), true},
+       QT_TRANSLATE_NOOP("Actions",
+                         "Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or "
+                         "the body itself"),
+       true},
+      {"assembly.align", QT_TRANSLATE_NOOP("Actions", "Al&ign..."), "Ctrl+Shift+G",
+       QT_TRANSLATE_NOOP("Actions",
+                         "Put an axis onto an axis, or a face onto a face: click that of what moves, then that of "
+                         "another body"),
+       true},
+      {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip the ali&gnment"), "Ctrl+Shift+F",
+       QT_TRANSLATE_NOOP("Actions", "Turn what was aligned last round: the axis, or the face, looks the other way"),
+       false},
+      {"assembly.snap", QT_TRANSLATE_NOOP("Actions", "S&nap"), "Ctrl+Shift+K",
+       QT_TRANSLATE_NOOP("Actions",
+                         "Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite"),
+       true},
       {"assembly.pick-frame", QT_TRANSLATE_NOOP("Actions", "Place by a face or a&xis"), "",
        QT_TRANSLATE_NOOP("Actions", "Click a plane or a cylinder: the numbers of the placement are those of its frame"),
        true},

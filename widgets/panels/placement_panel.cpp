@@ -15,8 +15,11 @@ constexpr double kFarthest = 1e6;
 
 }  // namespace
 
-PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLabel(this)) {
+PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLabel(this)), refused_(new QLabel(this)) {
   name_->setTextFormat(Qt::PlainText);
+  refused_->setTextFormat(Qt::PlainText);
+  refused_->setObjectName(QStringLiteral("place-refused"));
+  refused_->setWordWrap(true);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(6, 2, 6, 6);
   grid->setHorizontalSpacing(6);
@@ -24,11 +27,15 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   grid->addWidget(name_, 0, 0, 1, 6);
   for (int axis = 0; axis < 3; ++axis) {
     const QString letter(QLatin1Char("XYZ"[axis]));
-    position_[axis] = addBox(1, axis, letter, tr("Along the world's axis %1, in millimetres").arg(letter));
+    position_[axis] =
+        addBox(QuantityBox::Quantity::Length, axis,
+               tr("Along the world's axis %1, in millimetres, or with a unit: 25.4 mm, 1 in").arg(letter));
     position_[axis]->setObjectName(QStringLiteral("place-") + letter.toLower());
     position_[axis]->setRange(-kFarthest, kFarthest);
-    turn_[axis] = addBox(2, axis, QStringLiteral("∠") + letter,
-                         tr("Turned about the world's axis %1, in degrees: first X, then Y, then Z").arg(letter));
+    turn_[axis] = addBox(QuantityBox::Quantity::Angle, axis,
+                         tr("Turned about the world's axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, "
+                            "then Z")
+                             .arg(letter));
     turn_[axis]->setObjectName(QStringLiteral("turn-") + letter.toLower());
     turn_[axis]->setRange(-360.0, 360.0);
     connect(position_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
@@ -37,6 +44,7 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   }
   about_ = makePoints();
   grid->addWidget(about_, 3, 0, 1, 4);
+  grid->addWidget(refused_, 4, 0, 1, 6);
   show(QString(), std::nullopt);
 }
 
@@ -49,7 +57,10 @@ QComboBox* PlacementPanel::makePoints() {
   about->addItem(tr("Middle"), kMiddle);
   about->addItem(tr("Reference point"), kReference);
   about->setItemData(kReference, tr("What the poses of path files are about"), Qt::ToolTipRole);
-  connect(about, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { showNumbers(); });
+  connect(about, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    showNumbers();
+    emit pointChosen();
+  });
   return about;
 }
 
@@ -86,21 +97,35 @@ Pose PlacementPanel::frame() const {
   }
 }
 
-QDoubleSpinBox* PlacementPanel::addBox(int row, int axis, const QString& label, const QString& tip) {
+QuantityBox* PlacementPanel::addBox(QuantityBox::Quantity quantity, int axis, const QString& tip) {
+  const bool isLength = quantity == QuantityBox::Quantity::Length;
+  const int row = isLength ? 1 : 2;
   auto* grid = static_cast<QGridLayout*>(layout());
-  auto* box = new QDoubleSpinBox(this);
+  auto* box = new QuantityBox(quantity, this);
   box->setToolTip(tip);
-  box->setDecimals(2);
-  box->setKeyboardTracking(false);  // a number counts when it is written
-  box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  box->setAlignment(Qt::AlignRight);
   box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  auto* text = new QLabel(label, this);
+  const QString letter(QLatin1Char("XYZ"[axis]));
+  auto* text = new QLabel(isLength ? letter : QStringLiteral("∠") + letter, this);
   text->setBuddy(box);
   grid->addWidget(text, row, 2 * axis);
   grid->addWidget(box, row, 2 * axis + 1);
   grid->setColumnStretch(2 * axis + 1, 1);
+  connect(box, &QuantityBox::refused, this,
+          [this, quantity](const QString& written) { showRefused(quantity, written); });
   return box;
+}
+
+void PlacementPanel::showRefused(QuantityBox::Quantity quantity, const QString& text) {
+  const QString why =
+      quantity == QuantityBox::Quantity::Length
+          ? tr("“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5\". Nothing has moved.")
+          : tr("“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.");
+  refused_->setText(QStringLiteral("⚠ ") + why.arg(text));
+  refused_->show();
+}
+
+std::optional<Pose> PlacementPanel::chosenFrame() const {
+  return about_->currentData().toInt() == kPicked ? points_.picked : std::nullopt;
 }
 
 void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, const PlacementPoints& points) {
@@ -125,6 +150,7 @@ void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, 
 }
 
 void PlacementPanel::showNumbers() {
+  refused_->hide();
   const Vector3 at = X_WB_ * frame().position;
   rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation * frame().orientation);
   for (int axis = 0; axis < 3; ++axis) {
@@ -136,12 +162,14 @@ void PlacementPanel::showNumbers() {
 }
 
 void PlacementPanel::takePosition(int axis) {
+  refused_->hide();
   const double turned = (X_WB_.orientation * frame().position)[axis];
   X_WB_.position[axis] = position_[axis]->value() / kMillimetres - turned;
   emit placed(X_WB_);
 }
 
 void PlacementPanel::takeTurn(int axis) {
+  refused_->hide();
   rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
   const Pose own = frame();
   const Vector3 stays = X_WB_ * own.position;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
@@ -9,14 +8,15 @@
 
 #include "engine/geometry/pose.h"
 #include "engine/scenario/placement_points.h"
+#include "widgets/panels/quantity_box.h"
 
 namespace glissade {
 
 /// Where one thing is, as numbers that can be changed: millimetres along the world's axes, and degrees
-/// about them (URDF's roll, pitch and yaw). They are about a point that people choose: the origin of the file's
-/// coordinates, the middle, or the reference point, which poses of path files are about. It stays where it is when the
-/// angles change. Where a face or an axis was picked, the numbers may be those of its frame. A coordinate that nobody
-/// touches stays as exact as it is.
+/// about them (URDF's roll, pitch and yaw), or in any unit that is written with them. They are about a point that
+/// people choose: the origin of the file's coordinates, the middle, or the reference point, which poses of path files
+/// are about. It stays where it is when the angles change. Where a face or an axis was picked, the numbers may be those
+/// of its frame. A coordinate that nobody touches stays as exact as it is.
 class PlacementPanel final : public QWidget {
   Q_OBJECT
 
@@ -26,6 +26,8 @@ class PlacementPanel final : public QWidget {
   /// Beside the choice of the point.
   void addPickAction(QAction* action);
 
+  /// The frame of a face or an axis that the numbers are of, X_BF; nothing where they are of a point.
+  std::optional<Pose> chosenFrame() const;
   /// What the numbers are about, as people read it.
   QString chosenPoint() const { return about_->currentText(); }
 
@@ -35,9 +37,12 @@ class PlacementPanel final : public QWidget {
 
  signals:
   void placed(const glissade::Pose& X_WB);
+  /// Somebody has chosen what the numbers are about.
+  void pointChosen();
 
  private:
-  QDoubleSpinBox* addBox(int row, int axis, const QString& label, const QString& tip);
+  QuantityBox* addBox(QuantityBox::Quantity quantity, int axis, const QString& tip);
+  void showRefused(QuantityBox::Quantity quantity, const QString& text);
   QComboBox* makePoints();
   void offerPicked();
   Pose frame() const;
@@ -48,8 +53,9 @@ class PlacementPanel final : public QWidget {
   QLabel* name_;
   QComboBox* about_ = nullptr;
   QToolButton* pick_ = nullptr;
-  QDoubleSpinBox* position_[3] = {};
-  QDoubleSpinBox* turn_[3] = {};
+  QuantityBox* position_[3] = {};
+  QuantityBox* turn_[3] = {};
+  QLabel* refused_;
   Pose X_WB_;
   PlacementPoints points_;                  ///< in B
   Vector3 rollPitchYaw_ = Vector3::Zero();  ///< radians

@@ -135,6 +135,12 @@ double CameraController::verticalFieldOfView() const { return kFieldOfView; }
 
 double CameraController::viewHeight() const { return 2.0 * distance_ * std::tan(0.5 * kFieldOfView); }
 
+double CameraController::viewHeightAt(const Vector3& p_W) const {
+  if (orthographic_) return viewHeight();
+  const double depth = -(orientation_.conjugate() * (p_W - eye())).z();
+  return 2.0 * std::max(depth, nearPlane()) * std::tan(0.5 * kFieldOfView);
+}
+
 double CameraController::nearPlane() const {
   if (orthographic_) return toCentre() - 2.0 * sceneRadius_;
   const double toScene = (eye() - sceneCentre_).norm() - 2.0 * sceneRadius_;
@@ -152,7 +158,7 @@ double CameraController::toCentre() const { return (orientation_.conjugate() * (
 std::optional<Eigen::Vector2d> CameraController::project(const Vector3& p_W) const {
   const Vector3 p_V = orientation_.conjugate() * (p_W - eye());
   if (p_V.z() > -nearPlane()) return std::nullopt;
-  const double height = orthographic_ ? viewHeight() : -2.0 * p_V.z() * std::tan(0.5 * kFieldOfView);
+  const double height = viewHeightAt(p_W);
   return Eigen::Vector2d(p_V.x() / height, -p_V.y() / height);
 }
 

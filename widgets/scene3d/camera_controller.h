@@ -46,6 +46,8 @@ class CameraController {
   double verticalFieldOfView() const;  ///< radians
   /// What the view's height measures at the focus, metres.
   double viewHeight() const;
+  /// The same in the plane of the view through a point, metres; at the eye and behind it that of the near plane.
+  double viewHeightAt(const Vector3& p_W) const;
   double aspect() const { return aspect_; }
   /// Near and far plane that enclose the fitted box from where the eye is now; an orthographic near plane may lie
   /// behind the eye.

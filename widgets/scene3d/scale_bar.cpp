@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "widgets/commands/length_text.h"
+#include "widgets/scene3d/axis_colours.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
@@ -17,7 +18,6 @@ constexpr double kMostBarPixels = 130.0;
 constexpr int kBarMargin = 10;
 constexpr int kAxesSize = 64;
 constexpr double kAxisPixels = 22.0;
-constexpr std::array<QRgb, 3> kAxisColours{0xffd55e00, 0xff009e73, 0xff2f7fd0};
 
 }  // namespace
 
@@ -46,7 +46,12 @@ bool ScaleBar::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void ScaleBar::goToCorner(const QSize& scene) { move(kBarMargin, scene.height() - height() - kBarMargin); }
+void ScaleBar::goToCorner(const QSize& scene) { move(kBarMargin, scene.height() - height() - kBarMargin - roomBelow_); }
+
+void ScaleBar::setRoomBelow(int pixels) {
+  roomBelow_ = pixels;
+  goToCorner(parentWidget()->size());
+}
 
 void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const double perPixel = view_.camera().viewHeight() / std::max(1, parentWidget()->height());

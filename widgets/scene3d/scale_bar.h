@@ -22,6 +22,9 @@ class ScaleBar final : public QWidget {
  public:
   ScaleBar(const SceneView& view, QWidget* scene);
 
+  /// Pixels at the lower border of the scene that something else covers: it stays above them.
+  void setRoomBelow(int pixels);
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -31,6 +34,7 @@ class ScaleBar final : public QWidget {
   void paintAxes(QPainter& painter) const;
 
   const SceneView& view_;
+  int roomBelow_ = 0;
 };
 
 }  // namespace glissade

@@ -74,6 +74,14 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
   impl_->dropCaps(obstacle);
 }
 
+void SceneView::putBackObstacles() {
+  for (const std::size_t obstacle : impl_->inHand) {
+    impl_->place(SceneLayer::Bodies, obstacle, impl_->poseOf(obstacle));
+  }
+  impl_->inHand.clear();
+  impl_->showHidden();
+}
+
 void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 0, X_WB); }
 
 void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 1, X_WB); }

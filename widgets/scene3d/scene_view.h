@@ -114,7 +114,9 @@ class SceneView {
   void rearrange(std::shared_ptr<const LoadedScenario> scenario);
   /// Draws an obstacle elsewhere while it is in somebody's hand: until rearrange(). Index into the scenario's.
   void placeObstacle(std::size_t obstacle, const Pose& X_WB);
-  /// The same for the ghosts of the object at its start and at its goal, where there are any.
+  /// Draws the obstacles where the scenario has them again.
+  void putBackObstacles();
+  /// As placeObstacle() for the ghosts of the object at its start and at its goal, where there are any.
   void placeStart(const Pose& X_WB);
   void placeGoal(const Pose& X_WB);
   /// Everything in view, direction kept.

@@ -1,0 +1,122 @@
+#include "app/window/arrange_controller.h"
+
+#include "app/window/arrange_script.h"
+#include "app/window/arranged_item.h"
+#include "widgets/scene3d/scale_bar.h"
+
+namespace glissade {
+
+ArrangeController::ArrangeController(const Workbench& bench, AssemblyController& assembly, MeasureController& measure)
+    : QObject(&bench.window),
+      bench_(bench),
+      assembly_(assembly),
+      tool_(bench.document, bench.scene, this),
+      bar_(new ArrangeBar(bench.actions, bench.scene.widget())) {
+  connect(bench.actions["assembly.arrange"], &QAction::toggled, this, &ArrangeController::setOn);
+  connect(bench.actions["assembly.snap"], &QAction::toggled, this, &ArrangeController::takeSteps);
+  connect(bar_, &ArrangeBar::stepsChanged, this, &ArrangeController::takeSteps);
+  connect(bar_, &ArrangeBar::left, this, [this] { bench_.actions["assembly.arrange"]->setChecked(false); });
+  connect(&assembly, &AssemblyController::placementShown, this, &ArrangeController::showItem);
+  connect(&assembly, &AssemblyController::editableChanged, this, [this](bool editable) {
+    if (!editable) bench_.actions["assembly.arrange"]->setChecked(false);
+    enableActions();
+  });
+  connect(&bench.document, &WorkbenchDocument::changed, this, &ArrangeController::followDocument);
+  bench.onAction("assembly.flip", this, [this] { flip(); });
+  if (auto* scale = bench.scene.widget()->findChild<ScaleBar*>()) {
+    connect(bar_, &ArrangeBar::covered, scale, &ScaleBar::setRoomBelow);
+  }
+  connectTool();
+  connectMeasure(measure);
+  takeSteps();
+  enableActions();
+  addArrangeCommands(bench, *this);
+}
+
+void ArrangeController::connectTool() {
+  connect(&tool_, &ArrangeTool::gripped, &assembly_, &AssemblyController::choose);
+  connect(&tool_, &ArrangeTool::dropped, this,
+          [this](const AssemblyItem& item, const Pose& X_WB) { assembly_.place(item, X_WB); });
+  connect(&tool_, &ArrangeTool::nudged, this, [this](const AssemblyItem& item, const Pose& X_WB) {
+    const QString key = QStringLiteral("nudge %1 %2").arg(static_cast<int>(item.kind));
+    assembly_.place(item, X_WB, key.arg(QString::fromStdString(item.bodyId)));
+  });
+  connect(&tool_, &ArrangeTool::left, bar_, &ArrangeBar::left);
+}
+
+void ArrangeController::connectMeasure(MeasureController& measure) {
+  connect(&assembly_, &AssemblyController::placementShown, &measure, &MeasureController::setSelected);
+  connect(&measure, &MeasureController::movingPicked, &assembly_, &AssemblyController::choose);
+  connect(&measure, &MeasureController::alignmentPicked, this, &ArrangeController::align);
+  connect(&measure, &MeasureController::alignmentLeft, this, &ArrangeController::resume);
+}
+
+void ArrangeController::setOn(bool on) {
+  interrupted_ = !on && bench_.actions["assembly.align"]->isChecked();
+  tool_.setOn(on);
+  bar_->setVisible(on);
+  bench_.scene.refresh();
+}
+
+void ArrangeController::resume() {
+  if (interrupted_ && assembly_.isEditable()) bench_.actions["assembly.arrange"]->setChecked(true);
+}
+
+void ArrangeController::takeSteps() {
+  tool_.setSnapping(bench_.actions["assembly.snap"]->isChecked(), {bar_->distanceStep(), bar_->angleStep()});
+}
+
+void ArrangeController::followDocument(Changes what) {
+  if (what & Change::Scenario) bench_.actions["assembly.arrange"]->setChecked(false);
+  if (!(what & (Change::Scenario | Change::Arrangement)) || !aligned_) return;
+  const bool stays = poseOf(bench_.document.scenario()->scenario, aligned_->item) == aligned_->after;
+  if ((what & Change::Scenario) || (!stays && !bench_.document.isArranging())) aligned_.reset();
+  enableActions();
+}
+
+void ArrangeController::showItem(const std::optional<AssemblyItem>& item, const PlacementPoints& points) {
+  bar_->showItem(item ? nameOf(*item) : QString());
+  if (!item) {
+    tool_.setSelected(std::nullopt);
+  } else if (points.picked) {
+    tool_.setSelected(ArrangedItem{*item, *points.picked, true});
+  } else {
+    tool_.setSelected(ArrangedItem{*item, Pose::translation(points.middle)});
+  }
+}
+
+void ArrangeController::align(const AssemblyItem& item, const MeasureFeature& moving, const MeasureFeature& fixed) {
+  const auto before = poseOf(bench_.document.scenario()->scenario, item);
+  if (before) {
+    ++alignments_;
+    aligned_ = Aligned{item, *before, moving, fixed};
+    placeAligned();
+    const QString keys = bench_.actions["assembly.flip"]->shortcut().toString(QKeySequence::NativeText);
+    bench_.messages.showStatus(tr("%1 is aligned. %2 turns it round.").arg(nameOf(item), keys));
+  }
+  resume();
+}
+
+void ArrangeController::flip() {
+  if (!aligned_) return;
+  aligned_->flipped = !aligned_->flipped;
+  placeAligned();
+}
+
+/// An alignment and its flips are one edit.
+void ArrangeController::placeAligned() {
+  aligned_->after = alignment(aligned_->moving, aligned_->fixed, aligned_->flipped) * aligned_->before;
+  const Aligned aligned = *aligned_;
+  assembly_.place(aligned.item, aligned.after, QStringLiteral("align %1").arg(alignments_));
+  enableActions();
+}
+
+void ArrangeController::enableActions() {
+  const bool editable = assembly_.isEditable();
+  bench_.enable("assembly.arrange", editable);
+  bench_.enable("assembly.snap", editable);
+  bench_.enable("assembly.align", editable);
+  bench_.enable("assembly.flip", editable && aligned_);
+}
+
+}  // namespace glissade

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace glissade {
+
+/// Metres of a length as people write it: 0.5mm, 25.4 mm, 1 in, 0.5". Units: m, cm, mm, µm or um, in, inch or ", ft or
+/// '. A number without a unit counts in `unit` metres. Nothing where the text is no length.
+std::optional<double> toMetres(std::string_view text, double unit);
+
+/// Radians of an angle as people write it: 30 deg, 30°, 0.1 rad. A number without a unit counts in `unit` radians.
+/// Nothing where the text is no angle.
+std::optional<double> toRadians(std::string_view text, double unit);
+
+}  // namespace glissade

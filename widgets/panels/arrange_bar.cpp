@@ -1,0 +1,161 @@
+#include "widgets/panels/arrange_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QToolButton>
+
+#include <algorithm>
+#include <numbers>
+
+namespace glissade {
+namespace {
+
+constexpr int kArrangeMargin = 10;
+constexpr int kWidestBar = 700;
+constexpr double kUsualMillimetres = 1.0;
+constexpr double kUsualDegrees = 15.0;
+constexpr double kMostMillimetres = 1e6;
+constexpr double kMostDegrees = 180.0;
+constexpr double kLeastStep = 1e-3;
+
+QToolButton* actionButton(QAction* action, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(action);
+  button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+}  // namespace
+
+ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
+    : QFrame(scene), top_(new QBoxLayout(QBoxLayout::LeftToRight)), item_(new QLabel(this)), keys_(new QLabel(this)) {
+  setObjectName(QStringLiteral("arrange-bar"));
+  setAccessibleName(tr("Arranging"));
+  setAutoFillBackground(true);
+  setFrameShape(QFrame::StyledPanel);
+  item_->setTextFormat(Qt::PlainText);
+  item_->setObjectName(QStringLiteral("arranged-item"));
+  QFont bold = item_->font();
+  bold.setBold(true);
+  item_->setFont(bold);
+  item_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  distance_ = addStep(QuantityBox::Quantity::Length, kMostMillimetres, QStringLiteral(" mm"), tr("Step of distances"));
+  angle_ = addStep(QuantityBox::Quantity::Angle, kMostDegrees, QStringLiteral("°"), tr("Step of angles"));
+  setSteps(kUsualMillimetres * 1e-3, kUsualDegrees * std::numbers::pi / 180.0);
+  keys_->setTextFormat(Qt::PlainText);
+  keys_->setWordWrap(true);
+  showKeys();
+  top_->setSpacing(4);
+  top_->addWidget(item_, 1);
+  top_->addLayout(makeControls(actions));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 6, 8, 6);
+  column->setSpacing(4);
+  column->addLayout(top_);
+  column->addWidget(keys_);
+  scene->installEventFilter(this);
+  showItem(QString());
+  hide();
+}
+
+QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
+  auto* controls = new QHBoxLayout;
+  controls->setSpacing(6);
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.snap")], this));
+  controls->addWidget(distance_);
+  controls->addWidget(angle_);
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.align")], this));
+  controls->addWidget(actionButton(actions[QLatin1String("assembly.flip")], this));
+  controls->addStretch();
+  auto* done = new QToolButton(this);
+  done->setText(QStringLiteral("✕"));
+  done->setAutoRaise(true);
+  done->setFocusPolicy(Qt::TabFocus);
+  done->setToolTip(tr("End arranging (Esc)"));
+  done->setAccessibleName(tr("End arranging"));
+  connect(done, &QToolButton::clicked, this, &ArrangeBar::left);
+  controls->addWidget(done);
+  return controls;
+}
+
+QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, double most, const QString& suffix,
+                                 const QString& name) {
+  auto* box = new QuantityBox(quantity, this);
+  box->setRange(kLeastStep, most);
+  box->setSuffix(suffix);
+  box->setAccessibleName(name);
+  box->setToolTip(tr("%1, in any unit: 25.4 mm, 1 in, 30 deg").arg(name));
+  connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+    showKeys();
+    emit stepsChanged();
+  });
+  connect(box, &QuantityBox::refused, this, [this](const QString& text) {
+    keys_->setText(QStringLiteral("⚠ ") + tr("“%1” is no step. Write 10, 25.4 mm, 1 in or 30 deg.").arg(text));
+  });
+  box->setFixedWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 mm ")) + 12);
+  return box;
+}
+
+void ArrangeBar::showKeys() {
+  keys_->setText(
+      tr("Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. "
+         "Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging."));
+}
+
+void ArrangeBar::showItem(const QString& name) {
+  item_->setText(name.isEmpty() ? tr("Arranging: click a body, the start or the goal") : tr("Arranging %1").arg(name));
+  item_->setToolTip(item_->text());
+  if (isVisible()) fit();
+}
+
+void ArrangeBar::setSteps(double metres, double radians) {
+  distance_->setValue(1e3 * metres);
+  angle_->setValue(radians * 180.0 / std::numbers::pi);
+}
+
+double ArrangeBar::distanceStep() const { return 1e-3 * distance_->value(); }
+
+double ArrangeBar::angleStep() const { return angle_->value() * std::numbers::pi / 180.0; }
+
+/// In the middle of the lower border. What is arranged stands above the buttons where it has no room beside them.
+void ArrangeBar::fit() {
+  const QSize scene = parentWidget()->size();
+  const int width = std::min(kWidestBar, scene.width() - 2 * kArrangeMargin);
+  const QMargins margins = layout()->contentsMargins();
+  const int needed = item_->sizeHint().width() + top_->itemAt(1)->sizeHint().width() + 2 * top_->spacing();
+  const bool beside = needed <= width - margins.left() - margins.right();
+  top_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  setFixedWidth(width);
+  layout()->activate();
+  const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+  setGeometry((scene.width() - width) / 2, scene.height() - height - kArrangeMargin, width, height);
+  emit covered(height + kArrangeMargin);
+}
+
+void ArrangeBar::showEvent(QShowEvent* event) {
+  fit();
+  raise();
+  QFrame::showEvent(event);
+}
+
+void ArrangeBar::hideEvent(QHideEvent* event) {
+  emit covered(0);
+  QFrame::hideEvent(event);
+}
+
+bool ArrangeBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && isVisible()) fit();
+  return QFrame::eventFilter(watched, event);
+}
+
+void ArrangeBar::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape) {
+    QFrame::keyPressEvent(event);
+    return;
+  }
+  emit left();
+}
+
+}  // namespace glissade
