@@ -8,6 +8,9 @@
 
 namespace glissade {
 
+/// Property of a panel's dock: the id of the action that brings it to the front; empty: none.
+inline constexpr const char* kPanelAction = "action";
+
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 
