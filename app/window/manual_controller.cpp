@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QMenuBar>
 
+#include <algorithm>
+
 #include "app/window/keyboard_steering.h"
 #include "app/window/panel_docks.h"
 
@@ -41,6 +43,14 @@ QString manualFolder() {
                                               : programs.absoluteFilePath(QStringLiteral(GLISSADE_MANUAL_FOLDER)));
 }
 
+QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
+  QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
+  std::sort(docks.begin(), docks.end(), [](const QDockWidget* a, const QDockWidget* b) {
+    return a->property(kPanelNumber).toInt() < b->property(kPanelNumber).toInt();
+  });
+  return docks;
+}
+
 const QDockWidget* dockOf(const QWidget* widget) {
   for (; widget != nullptr; widget = widget->parentWidget()) {
     if (const auto* dock = qobject_cast<const QDockWidget*>(widget)) return dock;
@@ -60,7 +70,7 @@ ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& action
     facts.actions.push_back(
         {action->objectName(), spoken(action->text()), menus.value(action), nativeKeys(action), action->statusTip()});
   }
-  for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+  for (const QDockWidget* dock : docksInOrder(window)) {
     const QAction* action = actions.find(dock->property(kPanelAction).toString());
     facts.panels.push_back(
         {dock->objectName(), dock->windowTitle(), action != nullptr ? nativeKeys(action) : QString()});

@@ -66,11 +66,11 @@ class MarkdownRenderer {
     static const QRegularExpression form(QStringLiteral("^(#+) (.*?)(?: \\{#([a-z0-9-]+)\\})?$"));
     const auto match = form.match(line());
     const int level = match.captured(1).size();
-    const QString html = inlineHtml(match.captured(2));
-    page_.headings.push_back({level, match.captured(3), withoutTags(html)});
+    page_.headings.push_back({level, match.captured(3), withoutTags(inlineHtml(match.captured(2)))});
+    const QString title = page_.headings.back().title.toHtmlEscaped();
     const QString anchor =
         match.captured(3).isEmpty() ? QString() : QStringLiteral("<a name=\"%1\"></a>").arg(match.captured(3));
-    add(QStringLiteral("<h%1>%2%3</h%1>").arg(level).arg(anchor, html));
+    add(QStringLiteral("<h%1>%2%3</h%1>").arg(level).arg(anchor, title));
     ++at_;
   }
 
