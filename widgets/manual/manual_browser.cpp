@@ -90,6 +90,8 @@ QVariant ManualView::picture(const QString& name) const {
 void ManualView::applyStyle() {
   const QColor text = palette().color(QPalette::Text);
   const QColor ground = palette().color(QPalette::Base);
+  const bool dark = text.lightness() > ground.lightness();
+  const QColor link = palette().color(QPalette::Link).lighter(dark ? 140 : 100);
   const auto mixed = [&](double share) {
     const auto part = [share](int a, int b) { return static_cast<int>(a * share + b * (1.0 - share)); };
     return QColor(part(text.red(), ground.red()), part(text.green(), ground.green()), part(text.blue(), ground.blue()))
@@ -104,7 +106,7 @@ void ManualView::applyStyle() {
           "th, td { padding: 4px; padding-right: 10px; border-bottom-style: solid; border-bottom-width: 1px; "
           "border-bottom-color: %3; }"
           "th { text-align: left; }")
-          .arg(palette().color(QPalette::Link).name(), mixed(0.08), mixed(0.25), mixed(0.65)));
+          .arg(link.name(), mixed(0.08), mixed(0.25), mixed(0.65)));
 }
 
 void ManualView::layOutAgain() {

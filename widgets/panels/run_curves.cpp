@@ -84,7 +84,7 @@ RunCurves::Curve RunCurves::clearanceCurve() const {
   double least = 1.0;
   double most = kLeastClearance;
   for (const RunSample& sample : history_.samples()) {
-    if (!sample.clearance) continue;
+    if (!sample.clearance || *sample.clearance <= 0.0) continue;  // drawn at the bottom
     least = std::min(least, std::max(*sample.clearance, kLeastClearance));
     most = std::max(most, *sample.clearance);
   }
