@@ -5903,6 +5903,10 @@
         <translation>Pendant un calcul</translation>
     </message>
     <message>
+        <source>In files</source>
+        <translation>Dans les fichiers</translation>
+    </message>
+    <message>
         <source>In files, on the command line</source>
         <translation>Dans les fichiers, sur la ligne de commande</translation>
     </message>

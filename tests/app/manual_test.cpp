@@ -148,6 +148,8 @@ TEST_P(ManualOnDisk, LinksAndPicturesExistAndNothingIsMissing) {
   }
   const QString parameters = page("parameters");
   for (const ParameterSpec& spec : parameterTable()) {
+    const QString option = "--" + QString::fromStdString(std::string(spec.key)).replace('_', '-');
+    EXPECT_EQ(option.toStdString(), spec.option) << "the page says how options are named";
     EXPECT_TRUE(parameters.contains("<code>" + QString::fromStdString(std::string(spec.key)) + "</code>")) << spec.key;
   }
   EXPECT_GE(allMatches(page("panels"), "<td>(<a href=\"panels\\.html#panel-)").size(), 12);

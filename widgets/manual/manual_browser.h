@@ -56,7 +56,7 @@ class ManualBrowser final : public QDialog {
   /// Goes to the next place of the text, or to the one before, through all pages. False: there is none.
   bool find(const QString& text, bool forward);
 
-  QSize sizeHint() const override { return {1000, 720}; }
+  QSize sizeHint() const override { return {1120, 760}; }
 
  private:
   QToolButton* addButton(QLayout* row, const QString& text, const QString& tip, const QKeySequence& keys);

@@ -42,7 +42,7 @@ QString rowOf(const QStringList& cells) {
 QString tableOf(const QStringList& header, const QString& rows, int sentences = -1) {
   QString heads;
   for (int i = 0; i < header.size(); ++i) {
-    const QString width = i == sentences ? QStringLiteral(" width=\"40%\"") : QString();
+    const QString width = i == sentences ? QStringLiteral(" width=\"34%\"") : QString();
     heads += QStringLiteral("<th%1>%2</th>").arg(width, header[i]);
   }
   return QStringLiteral("<div class=\"wide\"><table>\n<tr>%1</tr>\n%2</table></div>\n").arg(heads, rows);
@@ -96,12 +96,10 @@ QString parameterTableHtml() {
     const QString anchor = QStringLiteral("<a name=\"%1\"></a>").arg(QString::fromUtf8(spec.key.data()));
     rows += rowOf({anchor + translatedIn("Parameters", spec.label) + symbol, translatedIn("Parameters", spec.help),
                    rangeText(spec), valueOf(spec, spec.defaultValue),
-                   spec.live ? ManualTables::tr("yes") : ManualTables::tr("no"),
-                   codeText(spec.key) + QStringLiteral("<br/>") + codeText(spec.option)});
+                   spec.live ? ManualTables::tr("yes") : ManualTables::tr("no"), codeText(spec.key)});
   }
   return tableOf({ManualTables::tr("Parameter"), ManualTables::tr("Meaning"), ManualTables::tr("Range"),
-                  ManualTables::tr("Default"), ManualTables::tr("During a run"),
-                  ManualTables::tr("In files, on the command line")},
+                  ManualTables::tr("Default"), ManualTables::tr("During a run"), ManualTables::tr("In files")},
                  rows, 1);
 }
 
