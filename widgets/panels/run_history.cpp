@@ -22,7 +22,7 @@ void RunHistory::thinOut() {
   for (std::size_t i = 0; i < samples_.size(); i += 2) samples_[kept++] = samples_[i];
   samples_.resize(kept);
   if (samples_.back().seconds < latest.seconds) samples_.push_back(latest);
-  interval_ = (latest.seconds - samples_.front().seconds) / static_cast<double>(kMost / 2);
+  interval_ = 2.0 * (latest.seconds - samples_.front().seconds) / static_cast<double>(kMost);
 }
 
 }  // namespace glissade
