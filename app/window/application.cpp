@@ -19,6 +19,7 @@
 #include "app/script/script_runner.h"
 #include "app/window/guarded_application.h"
 #include "app/window/main_window.h"
+#include "app/window/manual_controller.h"
 #include "app/window/study_batch.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
@@ -26,6 +27,7 @@
 #include "engine/base/file.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
+#include "widgets/manual/manual_writer.h"
 #include "widgets/plots/picture_file.h"
 
 namespace glissade {
@@ -58,6 +60,7 @@ void addOptions(QCommandLineParser& parser) {
       {"script", "Carry out a script and leave", "FILE"},
       {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
       {"report-pdf", "Write the report of the study (or the page of the benchmarks) in DIR as PDF there", "DIR"},
+      {"write-manual", "Write the manual as HTML into DIR, in a folder for the language, and leave", "DIR"},
       {"theme", "light or dark", "THEME", "light"},
       {"language", "en or fr (default: as in the preferences, or the desktop's; en in scripts)", "LANGUAGE"},
       {"seed", "Seed of everything random", "SEED"},
@@ -113,7 +116,7 @@ Theme themeNamed(const QString& name) { return name == "dark" ? Theme::Dark : Th
 /// Nobody sits before the window.
 bool isBatch(const QCommandLineParser& parser) {
   return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
-         parser.isSet("study-pictures") || parser.isSet("report-pdf");
+         parser.isSet("study-pictures") || parser.isSet("report-pdf") || parser.isSet("write-manual");
 }
 
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
@@ -149,6 +152,10 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   if (parser.isSet("report-pdf")) {
     if (const auto why = writeFolderPdf(parser.value("report-pdf"))) return fail(*why);
+  }
+  if (parser.isSet("write-manual")) {
+    const Outcome written = writeManual(manualFacts(window, window.workbench().actions), parser.value("write-manual"));
+    if (!written) return fail(written.error());
   }
   if (parser.isSet("screenshot")) {
     const QString file = parser.value("screenshot");

@@ -21,6 +21,7 @@
 #include "app/window/kept_paths_controller.h"
 #include "app/window/keyboard_steering.h"
 #include "app/window/log_controller.h"
+#include "app/window/manual_controller.h"
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/navigation_controller.h"
@@ -101,6 +102,7 @@ void MainWindow::addParts() {
   auto* kept = new KeptPathsController(bench_);
   auto* log = new LogController(bench_);
   auto* sequence = new SequenceController(bench_);
+  new ManualController(bench_);
 
   docks_.add({tr("Interaction"), "interaction", run->interactionPanel(), DockPlace::Left});
   docks_.add({tr("Scene"), "scene-tree", assembly->panel(), DockPlace::UpperRight, "panel.scene"});

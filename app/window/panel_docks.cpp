@@ -32,6 +32,8 @@ QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
 void PanelDocks::add(const Panel& panel) {
   auto* dock = new QDockWidget(panel.title, &window_);
   dock->setObjectName(QLatin1String(panel.id));
+  dock->setProperty(kPanelAction, QLatin1String(panel.action));
+  dock->setProperty(kPanelNumber, static_cast<int>(docks_.size()));
   if (panel.action[0] != '\0') {
     QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, dock, [dock, content = panel.content] {
       dock->show();

@@ -8,6 +8,11 @@
 
 namespace glissade {
 
+/// Property of a panel's dock: the id of the action that brings it to the front; empty: none.
+inline constexpr const char* kPanelAction = "action";
+/// Another one: which of the panels it is, in the order in which they were added.
+inline constexpr const char* kPanelNumber = "number";
+
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 

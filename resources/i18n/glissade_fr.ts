@@ -1454,6 +1454,20 @@
     <message>
         <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
         <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>Open the manual</source>
+        <translation>Ouvrir le manuel</translation>
+    </message>
+    <message>
+        <source>Help on this &amp;panel</source>
+        <translation>Aide sur ce &amp;panneau</translation>
+    </message>
+    <message>
+        <source>Open the manual at the panel that has the focus</source>
+        <translation>Ouvrir le manuel au panneau qui a le focus</translation>
     </message>
 </context>
 <context>
@@ -2032,6 +2046,126 @@
     <message>
         <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
         <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
+    </message>
+    <message>
+        <source>Contact gap</source>
+        <translation>Écart de contact</translation>
+    </message>
+    <message>
+        <source>Growth step</source>
+        <translation>Pas de croissance</translation>
+    </message>
+    <message>
+        <source>Extension step</source>
+        <translation>Pas d&apos;extension</translation>
+    </message>
+    <message>
+        <source>Steps per second</source>
+        <translation>Pas par seconde</translation>
+    </message>
+    <message>
+        <source>Step limit</source>
+        <translation>Limite de pas</translation>
+    </message>
+    <message>
+        <source>Sample limit</source>
+        <translation>Limite d&apos;échantillons</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Limite de temps</translation>
+    </message>
+    <message>
+        <source>Samples of strategy G</source>
+        <translation>Échantillons de la stratégie G</translation>
+    </message>
+    <message>
+        <source>Samples a step</source>
+        <translation>Échantillons par étape</translation>
+    </message>
+    <message>
+        <source>Samples a border</source>
+        <translation>Échantillons par frontière</translation>
+    </message>
+    <message>
+        <source>Coarse paths</source>
+        <translation>Chemins grossiers</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s range</source>
+        <translation>Portée d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s resolution</source>
+        <translation>Résolution d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Planners side by side</source>
+        <translation>Planificateurs côte à côte</translation>
+    </message>
+    <message>
+        <source>Gap that contact samples keep to the surface, so that they touch without penetrating.</source>
+        <translation>Écart que les échantillons de contact gardent à la surface, pour toucher sans pénétrer.</translation>
+    </message>
+    <message>
+        <source>Sampling step of edges while the trees grow (delivered edges are certified).</source>
+        <translation>Pas d&apos;échantillonnage des segments pendant la croissance des arbres (les segments livrés sont certifiés).</translation>
+    </message>
+    <message>
+        <source>A blocked extension towards a random configuration ends at a multiple of this, off the obstacle.</source>
+        <translation>Une extension bloquée vers une configuration aléatoire finit à un multiple de ce pas, à l&apos;écart de l&apos;obstacle.</translation>
+    </message>
+    <message>
+        <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
+        <translation>Horloge sans temps réel : pas du planificateur en une seconde de l&apos;opérateur simulé ou enregistré.</translation>
+    </message>
+    <message>
+        <source>Stop after this many planner steps; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Stop after this many random configurations; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Stop after this many seconds of planning; 0 is no limit.</source>
+        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
+    </message>
+    <message>
+        <source>Strategy G gives up after this many random configurations.</source>
+        <translation>La stratégie G abandonne après ce nombre de configurations aléatoires.</translation>
+    </message>
+    <message>
+        <source>A topological step fails after this many random configurations.</source>
+        <translation>Une étape topologique échoue après ce nombre de configurations aléatoires.</translation>
+    </message>
+    <message>
+        <source>Random configurations drawn in a border to find its milestone.</source>
+        <translation>Configurations aléatoires tirées dans une frontière pour trouver son jalon.</translation>
+    </message>
+    <message>
+        <source>Coarse paths that a strategy with a loop tries before it searches the whole workspace only.</source>
+        <translation>Chemins grossiers qu&apos;une stratégie en boucle essaie avant de ne chercher que dans tout l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
+        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
+    </message>
+    <message>
+        <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
+        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : le défaut d&apos;OMPL.</translation>
+    </message>
+    <message>
+        <source>Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space&apos;s extent.</source>
+        <translation>Distance des configurations que les planificateurs d&apos;OMPL non modifié examinent sur un segment, en part de l&apos;étendue de l&apos;espace.</translation>
+    </message>
+    <message>
+        <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
+        <translation>Planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre est une autre recherche ; les cœurs ne la changent pas.</translation>
     </message>
 </context>
 <context>
@@ -5846,6 +5980,237 @@
     <message>
         <source>A run is refused there. Undo, or fit the workspace.</source>
         <translation>Un calcul y est refusé. Annuler, ou ajuster l&apos;espace de travail.</translation>
+    <name>ManualTables</name>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Ce qu&apos;elle fait</translation>
+    </message>
+    <message>
+        <source>In scripts</source>
+        <translation>Dans les scripts</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>During a run</source>
+        <translation>Pendant un calcul</translation>
+    </message>
+    <message>
+        <source>In files</source>
+        <translation>Dans les fichiers</translation>
+    </message>
+    <message>
+        <source>In files, on the command line</source>
+        <translation>Dans les fichiers, sur la ligne de commande</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lieu</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>In files and rules</source>
+        <translation>Dans les fichiers et les règles</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Ending</source>
+        <translation>Terminaison</translation>
+    </message>
+    <message>
+        <source>Can be read again</source>
+        <translation>Peut être relu</translation>
+    </message>
+</context>
+<context>
+    <name>ManualWriter</name>
+    <message>
+        <source>Glissade manual</source>
+        <translation>Manuel de Glissade</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ManualView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Page du manuel</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ManualBrowser</name>
+    <message>
+        <source>Glissade manual</source>
+        <translation>Manuel de Glissade</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>La page précédente</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Avancer</translation>
+    </message>
+    <message>
+        <source>The page after it</source>
+        <translation>La page suivante</translation>
+    </message>
+    <message>
+        <source>A−</source>
+        <translation>A−</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>The place before</source>
+        <translation>L&apos;endroit précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>The next place</source>
+        <translation>L&apos;endroit suivant</translation>
+    </message>
+    <message>
+        <source>In the browser</source>
+        <translation>Dans le navigateur</translation>
+    </message>
+    <message>
+        <source>Open the page on the disk with the web browser</source>
+        <translation>Ouvrir la page du disque avec le navigateur web</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>The manual does not have this text.</source>
+        <translation>Le manuel ne contient pas ce texte.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ManualController</name>
+    <message>
+        <source>The manual cannot be shown</source>
+        <translation>Le manuel ne peut pas être montré</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::RunCurves</name>
+    <message>
+        <source>Nodes, authority and clearance over the time of planning</source>
+        <translation>Nœuds, autorité et jeu au cours du temps de planification</translation>
+    </message>
+    <message>
+        <source>Nodes of the roadmap, the computer&apos;s share α, and the distance of the object in the operator&apos;s hand to the nearest obstacle, over the time of planning</source>
+        <translation>Nœuds du graphe, part α de l&apos;ordinateur, et distance de l&apos;objet tenu par l&apos;opérateur à l&apos;obstacle le plus proche, au cours du temps de planification</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Authority α</source>
+        <translation>Autorité α</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest obstacle</source>
+        <translation>Distance à l&apos;obstacle le plus proche</translation>
+    </message>
+    <message>
+        <source>in collision</source>
+        <translation>en collision</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
     </message>
 </context>
 </TS>

@@ -20,6 +20,10 @@ cd "$root"
 if [ -e "$bin/glissade" ]; then
   QT_QPA_PLATFORM=offscreen "$bin/glissade" --offscreen "$samples/sliding-plane/scenario.json" --screenshot "$root/window.png"
   test -s "$root/window.png"
+  for page in en/index fr/index en/parameters fr/panels; do
+    test -s "$root/usr/share/doc/glissade/manual/$page.html"
+  done
+  test -s "$root/usr/share/doc/glissade/manual/pictures/environment-1-solved.png"
   for file in applications/glissade.desktop mime/packages/glissade.xml icons/hicolor/scalable/apps/glissade.svg; do
     test -s "$root/usr/share/$file"
   done

@@ -20,6 +20,9 @@
 namespace glissade {
 namespace {
 
+/// Sizes of copies of one part differ by rounding.
+constexpr double kSmaller = 1.0 - 1e-6;
+
 constexpr int kWidth = 760;
 constexpr int kHeight = 400;
 constexpr int kGap = 4;
@@ -350,7 +353,7 @@ void PartsDialog::guessUnits() {
   for (Row* row : guessed) row->part.unit = unitGuess_->unit;
 }
 
-/// The smallest part, as long as nobody has chosen.
+/// The first of the smallest parts, as long as nobody has chosen.
 void PartsDialog::guessWhatMoves() {
   if (purpose_ != Purpose::NewScenario || roleChosen_ || !isMeasured()) return;
   Row* smallest = nullptr;
@@ -358,7 +361,7 @@ void PartsDialog::guessWhatMoves() {
   for (Row& row : rows_) {
     row.part.role = PartRole::Static;
     if (!row.inFile->ok()) continue;
-    if (smallest == nullptr || diagonal(row) < diagonal(*smallest)) smallest = &row;
+    if (smallest == nullptr || diagonal(row) < kSmaller * diagonal(*smallest)) smallest = &row;
   }
   if (smallest != nullptr) smallest->part.role = PartRole::Moves;
 }

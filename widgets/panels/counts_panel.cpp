@@ -13,6 +13,8 @@ QString count(std::uint64_t value) { return QLocale().toString(static_cast<qulon
 
 CountsPanel::CountsPanel(QWidget* parent) : QWidget(parent), layout_(new QFormLayout(this)) {
   layout_->setVerticalSpacing(3);
+  curves_ = new RunCurves(this);
+  layout_->addRow(curves_);
   iterations_ = addRow(tr("Iterations"), tr("Passes of the paper's loop"));
   nodes_ = addRow(tr("Nodes"), tr("Nodes of the roadmap"));
   authors_ = new AuthorBar(this);
@@ -58,9 +60,11 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   const double seconds = snapshot.virtualSeconds;
   pace_->setText(seconds > 0.0 ? count(static_cast<std::uint64_t>(static_cast<double>(counts.steps) / seconds))
                                : QStringLiteral("–"));
-  mode_->setText(snapshot.contactMode ? tr("on") : tr("off"));
   const NearestObstacle& nearest = snapshot.device.nearest;
   const bool known = nearest.body >= 0;
+  curves_->add(snapshot.run, {seconds, static_cast<double>(counts.nodes), valueInForce(snapshot, ParameterId::Alpha),
+                              known ? std::optional<double>(nearest.distance) : std::nullopt});
+  mode_->setText(snapshot.contactMode ? tr("on") : tr("off"));
   nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].name)
                           : QStringLiteral("–"));
   nearest_->setToolTip(known ? nearest_->text() : QString());

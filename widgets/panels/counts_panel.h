@@ -7,6 +7,7 @@
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 #include "widgets/panels/author_bar.h"
+#include "widgets/panels/run_curves.h"
 
 namespace glissade {
 
@@ -23,6 +24,7 @@ class CountsPanel final : public QWidget {
   QLabel* addRow(const QString& label, const QString& tip);
 
   QFormLayout* layout_;
+  RunCurves* curves_;
   QLabel* iterations_;
   QLabel* nodes_;
   AuthorBar* authors_;

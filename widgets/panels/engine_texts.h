@@ -4,7 +4,7 @@
 
 namespace glissade {
 
-/// The engine's texts that the window shows, for the translators: labels and help of the live
+/// The engine's texts that the window shows, for the translators: labels and help of the
 /// parameters, planners, devices and plots of the papers' studies. A test compares them with the engine's tables.
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 inline constexpr const char* kEngineTexts[] = {
@@ -34,6 +34,49 @@ inline constexpr const char* kEngineTexts[] = {
         "Parameters",
         "Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off."),
     QT_TRANSLATE_NOOP("Parameters", "Guidance: how strongly the path or the next milestone draws the hand; 0 is off."),
+    QT_TRANSLATE_NOOP("Parameters", "Contact gap"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Gap that contact samples keep to the surface, so that they touch without penetrating."),
+    QT_TRANSLATE_NOOP("Parameters", "Growth step"),
+    QT_TRANSLATE_NOOP("Parameters", "Sampling step of edges while the trees grow (delivered edges are certified)."),
+    QT_TRANSLATE_NOOP("Parameters", "Extension step"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "A blocked extension towards a random configuration ends at a multiple of this, off the obstacle."),
+    QT_TRANSLATE_NOOP("Parameters", "Steps per second"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Lockstep clock: planner steps in one second of the simulated or recorded operator."),
+    QT_TRANSLATE_NOOP("Parameters", "Step limit"),
+    QT_TRANSLATE_NOOP("Parameters", "Stop after this many planner steps; 0 is no limit."),
+    QT_TRANSLATE_NOOP("Parameters", "Sample limit"),
+    QT_TRANSLATE_NOOP("Parameters", "Stop after this many random configurations; 0 is no limit."),
+    QT_TRANSLATE_NOOP("Parameters", "Time limit"),
+    QT_TRANSLATE_NOOP("Parameters", "Stop after this many seconds of planning; 0 is no limit."),
+    QT_TRANSLATE_NOOP("Parameters", "Samples of strategy G"),
+    QT_TRANSLATE_NOOP("Parameters", "Strategy G gives up after this many random configurations."),
+    QT_TRANSLATE_NOOP("Parameters", "Samples a step"),
+    QT_TRANSLATE_NOOP("Parameters", "A topological step fails after this many random configurations."),
+    QT_TRANSLATE_NOOP("Parameters", "Samples a border"),
+    QT_TRANSLATE_NOOP("Parameters", "Random configurations drawn in a border to find its milestone."),
+    QT_TRANSLATE_NOOP("Parameters", "Coarse paths"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Coarse paths that a strategy with a loop tries before it searches the whole workspace only."),
+    QT_TRANSLATE_NOOP("Parameters", "Smoothing"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned."),
+    QT_TRANSLATE_NOOP("Parameters", "OMPL's range"),
+    QT_TRANSLATE_NOOP(
+        "Parameters",
+        "Longest edge of the planners of unmodified OMPL, as a share of the space's extent; 0 is OMPL's default."),
+    QT_TRANSLATE_NOOP("Parameters", "OMPL's resolution"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Distance of the configurations that the planners of unmodified OMPL check on an edge, as a "
+                      "share of the space's extent."),
+    QT_TRANSLATE_NOOP("Parameters", "Planners side by side"),
+    QT_TRANSLATE_NOOP("Parameters",
+                      "Planners of strategy auto that work at the same time, on as many of the machine's cores. "
+                      "Another number is another search; the cores do not change it."),
     QT_TRANSLATE_NOOP("Planners", "Interactive with contact"),
     QT_TRANSLATE_NOOP("Planners", "Interactive BiRRT"),
     QT_TRANSLATE_NOOP("Planners", "BiRRT"),

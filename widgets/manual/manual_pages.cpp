@@ -1,0 +1,52 @@
+#include "widgets/manual/manual_pages.h"
+
+#include <QFile>
+
+#include "widgets/manual/manual_terms.h"
+
+/// Resources of a static library have to be asked for, outside of any namespace.
+static void takeManualResources() { Q_INIT_RESOURCE(manual); }
+
+namespace glissade {
+
+const QStringList& manualPageNames() {
+  static const QStringList names{
+      QStringLiteral("index"),          QStringLiteral("installation"), QStringLiteral("first-motion"),
+      QStringLiteral("arranging"),      QStringLiteral("fits"),         QStringLiteral("planning"),
+      QStringLiteral("results"),        QStringLiteral("certificate"),  QStringLiteral("sequences"),
+      QStringLiteral("places"),         QStringLiteral("panels"),       QStringLiteral("parameters"),
+      QStringLiteral("commands"),       QStringLiteral("command-line"), QStringLiteral("formats"),
+      QStringLiteral("troubleshooting")};
+  return names;
+}
+
+QString manualSource(const QString& language, const QString& page) {
+  takeManualResources();
+  QFile file(QStringLiteral(":/manual/%1/%2.md").arg(language, page));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QString::fromUtf8(file.readAll());
+}
+
+Result<std::vector<ManualPage>> manualPages(const ManualFacts& facts) {
+  std::vector<ManualPage> pages;
+  for (const QString& name : manualPageNames()) {
+    const std::string file = (facts.language + QLatin1Char('/') + name + QStringLiteral(".md")).toStdString();
+    const QString source = manualSource(facts.language, name);
+    ManualTerms terms(facts);
+    MarkdownPage content = renderMarkdown(
+        source, [&terms](const QString& kind, const QString& argument) { return terms.html(kind, argument); });
+    if (content.headings.empty()) {
+      return Diagnostic{ErrorKind::Internal, file, "", "the page of the manual has no heading", "Write it."};
+    }
+    if (!terms.problems().isEmpty()) {
+      return Diagnostic{ErrorKind::Internal, file, "",
+                        "the manual names what does not exist: " + terms.problems().join(' ').toStdString(),
+                        "Correct the page."};
+    }
+    const QString title = content.headings.front().title;
+    pages.push_back({name, title, std::move(content)});
+  }
+  return pages;
+}
+
+}  // namespace glissade
