@@ -1454,6 +1454,8 @@
     <message>
         <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
         <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
+    </message>
+    <message>
         <source>&amp;Manual</source>
         <translation>&amp;Manuel</translation>
     </message>
@@ -5980,6 +5982,9 @@
     <message>
         <source>A run is refused there. Undo, or fit the workspace.</source>
         <translation>Un calcul y est refusé. Annuler, ou ajuster l&apos;espace de travail.</translation>
+    </message>
+</context>
+<context>
     <name>ManualTables</name>
     <message>
         <source>Command</source>
