@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolBar>
+#include <QTreeView>
 
 #include <algorithm>
 #include <map>
@@ -22,9 +23,20 @@ QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(panel.content);
+  scroll->setAccessibleName(panel.title);
   const int bar = dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   scroll->setMinimumWidth(panel.content->minimumSizeHint().width() + 2 * bar);
   return scroll;
+}
+
+/// The widgets of a dock that Tab stops at, in their present order.
+std::vector<QWidget*> tabStopsOf(QDockWidget& dock) {
+  std::vector<QWidget*> stops;
+  for (QWidget* at = dock.nextInFocusChain(); at != &dock; at = at->nextInFocusChain()) {
+    const bool stopsTab = (at->focusPolicy() & Qt::TabFocus) != 0 && at->focusProxy() == nullptr;
+    if (stopsTab && dock.isAncestorOf(at)) stops.push_back(at);
+  }
+  return stops;
 }
 
 }  // namespace
@@ -36,11 +48,21 @@ void PanelDocks::add(const Panel& panel) {
     QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, dock, [dock, content = panel.content] {
       dock->show();
       dock->raise();
-      if (content->focusProxy() != nullptr) content->setFocus(Qt::ShortcutFocusReason);
+      if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
     });
   }
   dock->setWidget(scrolled(panel, dock));
   docks_.push_back({panel, dock});
+}
+
+void PanelDocks::orderTabStops() {
+  QWidget* last = window_.centralWidget();
+  for (const Dock& dock : docks_) {
+    for (QWidget* stop : tabStopsOf(*dock.widget)) {
+      QWidget::setTabOrder(last, stop);
+      last = stop;
+    }
+  }
 }
 
 QDockWidget* PanelDocks::firstOf(DockPlace place) const {

@@ -69,10 +69,6 @@ QString reasonText(Diagnostic why) {
   return QString::fromStdString(toString(why));
 }
 
-QColor errorColour(const QPalette& palette) {
-  return palette.color(QPalette::Base).lightness() < 128 ? QColor("#ff8f75") : QColor("#b3261e");
-}
-
 }  // namespace
 
 PartsDialog::PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent)
@@ -396,7 +392,7 @@ void PartsDialog::showSize(int row) {
   } else {
     item.setText(tr("cannot be read"));
     item.setToolTip(reasonText(inFile->error()));
-    item.setForeground(errorColour(palette()));
+    item.setForeground(palette().brush(QPalette::BrightText));
   }
 }
 

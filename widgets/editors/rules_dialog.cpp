@@ -96,6 +96,7 @@ QLayout* RulesDialog::makeBeginning() {
 
 void RulesDialog::setUpFine() {
   fine_->setObjectName(QStringLiteral("fine-rules"));
+  fine_->setAccessibleName(tr("Rules of the fine planners"));
   fine_->setHorizontalHeaderLabels({tr("Where"), tr("In a region"), tr("Local planner")});
   fine_->horizontalHeaderItem(kGeometrical)
       ->setToolTip(tr("The geometrical planner first finds cells that the local planner stays in"));

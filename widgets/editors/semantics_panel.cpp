@@ -23,8 +23,8 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       warning_(new QLabel(this)),
       removeStrays_(new QToolButton(this)),
       refusal_(new QLabel(this)) {
-  setFocusProxy(tree_);
   filter_->setPlaceholderText(tr("Filter by name or value"));
+  filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(true);
   const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();
   for (const PlaceIdentifierEntry& entry : identifiers.entries()) {
@@ -33,6 +33,9 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
     identifier_->setItemData(identifier_->count() - 1, QString::fromStdString(entry.description), Qt::ToolTipRole);
   }
   identifier_->setToolTip(tr("How the places are found"));
+  identifier_->setAccessibleName(identifier_->toolTip());
+  tree_->setAccessibleName(tr("Places and bodies"));
+  attributes_->setAccessibleName(tr("Attributes of the selection"));
   connect(identifier_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit identifierChosen(identifier_->currentData().toString().toStdString()); });
   busy_->setRange(0, 0);

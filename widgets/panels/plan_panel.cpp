@@ -56,6 +56,7 @@ std::optional<std::size_t> sameStep(const CoarsePlan& before, const TopologicalS
 PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent), summary_(new QLabel(this)), steps_(new QTreeWidget(this)), why_(new QLabel(this)) {
   steps_->setObjectName(QStringLiteral("steps"));
+  steps_->setAccessibleName(tr("Steps of the coarse path"));
   steps_->setColumnCount(5);
   steps_->setHeaderLabels({tr("Place"), tr("To"), tr("Planner"), tr("Random"), tr("Result")});
   steps_->headerItem()->setToolTip(3, tr("Random configurations, milestone and local planner together"));

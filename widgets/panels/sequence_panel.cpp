@@ -59,7 +59,6 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(table_, 1);
   layout->addLayout(makePlayingRow(actions));
   layout->addLayout(makeExplodingRow());
-  setFocusProxy(table_);
   connect(&pictures_, &PartPictures::drawn, table_, &StepTable::takeIcons);
   connect(table_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) { showRow(row); });
   connect(table_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* row) { showRow(row); });

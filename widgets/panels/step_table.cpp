@@ -25,8 +25,6 @@ constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
 constexpr int kPictureSize = 32;
-/// Of Okabe and Ito's palette: readable on light and on dark ground.
-constexpr QRgb kForced = 0xffd55e00;
 
 QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
 
@@ -200,7 +198,7 @@ void StepTable::addStep(std::size_t place) {
   const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
   row->setText(StepTools, twoLines(QString::fromStdString(words.tool(step, *shown_.product)),
                                    forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
-  if (!forced.isEmpty()) row->setForeground(StepTools, QColor::fromRgba(kForced));
+  if (!forced.isEmpty()) row->setForeground(StepTools, palette().brush(QPalette::BrightText));
   row->setToolTip(StepTools, (QStringList{row->text(StepTools), allNames(step.tool.blockedBy), allNames(step.falling)})
                                  .join(QLatin1Char('\n'))
                                  .trimmed());

@@ -79,6 +79,10 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       findings_(new QTextBrowser(this)),
       plots_(new QTabWidget(this)) {
   setWindowTitle(tr("Study"));
+  cells_->setAccessibleName(tr("Cells of the study"));
+  runs_->setAccessibleName(tr("Runs of the cell"));
+  findings_->setAccessibleName(tr("Findings"));
+  plots_->setAccessibleName(tr("Plots"));
   heading_->setWordWrap(true);
   message_->setWordWrap(true);
   findings_->setFrameShape(QFrame::NoFrame);
