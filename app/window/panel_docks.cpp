@@ -12,21 +12,39 @@
 namespace glissade {
 namespace {
 
+/// A screen of 1920 pixels at 200 % has room for two columns of this width beside the scene.
+constexpr int kWidestLeast = 300;
+
 Qt::DockWidgetArea areaOf(DockPlace place) {
   return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
 }
 
+/// As wide as its panel with a scroll bar, also where the size of texts changes; wider panels are scrolled.
+class PanelScroll final : public QScrollArea {
+ public:
+  PanelScroll(const glissade::Panel& panel, QWidget* parent) : QScrollArea(parent) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(panel.title);
+    setWidget(panel.content);
+  }
+
+  QSize minimumSizeHint() const override {
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    const int whole = widget()->minimumSizeHint().width() + bar;
+    return {std::min(whole, kWidestLeast), QScrollArea::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
 QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
   if (panel.scrolling == Scrolling::Own) return panel.content;
-  auto* scroll = new QScrollArea(dock);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel.content);
-  scroll->setAccessibleName(panel.title);
-  const int bar = dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  scroll->setMinimumWidth(panel.content->minimumSizeHint().width() + 2 * bar);
-  return scroll;
+  return new PanelScroll(panel, dock);
 }
 
 /// The widgets of a dock that Tab stops at, in their present order.

@@ -14,13 +14,16 @@
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QTabBar>
+#include <QTemporaryDir>
 #include <QTextEdit>
 #include <QToolBar>
 #include <QTranslator>
 #include <QtTest>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "app/window/command_palette.h"
@@ -28,6 +31,7 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
 #include "app/window/theme.h"
+#include "engine/scenario/scenario_io.h"
 #include "tests/app/unseen_scene.h"
 #include "tests/engine/support/directories.h"
 #include "widgets/devices/calibration_dialog.h"
@@ -137,6 +141,7 @@ class AccessibilityTest : public testing::TestWithParam<const char*> {
   }
 
   std::unique_ptr<MainWindow> makeWindow() {
+    setFontPoints(Preferences{}.fontPoints);
     auto window = std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<test::UnseenScene>(); },
                                                SessionClock::Lockstep);
     window->setBatch(true);
@@ -256,6 +261,86 @@ TEST_P(AccessibilityTest, OfTheDialogs) {
     expectReachedByTab(*dialog);
     dialog->hide();
   }
+}
+
+TEST_P(AccessibilityTest, NoTwoActionsHaveOneShortcut) {
+  const auto window = makeWindow();
+  QHash<QString, QString> owners;
+  for (const QAction* action : window->findChildren<QAction*>()) {
+    for (const QKeySequence& keys : action->shortcuts()) {
+      const QString key = keys.toString();
+      EXPECT_FALSE(owners.contains(key)) << key.toStdString() << ": " << owners[key].toStdString() << ", "
+                                         << action->text().toStdString();
+      owners[key] = action->text();
+    }
+  }
+}
+
+/// A cube between two blocks.
+Scenario scenarioWithNames(const std::string& tail) {
+  Scenario scenario;
+  scenario.object.id = "cube";
+  scenario.object.name = "cube" + tail;
+  scenario.object.geometry = BoxGeometry{{0.2, 0.2, 0.2}};
+  for (const double side : {-1.0, 1.0}) {
+    BodyDescription block;
+    block.id = side < 0.0 ? "left" : "right";
+    block.name = block.id + tail;
+    block.geometry = BoxGeometry{{0.2, 1.0, 1.0}};
+    block.pose.position.x() = side * 0.3;
+    scenario.bodies.push_back(block);
+  }
+  scenario.goal = Pose::translation({0.0, 0.0, 1.5});
+  scenario.workspace = Box3(Vector3::Constant(-2.0), Vector3::Constant(2.0));
+  scenario.planner = "gts";
+  return scenario;
+}
+
+/// The least widths of the docks after everything that fills them was done.
+std::map<QString, int> leastWidths(MainWindow& window, const Scenario& scenario, const QString& file,
+                                   const std::string& pathName) {
+  QFile out(file);
+  EXPECT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(QByteArray::fromStdString(writeScenario(scenario)));
+  out.close();
+  EXPECT_EQ(window.openScenario(file, true), std::nullopt);
+  const std::vector<std::vector<std::string>> script{{"action", "environment.build"}, {"action", "run.start"},
+                                                     {"wait", "ended", "20000"},      {"action", "paths.keep"},
+                                                     {"rename-path", "@1", pathName}, {"action", "fits.find"},
+                                                     {"plan-sequence", "all"},        {"select-steps", "1", "1"},
+                                                     {"select", "body", "left"},      {"action", "difficulty.find"}};
+  for (const auto& line : script) {
+    const Outcome done = window.workbench().scripts.carryOut(line[0], {line.begin() + 1, line.end()});
+    EXPECT_TRUE(done) << line[0] << " " << line[1] << ": " << toString(done.error());
+  }
+  std::map<QString, int> widths;
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->show();
+    dock->raise();
+    QApplication::processEvents();
+    widths[dock->objectName()] = std::max(dock->minimumSizeHint().width(), dock->minimumWidth());
+  }
+  widths["status"] = window.statusBar()->minimumSizeHint().width();
+  widths["tools"] = window.findChild<QToolBar*>("tools")->minimumSizeHint().width();
+  widths["menu"] = window.menuBar()->minimumSizeHint().width();
+  for (auto* w : window.statusBar()->findChildren<QWidget*>()) if (w->parentWidget()==window.statusBar() && w->isVisible()) widths["status " + QString(w->metaObject()->className())+w->objectName()] = w->minimumSizeHint().width();
+  for (auto* w : window.findChildren<QTabBar*>()) widths["tab " + w->tabText(0)] = w->minimumSizeHint().width();
+  widths[QStringLiteral("whole")] = window.minimumSizeHint().width();
+  return widths;
+}
+
+TEST_P(AccessibilityTest, NoNameWidensAPanel) {
+  const QTemporaryDir folder;
+  const auto window = makeWindow();
+  window->show();
+  const auto usual = leastWidths(*window, scenarioWithNames(""), folder.filePath(QStringLiteral("a.json")), "path");
+  std::string tail;
+  for (int i = 0; i < 12; ++i) tail += "-much-name";
+  const auto long_ =
+      leastWidths(*window, scenarioWithNames(tail), folder.filePath(QStringLiteral("b.json")), "path" + tail);
+  for (const auto& [dock, width] : usual) std::cerr << "W " << dock.toStdString() << " " << width << " " << long_.at(dock) << "\n";
+  for (const auto& [dock, width] : usual) EXPECT_LE(long_.at(dock), width) << dock.toStdString();
+  EXPECT_LE(long_.at(QStringLiteral("whole")), 1024);
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, AccessibilityTest, testing::Values("en", "fr"));

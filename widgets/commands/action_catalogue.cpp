@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "widgets/commands/flow_layout.h"
+
 namespace glissade {
 namespace {
 
@@ -20,6 +22,17 @@ constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename...")},
     {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove")},
 };
+
+void addActionButtons(QLayout& layout, const ActionCatalogue& actions, const std::vector<const char*>& ids,
+                      QWidget* parent) {
+  for (const char* id : ids) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(actions[QLatin1String(id)]);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout.addWidget(button);
+  }
+}
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 
@@ -460,15 +473,15 @@ QString ActionCatalogue::shortcutTable() const {
 QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  for (const char* id : ids) {
-    auto* button = new QToolButton(parent);
-    button->setDefaultAction(actions[QLatin1String(id)]);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(button);
-  }
+  addActionButtons(*row, actions, ids, parent);
   row->addStretch();
   return row;
+}
+
+QLayout* makeActionFlow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
+  auto* flow = new FlowLayout;
+  addActionButtons(*flow, actions, ids, parent);
+  return flow;
 }
 
 }  // namespace glissade

@@ -59,14 +59,14 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   splitter->setChildrenCollapsible(false);
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 1);
-  tree_->setMinimumSize(288, 80);
+  tree_->setMinimumSize(200, 80);
   attributes_->setMinimumHeight(80);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   actions[QStringLiteral("attribute.add")]->setIconText(tr("Add"));
   layout->addLayout(
-      makeActionRow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
+      makeActionFlow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
   auto* finding = new QHBoxLayout;
   finding->addWidget(filter_, 1);
   finding->addWidget(identifier_);

@@ -42,7 +42,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   layout->addWidget(summary_);
   layout->addWidget(rows_, 1);
   layout->addWidget(slider_);
-  layout->addLayout(makeActionRow(actions, {"difficulty.find", "difficulty.play"}, this));
+  layout->addLayout(makeActionFlow(actions, {"difficulty.find", "difficulty.play"}, this));
   connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item != nullptr) emit poseShown(places_[static_cast<std::size_t>(rows_->indexOfTopLevelItem(item))]);
   });

@@ -96,11 +96,11 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
     table_->addAction(actions[QLatin1String(id)]);
   }
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(makeActionRow(actions, {"fits.find"}, this));
+  layout->addLayout(makeActionFlow(actions, {"fits.find"}, this));
   layout->addWidget(summary_);
   layout->addWidget(filter_);
   layout->addWidget(table_, 1);
-  layout->addLayout(makeActionRow(actions, {"fits.isolate", "fits.accept"}, this));
+  layout->addLayout(makeActionFlow(actions, {"fits.isolate", "fits.accept"}, this));
   connect(filter_, &QLineEdit::textChanged, this, &FitsPanel::filter);
   connect(table_, &QTreeWidget::currentItemChanged, this, &FitsPanel::chosenChanged);
   connect(table_, &QTreeWidget::itemActivated, this, &FitsPanel::activated);

@@ -70,7 +70,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   steps_->header()->setStretchLastSection(false);
   steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  steps_->setMinimumSize(288, 64);
+  steps_->setMinimumSize(200, 64);
   why_->setTextFormat(Qt::PlainText);
   why_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
@@ -81,7 +81,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(summary_);
   layout->addWidget(steps_, 1);
   layout->addWidget(why_);
-  layout->addLayout(makeActionRow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
+  layout->addLayout(makeActionFlow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
     showWhy();
     emit stepChosen();

@@ -227,7 +227,7 @@ PlotView* StudyBrowser::plot() const { return qobject_cast<PlotView*>(plots_->cu
 
 void StudyBrowser::addPlotActions(const ActionCatalogue& actions) {
   const std::vector<const char*> ids{"study.zoom-out", "study.copy-plot", "study.save-plot"};
-  plotsLayout_->addLayout(makeActionRow(actions, ids, this));
+  plotsLayout_->addLayout(makeActionFlow(actions, ids, this));
   for (const char* id : ids) addAction(actions[QLatin1String(id)]);
 }
 
