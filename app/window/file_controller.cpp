@@ -159,11 +159,12 @@ void FileController::trySave(const QString& file) {
 
 bool FileController::mayDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
-  const QString path = bench_.document.hasUnkeptPath()
-                           ? tr("The path that was found is not saved. Save keeps it in the scenario.")
-                           : QString();
-  PlainMessageBox box(QMessageBox::Question, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
-                      path, &bench_.window);
+  const bool path = bench_.document.hasUnkeptPath();
+  const QString what = !path                               ? tr("The scenario has edits that are not saved.")
+                       : bench_.document.hasUnsavedEdits() ? tr("The scenario has edits and a path that are not saved.")
+                                                           : tr("The path that was found is not saved.");
+  PlainMessageBox box(QMessageBox::Question, tr("Save the scenario?"), what,
+                      path ? tr("Save keeps the path in the scenario.") : QString(), &bench_.window);
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();

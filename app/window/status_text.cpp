@@ -1,6 +1,7 @@
 #include "app/window/status_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include "engine/planning/fine/coarse_preview.h"
 #include "widgets/commands/diagnostic_text.h"
@@ -63,6 +64,13 @@ QString statusText(const SessionSnapshot& snapshot) {
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));
   }
   return {};
+}
+
+QString elapsedText(const SessionSnapshot& snapshot) {
+  const QString seconds = QLocale().toString(snapshot.virtualSeconds, 'f', 1);
+  const double limit = snapshot.parameters[ParameterId::TimeLimit];
+  if (limit <= 0.0) return seconds + QStringLiteral(" s");
+  return say(QT_TRANSLATE_NOOP("Status", "%1 s of %2 s")).arg(seconds, QLocale().toString(limit, 'g', 6));
 }
 
 }  // namespace glissade

@@ -335,9 +335,11 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
   });
 }
 
-bool WorkbenchDocument::isModified() const {
+bool WorkbenchDocument::isModified() const { return hasUnsavedEdits() || (scenario_ && unkept_); }
+
+bool WorkbenchDocument::hasUnsavedEdits() const {
   return scenario_ && (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
-                       settings_.strategy != scenario_->scenario.planner || unkept_);
+                       settings_.strategy != scenario_->scenario.planner);
 }
 
 bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }

@@ -1,5 +1,6 @@
 #include "widgets/panels/fits_panel.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -117,6 +118,11 @@ void FitsPanel::setFits(const PairFitsPtr& fits) {
   shareWidth();
   summary_->setText(summary());
   filter(filter_->text());
+}
+
+void FitsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) setFits(fits_);
 }
 
 void FitsPanel::shareWidth() {

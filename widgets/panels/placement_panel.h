@@ -36,11 +36,16 @@ class PlacementPanel final : public QWidget {
  signals:
   void placed(const glissade::Pose& X_WB);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QDoubleSpinBox* addBox(int row, int axis, const QString& label, const QString& tip);
   QComboBox* makePoints();
   void offerPicked();
   Pose frame() const;
+  void showTitle();
+  void showUnit();
   void showNumbers();
   void takePosition(int axis);
   void takeTurn(int axis);
@@ -50,6 +55,9 @@ class PlacementPanel final : public QWidget {
   QToolButton* pick_ = nullptr;
   QDoubleSpinBox* position_[3] = {};
   QDoubleSpinBox* turn_[3] = {};
+  double perMetre_ = 1.0;  ///< what is shown of a metre
+  QString placedName_;
+  bool isPlaced_ = false;
   Pose X_WB_;
   PlacementPoints points_;                  ///< in B
   Vector3 rollPitchYaw_ = Vector3::Zero();  ///< radians

@@ -81,7 +81,8 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(summary_);
   layout->addWidget(steps_, 1);
   layout->addWidget(why_);
-  layout->addLayout(makeActionFlow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
+  layout->addLayout(
+      makeActionFlow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
     showWhy();
     emit stepChosen();

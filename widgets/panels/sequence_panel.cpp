@@ -206,7 +206,7 @@ QString SequencePanel::summary() const {
   switch (plan.end) {
     case PlanEnd::Complete: break;
     case PlanEnd::Stuck: text += QLatin1Char(' ') + tr("%1 stuck.").arg(plan.parts() - plan.removed()); break;
-    case PlanEnd::TimeLimit:
+    case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
   }
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDropEvent>
+#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
@@ -266,6 +267,12 @@ std::vector<std::size_t> StepTable::selectedSteps() const {
 }
 
 /// The rows stay as they are: the plan is made anew.
+void StepTable::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  const bool isRead = event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange;
+  if (isRead && shown_.plan) show(ShownPlan(shown_), order_);
+}
+
 void StepTable::dropEvent(QDropEvent* event) {
   event->setDropAction(Qt::IgnoreAction);
   event->accept();
