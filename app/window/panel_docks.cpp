@@ -14,6 +14,8 @@ namespace {
 
 /// A screen of 1920 pixels at 200 % has room for two columns of this width beside the scene.
 constexpr int kWidestLeast = 300;
+/// A header and a row: such a screen has room for two panels above each other.
+constexpr int kLeastListHeight = 36;
 
 Qt::DockWidgetArea areaOf(DockPlace place) {
   return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
@@ -43,8 +45,9 @@ class PanelScroll final : public QScrollArea {
 };
 
 QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
-  if (panel.scrolling == Scrolling::Own) return panel.content;
-  return new PanelScroll(panel, dock);
+  if (panel.scrolling == Scrolling::Whole) return new PanelScroll(panel, dock);
+  for (QTreeView* list : panel.content->findChildren<QTreeView*>()) list->setMinimumHeight(kLeastListHeight);
+  return panel.content;
 }
 
 /// The widgets of a dock that Tab stops at, in their present order.

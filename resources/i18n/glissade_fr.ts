@@ -1633,10 +1633,6 @@
 <context>
     <name>Diagnostics</name>
     <message>
-        <source>the bound of the swept volume needs more than 4 GiB</source>
-        <translation>la borne du volume balayé demande plus de 4 Gio</translation>
-    </message>
-    <message>
         <source>the object penetrates &apos;%1&apos;</source>
         <translation>l&apos;objet pénètre dans « %1 »</translation>
     </message>
@@ -2405,6 +2401,10 @@
         <source>The goal is refused: see the message over the scene.</source>
         <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
     </message>
+    <message>
+        <source>%1 s of %2 s</source>
+        <translation>%1 s sur %2 s</translation>
+    </message>
 </context>
 <context>
     <name>UnsavedEditsDialog</name>
@@ -2498,6 +2498,62 @@
         <source>Dark</source>
         <translation>Sombre</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>&amp;Background of the scene</source>
+        <translation>&amp;Fond de la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Goal and its tree</source>
+        <translation>&amp;But et son arbre</translation>
+    </message>
+    <message>
+        <source>&amp;Path and selection</source>
+        <translation>&amp;Chemin et sélection</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the colours</source>
+        <translation>&amp;Rétablir les couleurs</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pouces</translation>
+    </message>
+    <message>
+        <source>L&amp;engths</source>
+        <translation>&amp;Longueurs</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
+    </message>
+    <message>
+        <source>Save &amp;unsaved edits every</source>
+        <translation>&amp;Sauvegarde automatique toutes les</translation>
+    </message>
+    <message>
+        <source>Start and &amp;its tree</source>
+        <translation>&amp;Départ et son arbre</translation>
+    </message>
+    <message>
+        <source>Use the colours of the theme again: they are distinct to people with colour blindness</source>
+        <translation>Reprendre les couleurs du thème : les personnes daltoniennes les distinguent</translation>
+    </message>
+    <message>
+        <source>What is not saved is written into the program&apos;s data folder, to be offered after a crash</source>
+        <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
+    </message>
+    <message>
+        <source>µm, mm or m, as it fits</source>
+        <translation>µm, mm ou m, selon la longueur</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>
@@ -2537,14 +2593,6 @@
         <translation>%1 bouge</translation>
     </message>
     <message>
-        <source>the start went %1 mm</source>
-        <translation>le départ s&apos;est écarté de %1 mm</translation>
-    </message>
-    <message>
-        <source>the goal went %1 mm</source>
-        <translation>le but s&apos;est écarté de %1 mm</translation>
-    </message>
-    <message>
         <source>Start and goal are clear of all bodies.</source>
         <translation>Le départ et le but sont à l&apos;écart de tous les corps.</translation>
     </message>
@@ -2571,6 +2619,14 @@
     <message>
         <source>Moving the ends clear</source>
         <translation>Dégagement du départ et du but</translation>
+    </message>
+    <message>
+        <source>the goal was moved by %1</source>
+        <translation>le but a été déplacé de %1</translation>
+    </message>
+    <message>
+        <source>the start was moved by %1</source>
+        <translation>le départ a été déplacé de %1</translation>
     </message>
 </context>
 <context>
@@ -3222,6 +3278,10 @@
         <source>Shows the object there</source>
         <translation>Montre l&apos;objet à cet endroit</translation>
     </message>
+    <message>
+        <source>What stands in the way</source>
+        <translation>Ce qui fait obstacle</translation>
+    </message>
 </context>
 <context>
     <name>glissade::EarlierVersionsMenu</name>
@@ -3291,10 +3351,6 @@
         <translation>Le scénario ne peut pas être enregistré</translation>
     </message>
     <message>
-        <source>Unsaved edits</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
         <source>The scenario has edits that are not saved.</source>
         <translation>Le scénario a des modifications non enregistrées.</translation>
     </message>
@@ -3311,8 +3367,20 @@
         <translation>Le scénario a été enregistré, avec un avertissement</translation>
     </message>
     <message>
-        <source>The path that was found is not saved. Save keeps it in the scenario.</source>
-        <translation>Le chemin trouvé n&apos;est pas enregistré. Enregistrer le conserve dans le scénario.</translation>
+        <source>Save keeps the path in the scenario.</source>
+        <translation>Enregistrer conserve le chemin dans le scénario.</translation>
+    </message>
+    <message>
+        <source>Save the scenario?</source>
+        <translation>Enregistrer le scénario ?</translation>
+    </message>
+    <message>
+        <source>The path that was found is not saved.</source>
+        <translation>Le chemin trouvé n&apos;est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>The scenario has edits and a path that are not saved.</source>
+        <translation>Le scénario a des modifications et un chemin qui ne sont pas enregistrés.</translation>
     </message>
 </context>
 <context>
@@ -3792,6 +3860,14 @@
     <message>
         <source>Sequence</source>
         <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Finding the fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>Preparing the bodies</source>
+        <translation>Préparation des corps</translation>
     </message>
 </context>
 <context>
@@ -4299,24 +4375,12 @@
 <context>
     <name>glissade::PlacementPanel</name>
     <message>
-        <source>Along the world&apos;s axis %1, in millimetres</source>
-        <translation>Le long de l&apos;axe %1 du monde, en millimètres</translation>
-    </message>
-    <message>
         <source>Turned about the world&apos;s axis %1, in degrees: first X, then Y, then Z</source>
         <translation>Tourné autour de l&apos;axe %1 du monde, en degrés : d&apos;abord X, puis Y, puis Z</translation>
     </message>
     <message>
         <source>Placement: select one body, start or goal</source>
         <translation>Position : choisir un corps, départ ou but</translation>
-    </message>
-    <message>
-        <source>Placement, mm and °</source>
-        <translation>Position, mm et °</translation>
-    </message>
-    <message>
-        <source>Placement of %1, mm and °</source>
-        <translation>Position de %1, mm et °</translation>
     </message>
     <message>
         <source>Point that the numbers are about</source>
@@ -4349,6 +4413,18 @@
     <message>
         <source>Picked face or axis</source>
         <translation>Face ou axe choisi</translation>
+    </message>
+    <message>
+        <source>Along the world&apos;s axis %1</source>
+        <translation>Le long de l&apos;axe %1 du monde</translation>
+    </message>
+    <message>
+        <source>Placement of %1, %2 and °</source>
+        <translation>Placement de %1, %2 et °</translation>
+    </message>
+    <message>
+        <source>Placement, %1 and °</source>
+        <translation>Placement, %1 et °</translation>
     </message>
 </context>
 <context>
@@ -4428,6 +4504,10 @@
     <message>
         <source>everywhere</source>
         <translation>partout</translation>
+    </message>
+    <message>
+        <source>Steps of the coarse path</source>
+        <translation>Étapes du chemin grossier</translation>
     </message>
 </context>
 <context>
@@ -4779,6 +4859,10 @@
         <source>of places (place., a., b.): %1; of the object (object.): %2</source>
         <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
     </message>
+    <message>
+        <source>Rules of the fine planners</source>
+        <translation>Règles des planificateurs fins</translation>
+    </message>
 </context>
 <context>
     <name>glissade::RunController</name>
@@ -4861,8 +4945,12 @@
         <translation>%1 : dessiné tant que la case est cochée</translation>
     </message>
     <message>
-        <source>Within about %1 mm of the part&apos;s surface</source>
-        <translation>À environ %1 mm près de la surface de la pièce</translation>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Within about %1 of the part&apos;s surface</source>
+        <translation>À environ %1 près de la surface de la pièce</translation>
     </message>
 </context>
 <context>
@@ -4948,6 +5036,14 @@
     <message>
         <source>%1 And %2 more.</source>
         <translation>%1 Et %2 autres.</translation>
+    </message>
+    <message>
+        <source>Attributes of the selection</source>
+        <translation>Attributs de la sélection</translation>
+    </message>
+    <message>
+        <source>Places and bodies</source>
+        <translation>Lieux et corps</translation>
     </message>
 </context>
 <context>
@@ -5091,6 +5187,18 @@
         <source>Findings</source>
         <translation>Constats</translation>
     </message>
+    <message>
+        <source>Cells of the study</source>
+        <translation>Cellules de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Runs of the cell</source>
+        <translation>Essais de la cellule</translation>
+    </message>
 </context>
 <context>
     <name>glissade::StudyController</name>
@@ -5214,6 +5322,14 @@
         <source>Examining the path</source>
         <translation>Examen du chemin</translation>
     </message>
+    <message>
+        <source>%1: cancelled after %2 s</source>
+        <translation>%1 : annulé après %2 s</translation>
+    </message>
+    <message>
+        <source>%1: ended after %2 s</source>
+        <translation>%1 : terminé après %2 s</translation>
+    </message>
 </context>
 <context>
     <name>glissade::WorkbenchDocument</name>
@@ -5247,10 +5363,6 @@
     <message>
         <source>Planning the sequence</source>
         <translation>Planification de la séquence</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Reste</translation>
     </message>
     <message>
         <source>The bodies cannot be marked</source>
@@ -5378,6 +5490,10 @@
     <message>
         <source>%1 forced.</source>
         <translation>%1 forcées.</translation>
+    </message>
+    <message>
+        <source>The time limit was reached.</source>
+        <translation>La limite de temps a été atteinte.</translation>
     </message>
 </context>
 <context>
@@ -5718,6 +5834,20 @@
     <message>
         <source>Writing the report</source>
         <translation>Écriture du rapport</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::BusyBar</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ColourButton</name>
+    <message>
+        <source>As the theme</source>
+        <translation>Comme le thème</translation>
     </message>
 </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "widgets/commands/flow_layout.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -48,16 +49,12 @@ int FlowLayout::arrange(const QRect& area, Place place) const {
   return at.y() + rowHeight - area.top();
 }
 
-int FlowLayout::heightForWidth(int width) const {
-  return arrange(QRect(0, 0, width, 0), [](QLayoutItem& /*item*/, const QRect& /*place*/) {});
-}
-
 QSize FlowLayout::minimumSize() const {
   QSize least;
   for (const auto& item : items_) {
     if (!item->isEmpty()) least = least.expandedTo(item->sizeHint());
   }
-  return least;
+  return least.expandedTo(QSize(0, height_));
 }
 
 QSize FlowLayout::sizeHint() const {
@@ -67,12 +64,13 @@ QSize FlowLayout::sizeHint() const {
     const QSize size = item->sizeHint();
     whole = {whole.width() + size.width() + spacing(), std::max(whole.height(), size.height())};
   }
-  return whole;
+  return whole.expandedTo(QSize(0, height_));
 }
 
 void FlowLayout::setGeometry(const QRect& area) {
   QLayout::setGeometry(area);
-  arrange(area, [](QLayoutItem& item, const QRect& place) { item.setGeometry(place); });
+  const int height = arrange(area, [](QLayoutItem& item, const QRect& place) { item.setGeometry(place); });
+  if (std::exchange(height_, height) != height) invalidate();
 }
 
 }  // namespace glissade

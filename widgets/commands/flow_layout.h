@@ -19,11 +19,9 @@ class FlowLayout final : public QLayout {
   QLayoutItem* itemAt(int index) const override;
   QLayoutItem* takeAt(int index) override;
   Qt::Orientations expandingDirections() const override { return {}; }
-  bool hasHeightForWidth() const override { return true; }
-  int heightForWidth(int width) const override;
-  /// That of the widest item: all items below each other.
+  /// As wide as the widest item, as high as all rows at the present width: panels keep room for them.
   QSize minimumSize() const override;
-  /// That of all items in one row.
+  /// As wide as all items in one row.
   QSize sizeHint() const override;
   void setGeometry(const QRect& area) override;
 
@@ -33,6 +31,7 @@ class FlowLayout final : public QLayout {
   int arrange(const QRect& area, Place place) const;
 
   std::vector<std::unique_ptr<QLayoutItem>> items_;
+  int height_ = 0;  ///< of all rows at the present width; 0: not arranged yet
 };
 
 }  // namespace glissade

@@ -59,8 +59,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   splitter->setChildrenCollapsible(false);
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 1);
-  tree_->setMinimumSize(200, 80);
-  attributes_->setMinimumHeight(80);
+  tree_->setMinimumWidth(200);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);

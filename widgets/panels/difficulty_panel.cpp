@@ -30,7 +30,6 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   rows_->setAlternatingRowColors(true);
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   rows_->header()->setStretchLastSection(true);
-  rows_->setMinimumHeight(5 * fontMetrics().height());
   slider_->setAccessibleName(tr("Place on the way of least penetration"));
   slider_->setToolTip(tr("Place on the way of least penetration"));
   auto* layout = new QVBoxLayout(this);

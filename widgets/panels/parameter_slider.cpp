@@ -42,6 +42,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
   auto* label = new QLabel(symbol + parameterLabel(spec), this);
   label->setBuddy(number_);
+  label->setWordWrap(true);  // a long name does not widen the panel
   slider_->setRange(0, kSliderSteps);
   slider_->setAccessibleName(parameterLabel(spec));
   number_->setAccessibleName(parameterLabel(spec));

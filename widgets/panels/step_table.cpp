@@ -110,7 +110,6 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setTextElideMode(Qt::ElideMiddle);
   setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
   setAccessibleName(tr("Steps of the sequence"));
-  setMinimumHeight(2 * fontMetrics().height());
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setMinimumSectionSize(20);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
