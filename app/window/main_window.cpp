@@ -36,6 +36,11 @@
 #include "app/window/window_script.h"
 
 namespace glissade {
+namespace {
+
+constexpr QSize kUsualSize{1280, 720};
+
+}  // namespace
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),
@@ -115,6 +120,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.orderTabStops();
+  resize(kUsualSize);  // the docks share the width that the window has now
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()});
 }

@@ -13,12 +13,12 @@ QString say(const char* text) { return QCoreApplication::translate("Status", tex
 
 /// What a multi-layer planner is at.
 QString layersText(const CoarsePlanPtr& plan) {
-  if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: the places are found"));
+  if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: finding the places"));
   for (std::size_t i = 0; i < plan->steps.size(); ++i) {
     const TopologicalStep& step = plan->steps[i];
     if (step.result != StepResult::Running) continue;
     if (step.place == TopologicalStep::kWholeWorkspace) {
-      return say(QT_TRANSLATE_NOOP("Status", "Planning: the whole workspace is searched"));
+      return say(QT_TRANSLATE_NOOP("Status", "Planning: searching the whole workspace"));
     }
     return say(QT_TRANSLATE_NOOP("Status", "Planning: step %1 of %2, place %3 is crossed"))
         .arg(i + 1)
@@ -55,12 +55,12 @@ QString statusText(const SessionSnapshot& snapshot) {
         return say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"));
       }
       return isMultiLayer(snapshot.plannerId) ? layersText(snapshot.coarsePlan)
-                                              : say(QT_TRANSLATE_NOOP("Status", "Planning: two trees grow"));
+                                              : say(QT_TRANSLATE_NOOP("Status", "Planning: growing two trees"));
     case SessionState::Paused: return say(QT_TRANSLATE_NOOP("Status", "Paused"));
     case SessionState::Solved:
       if (snapshot.run == 0) return say(QT_TRANSLATE_NOOP("Status", "The path holds: certified free of penetration"));
       return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));
-    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found stays shown"));
+    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found is still shown"));
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));
   }
   return {};

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "engine/import/mesh_import.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -66,7 +67,7 @@ QString sizeText(const Box3& box) {
 /// The file's folder is left to the row's tooltip.
 QString reasonText(Diagnostic why) {
   why.file = QFileInfo(QString::fromStdString(why.file)).fileName().toStdString();
-  return QString::fromStdString(toString(why));
+  return diagnosticLine(why);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "engine/planning/planner.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -203,7 +204,7 @@ void RulesDialog::check() {
   if (accept_ == nullptr) return;  // not all there yet
   const auto parsed = parseRules(rules(), table_, idsOf(makeLocalPlannerRegistry()));
   accept_->setEnabled(parsed.ok());
-  trouble_->setText(parsed ? QString() : QString::fromStdString(toString(parsed.error())));
+  trouble_->setText(parsed ? QString() : diagnosticLine(parsed.error()));
 }
 
 }  // namespace glissade

@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/editors/attribute_dialog.h"
 
 namespace glissade {
@@ -109,7 +110,7 @@ void SemanticsPanel::showWarnings() {
   removeStrays_->setVisible(document_.hasStrays());
   if (warnings.empty()) return;
   QStringList texts;
-  for (const Diagnostic& warning : warnings) texts << QString::fromStdString(toString(warning));
+  for (const Diagnostic& warning : warnings) texts << diagnosticLine(warning);
   warning_->setToolTip(texts.join(QLatin1Char('\n')));
   warning_->setText(QStringLiteral("⚠ ") + (texts.size() == 1
                                                 ? texts.front()
@@ -117,7 +118,7 @@ void SemanticsPanel::showWarnings() {
 }
 
 void SemanticsPanel::showRefusal(const Diagnostic& why) {
-  refusal_->setText(QString::fromStdString(why.reason + ". " + why.advice));
+  refusal_->setText(diagnosticText(why));
   refusal_->show();
 }
 

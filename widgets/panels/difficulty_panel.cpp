@@ -67,13 +67,13 @@ void DifficultyPanel::changeEvent(QEvent* event) {
 
 void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
   if (const auto& least = difficulty.leastPenetration) {
-    summary_->setText(tr("With <b>%1</b> given between the object and <b>%2</b> there is a way.")
+    summary_->setText(tr("There is a way if the object may overlap <b>%2</b> by <b>%1</b>.")
                           .arg(lengthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
     addRow("least", tr("Least penetration"), lengthText(least->depth), least->body, least->q, scenario);
   } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
     summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
   } else {
-    summary_->setText(tr("However much smaller the object was made, no way was found."));
+    summary_->setText(tr("No way was found, however much the object was shrunk."));
   }
   if (const auto& tightest = difficulty.tightest) {
     addRow("tightest", tr("Tightest passage reached"), lengthText(tightest->clearance), tightest->body, tightest->q,

@@ -22,7 +22,7 @@ constexpr double kLongestPlay = 90.0;
 /// A step that is chosen is shown with its part on the way.
 constexpr double kOnTheWay = 0.5;
 
-void onlyIcons(const QHBoxLayout& row) {
+void onlyIcons(const QLayout& row) {
   for (int i = 0; i < row.count(); ++i) {
     auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
     if (button == nullptr) continue;
@@ -98,7 +98,7 @@ void SequencePanel::addEditing(const ActionCatalogue& actions) {
 }
 
 QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
-  auto* row = makeActionRow(
+  auto* row = makeActionFlow(
       actions, {"sequence.plan", "sequence.resume", "sequence.graph", "sequence.open", "sequence.export"}, this);
   onlyIcons(*row);
   qobject_cast<QToolButton*>(row->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -110,7 +110,7 @@ QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
   step->setPopupMode(QToolButton::InstantPopup);
   step->setMenu(edits_);
   step->setMinimumWidth(step->sizeHint().width() + step->iconSize().width());
-  row->insertWidget(row->count() - 1, step);
+  row->addWidget(step);
   return row;
 }
 
