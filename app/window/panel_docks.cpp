@@ -119,7 +119,7 @@ void PanelDocks::arrange() {
   QDockWidget* lower = firstOf(DockPlace::LowerRight);
   upper->raise();
   lower->raise();
-  window_.resizeDocks({left, upper}, {270, 340}, Qt::Horizontal);
+  window_.resizeDocks({left, upper}, {325, 340}, Qt::Horizontal);
   window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
 }
 

@@ -70,7 +70,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   steps_->header()->setStretchLastSection(false);
   steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  steps_->setMinimumWidth(200);
+  steps_->setMinimumSize(200, 64);
   why_->setTextFormat(Qt::PlainText);
   why_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
