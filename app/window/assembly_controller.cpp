@@ -7,6 +7,7 @@
 #include "app/window/arranged_item.h"
 #include "app/window/assembly_script.h"
 #include "app/window/end_clearance.h"
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 
@@ -164,9 +165,9 @@ void AssemblyController::takeMovedEnds(const Result<std::vector<MovedEnd>>& move
   }
   QStringList texts;
   for (const MovedEnd& end : *moved) {
-    const QString by = QLocale().toString(1000.0 * end.distance, 'f', 3);
-    texts << (end.item.kind == AssemblyItem::Kind::Start ? tr("the start went %1 mm").arg(by)
-                                                         : tr("the goal went %1 mm").arg(by));
+    const QString by = lengthText(end.distance);
+    texts << (end.item.kind == AssemblyItem::Kind::Start ? tr("the start was moved by %1").arg(by)
+                                                         : tr("the goal was moved by %1").arg(by));
   }
   const auto change = [ends = *moved](Scenario& scenario) {
     for (const MovedEnd& end : ends) (void)glissade::place(end.item, end.X_WB, scenario);

@@ -4,20 +4,24 @@
 #include <exception>
 #include <utility>
 
+#include "app/window/preferences.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {
 namespace {
 
-constexpr int kBetweenWritesMs = 3000;
+constexpr int kMillisecondsPerSecond = 1000;
 
 }  // namespace
 
 AutosaveController::AutosaveController(Source source, QObject* parent) : QObject(parent), source_(std::move(source)) {
+  setInterval(Preferences{}.autosaveSeconds);
   connect(&timer_, &QTimer::timeout, this, [this] { writeChanges(); });
 }
 
 AutosaveController::~AutosaveController() = default;
+
+void AutosaveController::setInterval(int seconds) { timer_.setInterval(kMillisecondsPerSecond * seconds); }
 
 void AutosaveController::start(const QString& folder) {
   auto slot = AutosaveSlot::make(folder.toStdString());
@@ -26,7 +30,7 @@ void AutosaveController::start(const QString& folder) {
     return;
   }
   slot_ = std::move(*slot);
-  timer_.start(kBetweenWritesMs);
+  timer_.start();
 }
 
 void AutosaveController::writeChanges(bool wait) {

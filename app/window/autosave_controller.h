@@ -24,6 +24,8 @@ class AutosaveController final : public QObject {
   AutosaveController(Source source, QObject* parent);
   ~AutosaveController() override;
 
+  /// Seconds between two writings.
+  void setInterval(int seconds);
   /// From now on edits are written there. Errors are announced by failed().
   void start(const QString& folder);
   /// Writes now what has changed. Waits for it where `wait` is true.

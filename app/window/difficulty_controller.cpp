@@ -18,6 +18,9 @@ DifficultyController::DifficultyController(const Workbench& bench)
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) show(nullptr);
   });
+  connect(panel_, &DifficultyPanel::lengthUnitChanged, this, [this] {
+    if (bench_.document.scenario()) panel_->setDifficulty(difficulty_, *bench_.document.scenario());
+  });
   connect(&bench.run, &ShownRun::changed, this, &DifficultyController::followRun);
   for (const char* id : {"difficulty.find", "difficulty.play"}) bench.enable(id, false);
   addDifficultyCommands(bench, *this);

@@ -7,6 +7,7 @@
 #include "app/window/environment_script.h"
 #include "app/window/scene_ray.h"
 #include "engine/planning/fine/coarse_preview.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/scene_pick.h"
@@ -195,7 +196,7 @@ void EnvironmentController::showPlan() {
   const bool quick = !question.knowledge || !isMultiLayer(question.strategy);
   const auto work = [this, question](const WorkWatch&) -> BackgroundTask::Delivery {
     return [this, plan = previewPlan(question)] {
-      takePlan(plan ? *plan : nullptr, plan ? QString() : QString::fromStdString(toString(plan.error())));
+      takePlan(plan ? *plan : nullptr, plan ? QString() : diagnosticLine(plan.error()));
     };
   };
   preview_.start("planning coarsely", work, quick || bench_.session.clock() == SessionClock::Lockstep);

@@ -159,11 +159,13 @@ void FileController::trySave(const QString& file) {
 
 bool FileController::mayDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
-  const QString path = bench_.document.hasUnkeptPath()
-                           ? tr("The path that was found is not saved. Save keeps it in the scenario.")
-                           : QString();
-  PlainMessageBox box(QMessageBox::Question, tr("Unsaved edits"), tr("The scenario has edits that are not saved."),
-                      path, &bench_.window);
+  QStringList unsaved;
+  if (bench_.document.hasUnsavedEdits()) unsaved << tr("edits");
+  if (bench_.document.hasUnkeptPath()) unsaved << tr("the path that was found");
+  if (bench_.document.hasUnsavedPlan()) unsaved << tr("the assembly plan");
+  PlainMessageBox box(QMessageBox::Question, tr("Save the scenario?"),
+                      tr("Not saved yet: %1.").arg(unsaved.join(QStringLiteral(", "))),
+                      tr("Save keeps all of it in the scenario."), &bench_.window);
   box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();

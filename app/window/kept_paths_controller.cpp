@@ -29,6 +29,7 @@ KeptPathsController::KeptPathsController(const Workbench& bench)
   connect(&proving_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&proving_, &BackgroundTask::ended, this, &KeptPathsController::proveNext, Qt::QueuedConnection);
   connect(&bench.document, &WorkbenchDocument::changed, this, &KeptPathsController::followDocument);
+  connect(panel_, &KeptPathsPanel::lengthUnitChanged, this, &KeptPathsController::showRows);
   connect(&bench.run, &ShownRun::changed, this, &KeptPathsController::enableActions);
   connect(panel_, &KeptPathsPanel::selectionChanged, this, &KeptPathsController::enableActions);
   connect(panel_, &KeptPathsPanel::shownChanged, this, [this](const std::string& name, bool shown) {

@@ -1,6 +1,5 @@
 #include "app/window/main_window.h"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QSignalBlocker>
 #include <QStatusBar>
@@ -25,7 +24,7 @@
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
 #include "app/window/navigation_controller.h"
-#include "app/window/preferences_dialog.h"
+#include "app/window/preferences_controller.h"
 #include "app/window/recording_controller.h"
 #include "app/window/refusal_controller.h"
 #include "app/window/run_controller.h"
@@ -40,6 +39,11 @@
 #include "app/window/workspace_notice.h"
 
 namespace glissade {
+namespace {
+
+constexpr QSize kUsualSize{1280, 720};
+
+}  // namespace
 
 MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),
@@ -87,6 +91,8 @@ void MainWindow::addParts() {
   auto* replay = new ReplayController(bench_);
   replayBar_ = replay->bar();
   recordings_ = new RecordingController(bench_, *replay, *files_);
+  preferences_ =
+      new PreferencesController(bench_, [this](int seconds) { files_->saves().setAutosaveSeconds(seconds); });
   new StudyController(bench_, *files_);
   auto* devices = new DeviceController(*session_, actions_, *scene_, this);
   devices->addIndicators(*statusBar());
@@ -119,6 +125,8 @@ void MainWindow::addParts() {
   docks_.add({tr("Sequence"), "sequence", sequence->panel(), DockPlace::LowerRight, "panel.sequence", Scrolling::Own});
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
+  docks_.orderTabStops();
+  resize(kUsualSize);  // the docks share the width that the window has now
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()});
 }
@@ -140,13 +148,16 @@ void MainWindow::connectActions() {
     palette->field().setFocus();
   });
   bench_.onAction("help.change-shortcuts", this, [this] { changeShortcuts(); });
-  bench_.onAction("edit.preferences", this, [this] { changePreferences(); });
   bench_.onAction("help.about", this, [this] { showAbout(this); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
           [this](const Diagnostic& why) { messages_.showError(tr("This cannot be done"), why); });
-  bench_.work.show(document_->arranging(), tr("Arranging the product"), [this] { document_->cancelEdits(); });
+  const auto arranging = [this] {
+    if (document_->isEditing()) return tr("Arranging the product");
+    return document_->scenario()->fitsPending ? tr("Finding the fits") : tr("Preparing the bodies");
+  };
+  bench_.work.show(document_->arranging(), arranging, [this] { document_->cancelEdits(); });
   connect(document_, &WorkbenchDocument::changedForSession, &bench_.work, [this](Changes what) {
     if (what & (Change::Scenario | Change::Arrangement)) bench_.work.cancel();
   });
@@ -162,22 +173,6 @@ void MainWindow::changeShortcuts() {
   for (auto entry = dialog.shortcuts().begin(); entry != dialog.shortcuts().end(); ++entry) {
     actions_.setShortcut(entry.key(), entry.value());
   }
-}
-
-/// Scripts have no memory: what they choose holds until the window closes.
-void MainWindow::changePreferences() {
-  Preferences present = memory_ ? memory_->preferences() : Preferences{};
-  present.fontPoints = QApplication::font().pointSizeF();
-  auto* dialog = new PreferencesDialog(actions_, present, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] {
-    const Preferences chosen = dialog->preferences();
-    setFontPoints(chosen.fontPoints);
-    if (!memory_) return;
-    memory_->savePreferences(chosen);
-    memory_->saveChoices(actions_);
-  });
-  dialog->open();
 }
 
 void MainWindow::setTheme(Theme theme) {
@@ -200,6 +195,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   files_->setMemory(memory_.get());
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
+  preferences_->remember(*memory_);
   replayBar_->setVisible(!bench_.run.isLive());
 }
 

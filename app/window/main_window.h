@@ -8,6 +8,7 @@
 namespace glissade {
 
 class FileController;
+class PreferencesController;
 class RecordingController;
 class WindowMemory;
 
@@ -43,7 +44,6 @@ class MainWindow final : public QMainWindow {
   void addParts();
   void connectActions();
   void changeShortcuts();
-  void changePreferences();
 
   std::unique_ptr<SceneWidget> scene_;
   ActionCatalogue& actions_;
@@ -55,6 +55,7 @@ class MainWindow final : public QMainWindow {
   PanelDocks docks_;
   FileController* files_ = nullptr;
   RecordingController* recordings_ = nullptr;
+  PreferencesController* preferences_ = nullptr;
   QWidget* replayBar_ = nullptr;
   std::unique_ptr<WindowMemory> memory_;  ///< null: nothing is remembered
 };

@@ -4,6 +4,7 @@
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolBar>
+#include <QTreeView>
 
 #include <algorithm>
 #include <map>
@@ -11,20 +12,52 @@
 namespace glissade {
 namespace {
 
+/// A screen of 1920 pixels at 200 % has room for two columns of this width beside the scene.
+constexpr int kWidestLeast = 300;
+/// A header and a row: such a screen has room for two panels above each other.
+constexpr int kLeastListHeight = 36;
+
 Qt::DockWidgetArea areaOf(DockPlace place) {
   return place == DockPlace::Left ? Qt::LeftDockWidgetArea : Qt::RightDockWidgetArea;
 }
 
+/// As wide as its panel with a scroll bar, also where the size of texts changes; wider panels are scrolled.
+class PanelScroll final : public QScrollArea {
+ public:
+  PanelScroll(const glissade::Panel& panel, QWidget* parent) : QScrollArea(parent) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(panel.title);
+    setWidget(panel.content);
+  }
+
+  QSize minimumSizeHint() const override {
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    const int whole = widget()->minimumSizeHint().width() + bar;
+    return {std::min(whole, kWidestLeast), QScrollArea::minimumSizeHint().height()};
+  }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::eventFilter(watched, event);
+  }
+};
+
 QWidget* scrolled(const Panel& panel, QDockWidget* dock) {
-  if (panel.scrolling == Scrolling::Own) return panel.content;
-  auto* scroll = new QScrollArea(dock);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(panel.content);
-  const int bar = dock->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  scroll->setMinimumWidth(panel.content->minimumSizeHint().width() + 2 * bar);
-  return scroll;
+  if (panel.scrolling == Scrolling::Whole) return new PanelScroll(panel, dock);
+  for (QTreeView* list : panel.content->findChildren<QTreeView*>()) list->setMinimumHeight(kLeastListHeight);
+  return panel.content;
+}
+
+/// The widgets of a dock that Tab stops at, in their present order.
+std::vector<QWidget*> tabStopsOf(QDockWidget& dock) {
+  std::vector<QWidget*> stops;
+  for (QWidget* at = dock.nextInFocusChain(); at != &dock; at = at->nextInFocusChain()) {
+    const bool stopsTab = (at->focusPolicy() & Qt::TabFocus) != 0 && at->focusProxy() == nullptr;
+    if (stopsTab && dock.isAncestorOf(at)) stops.push_back(at);
+  }
+  return stops;
 }
 
 }  // namespace
@@ -38,11 +71,21 @@ void PanelDocks::add(const Panel& panel) {
     QObject::connect(actions_[QLatin1String(panel.action)], &QAction::triggered, dock, [dock, content = panel.content] {
       dock->show();
       dock->raise();
-      if (content->focusProxy() != nullptr) content->setFocus(Qt::ShortcutFocusReason);
+      if (auto* list = content->findChild<QTreeView*>()) list->setFocus(Qt::ShortcutFocusReason);
     });
   }
   dock->setWidget(scrolled(panel, dock));
   docks_.push_back({panel, dock});
+}
+
+void PanelDocks::orderTabStops() {
+  QWidget* last = window_.centralWidget();
+  for (const Dock& dock : docks_) {
+    for (QWidget* stop : tabStopsOf(*dock.widget)) {
+      QWidget::setTabOrder(last, stop);
+      last = stop;
+    }
+  }
 }
 
 QDockWidget* PanelDocks::firstOf(DockPlace place) const {
@@ -78,7 +121,7 @@ void PanelDocks::arrange() {
   QDockWidget* lower = firstOf(DockPlace::LowerRight);
   upper->raise();
   lower->raise();
-  window_.resizeDocks({left, upper}, {270, 340}, Qt::Horizontal);
+  window_.resizeDocks({left, upper}, {325, 340}, Qt::Horizontal);
   window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
 }
 

@@ -24,7 +24,7 @@ struct Panel {
   const char* id;  ///< object name of the dock, by which its layout is remembered
   QWidget* content;
   DockPlace place;
-  const char* action = "";  ///< brings it to the front
+  const char* action = "";  ///< brings it to the front, and the focus to its list
   Scrolling scrolling = Scrolling::Whole;
   std::function<bool()> hasContent = {};  ///< where it says no, the panel is hidden at first; empty: always shown
 };
@@ -35,6 +35,8 @@ class PanelDocks final {
   PanelDocks(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
 
   void add(const Panel& panel);
+  /// Lets Tab go through the panels in the order in which they were added.
+  void orderTabStops();
   /// Puts all docks and tool bars where they are at first.
   void arrange();
 

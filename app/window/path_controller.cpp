@@ -41,6 +41,9 @@ PathController::PathController(const Workbench& bench)
     bench_.scene.refresh();
   });
   connect(panel_, &PathPanel::playbackEnded, this, [this] { bench_.actions["path.play"]->setChecked(false); });
+  connect(panel_, &PathPanel::lengthUnitChanged, this, [this] {
+    if (bench_.document.scenario()) panel_->showTexts(*bench_.document.scenario());
+  });
   connect(&measuring_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &PathController::show);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {

@@ -1,8 +1,8 @@
 #include "app/window/preferences_dialog.h"
 
 #include <QDialogButtonBox>
-#include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,7 +29,9 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
       language_(new QComboBox(this)),
       font_(new QDoubleSpinBox(this)),
       theme_(new QComboBox(this)),
-      navigation_(new QComboBox(this)) {
+      navigation_(new QComboBox(this)),
+      unit_(new QComboBox(this)),
+      autosave_(new QSpinBox(this)) {
   setWindowTitle(tr("Preferences"));
   setObjectName(QStringLiteral("preferences"));
   fill(present);
@@ -40,7 +42,10 @@ PreferencesDialog::PreferencesDialog(const ActionCatalogue& actions, const Prefe
   form->addRow(QString(), next);
   form->addRow(tr("&Theme"), theme_);
   form->addRow(tr("&Size of texts"), font_);
+  form->addRow(tr("L&engths"), unit_);
   form->addRow(tr("&Navigation"), navigation_);
+  form->addRow(tr("Save &unsaved edits every"), autosave_);
+  addColours(*form, present.colours);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
@@ -61,6 +66,15 @@ void PreferencesDialog::fill(const Preferences& present) {
   font_->setDecimals(1);
   font_->setSuffix(tr(" pt"));
   font_->setValue(present.fontPoints);
+  unit_->addItem(tr("µm, mm or m, as it fits"), static_cast<int>(LengthUnit::Fitting));
+  unit_->addItem(tr("Millimetres"), static_cast<int>(LengthUnit::Millimetres));
+  unit_->addItem(tr("Inches"), static_cast<int>(LengthUnit::Inches));
+  unit_->addItem(tr("Metres"), static_cast<int>(LengthUnit::Metres));
+  unit_->setCurrentIndex(unit_->findData(static_cast<int>(present.lengthUnit)));
+  autosave_->setRange(kLeastAutosaveSeconds, kMostAutosaveSeconds);
+  autosave_->setSuffix(tr(" s"));
+  autosave_->setValue(present.autosaveSeconds);
+  autosave_->setToolTip(tr("What is not saved is written into the program's data folder, to be offered after a crash"));
   theme_->addItems({tr("Light"), tr("Dark")});
   theme_->setCurrentIndex(actions_["view.dark"]->isChecked() ? 1 : 0);
   for (const NavigationStyleEntry& entry : kNavigationStyles) {
@@ -71,7 +85,32 @@ void PreferencesDialog::fill(const Preferences& present) {
   }
 }
 
-Preferences PreferencesDialog::preferences() const { return {language_->currentData().toString(), font_->value()}; }
+void PreferencesDialog::addColours(QFormLayout& form, const SceneColours& present) {
+  const auto add = [this, &form](const QString& label, const std::optional<Colour>& colour) {
+    auto* button = new ColourButton(QString(label).remove(QLatin1Char('&')), colour, this);
+    form.addRow(label, button);
+    return button;
+  };
+  background_ = add(tr("&Background of the scene"), present.background);
+  path_ = add(tr("&Path and selection"), present.path);
+  start_ = add(tr("Start and &its tree"), present.start);
+  goal_ = add(tr("&Goal and its tree"), present.goal);
+  auto* reset = new QPushButton(tr("&Reset the colours"), this);
+  reset->setToolTip(tr("Use the colours of the theme again: they are distinct to people with colour blindness"));
+  reset->setAutoDefault(false);
+  form.addRow(QString(), reset);
+  connect(reset, &QPushButton::clicked, this, [this] {
+    for (ColourButton* button : {background_, path_, start_, goal_}) button->setColour(std::nullopt);
+  });
+}
+
+Preferences PreferencesDialog::preferences() const {
+  return {language_->currentData().toString(),
+          font_->value(),
+          static_cast<LengthUnit>(unit_->currentData().toInt()),
+          autosave_->value(),
+          {background_->colour(), path_->colour(), start_->colour(), goal_->colour()}};
+}
 
 void PreferencesDialog::accept() {
   actions_["view.dark"]->setChecked(theme_->currentIndex() == 1);

@@ -3,7 +3,9 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QFormLayout>
 
+#include "app/window/colour_button.h"
 #include "app/window/preferences.h"
 #include "widgets/commands/action_catalogue.h"
 
@@ -21,12 +23,19 @@ class PreferencesDialog final : public QDialog {
 
  private:
   void fill(const Preferences& present);
+  void addColours(QFormLayout& form, const SceneColours& present);
 
   const ActionCatalogue& actions_;
   QComboBox* language_;
   QDoubleSpinBox* font_;
   QComboBox* theme_;
   QComboBox* navigation_;
+  QComboBox* unit_;
+  QSpinBox* autosave_;
+  ColourButton* background_ = nullptr;
+  ColourButton* path_ = nullptr;
+  ColourButton* start_ = nullptr;
+  ColourButton* goal_ = nullptr;
 };
 
 }  // namespace glissade

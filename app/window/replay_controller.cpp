@@ -8,6 +8,7 @@
 #include "app/window/replay_script.h"
 #include "engine/scenario/run_record.h"
 #include "engine/session/run_comparison.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -65,7 +66,7 @@ void ReplayController::followDocument(Changes what) {
 void ReplayController::followRun(const SessionSnapshot& snapshot) {
   if (recorder_.follow(snapshot)) opened_.reset();
   if (const auto why = recorder_.takeTrouble()) {
-    bench_.messages.showStatus(tr("No journal of this run on disk: %1").arg(QString::fromStdString(toString(*why))));
+    bench_.messages.showStatus(tr("No journal of this run on disk: %1").arg(diagnosticLine(*why)));
   }
   enableActions();
 }

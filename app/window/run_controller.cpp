@@ -1,6 +1,5 @@
 #include "app/window/run_controller.h"
 
-#include <QLocale>
 #include <QStatusBar>
 
 #include "app/window/run_script.h"
@@ -84,8 +83,7 @@ void RunController::showRun(const SnapshotPtr& snapshot) {
   interaction_->setDevice(bench_.session.deviceId());
   counts_->setSnapshot(*snapshot, *bench_.document.scenario());
   status_->setText(bench_.run.isLive() ? statusText(*snapshot) : bench_.run.replayText());
-  elapsed_->setText(snapshot->run > 0 ? QLocale().toString(snapshot->virtualSeconds, 'f', 1) + QStringLiteral(" s")
-                                      : QString());
+  elapsed_->setText(snapshot->run > 0 ? elapsedText(*snapshot) : QString());
   enableActions(snapshot.get());
 }
 

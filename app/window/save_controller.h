@@ -40,6 +40,8 @@ class SaveController final : public QObject {
   void allowReplacing() { seen_.reset(); }
   /// Offers what killed programs have left in the folder, and writes unsaved edits there from now on.
   void keepUnsavedEdits(const QString& folder);
+  /// Seconds between two writings of unsaved edits.
+  void setAutosaveSeconds(int seconds) { autosave_->setInterval(seconds); }
 
  private:
   struct Seen {

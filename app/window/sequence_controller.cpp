@@ -67,7 +67,8 @@ SequenceController::SequenceController(const Workbench& bench)
   connect(&planner_, &SequencePlanner::failed, &bench.work, &WorkController::reportFailure);
   connect(&planner_.task(), &BackgroundTask::started, this, &SequenceController::enableActions);
   connect(&planner_.task(), &BackgroundTask::ended, this, &SequenceController::enableActions);
-  bench.work.show(planner_.task(), tr("Planning the sequence"), [this] { planner_.stop(); });
+  bench.work.show(
+      planner_.task(), [] { return tr("Planning the sequence"); }, [this] { planner_.stop(); });
   connect(panel_, &SequencePanel::sceneChanged, this, &SequenceController::showPanelsScene);
   connect(panel_, &SequencePanel::stuckChosen, this, &SequenceController::showStuck);
   connect(panel_, &SequencePanel::playbackEnded, this, [this] { bench_.actions["sequence.play"]->setChecked(false); });

@@ -1,6 +1,7 @@
 #include "app/window/status_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include "engine/planning/fine/coarse_preview.h"
 #include "widgets/commands/diagnostic_text.h"
@@ -12,12 +13,12 @@ QString say(const char* text) { return QCoreApplication::translate("Status", tex
 
 /// What a multi-layer planner is at.
 QString layersText(const CoarsePlanPtr& plan) {
-  if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: the places are found"));
+  if (!plan) return say(QT_TRANSLATE_NOOP("Status", "Planning: finding the places"));
   for (std::size_t i = 0; i < plan->steps.size(); ++i) {
     const TopologicalStep& step = plan->steps[i];
     if (step.result != StepResult::Running) continue;
     if (step.place == TopologicalStep::kWholeWorkspace) {
-      return say(QT_TRANSLATE_NOOP("Status", "Planning: the whole workspace is searched"));
+      return say(QT_TRANSLATE_NOOP("Status", "Planning: searching the whole workspace"));
     }
     return say(QT_TRANSLATE_NOOP("Status", "Planning: step %1 of %2, place %3 is crossed"))
         .arg(i + 1)
@@ -54,15 +55,22 @@ QString statusText(const SessionSnapshot& snapshot) {
         return say(QT_TRANSLATE_NOOP("Status", "Planning: sampling on the nearest obstacle's tangent plane"));
       }
       return isMultiLayer(snapshot.plannerId) ? layersText(snapshot.coarsePlan)
-                                              : say(QT_TRANSLATE_NOOP("Status", "Planning: two trees grow"));
+                                              : say(QT_TRANSLATE_NOOP("Status", "Planning: growing two trees"));
     case SessionState::Paused: return say(QT_TRANSLATE_NOOP("Status", "Paused"));
     case SessionState::Solved:
       if (snapshot.run == 0) return say(QT_TRANSLATE_NOOP("Status", "The path holds: certified free of penetration"));
       return say(QT_TRANSLATE_NOOP("Status", "Solved: the path is certified free of penetration"));
-    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found stays shown"));
+    case SessionState::Stopped: return say(QT_TRANSLATE_NOOP("Status", "Stopped: what was found is still shown"));
     case SessionState::Failed: return say(QT_TRANSLATE_NOOP("Status", "Failed"));
   }
   return {};
+}
+
+QString elapsedText(const SessionSnapshot& snapshot) {
+  const QString seconds = QLocale().toString(snapshot.virtualSeconds, 'f', 1);
+  const double limit = snapshot.parameters[ParameterId::TimeLimit];
+  if (limit <= 0.0) return seconds + QStringLiteral(" s");
+  return say(QT_TRANSLATE_NOOP("Status", "%1 s of %2 s")).arg(seconds, QLocale().toString(limit, 'g', 6));
 }
 
 }  // namespace glissade

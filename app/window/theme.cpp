@@ -9,16 +9,17 @@ namespace glissade {
 namespace {
 
 struct Tones {
-  QColor window, base, alternate, button, text, faint, highlight, border;
+  QColor window, base, alternate, button, text, faint, highlight, link, alarm, border;
 };
 
+/// Every text has a contrast of 4.5 or more against each ground that it stands on (tests/app/accessibility_test.cpp).
 Tones tonesOf(Theme theme) {
   if (theme == Theme::Dark) {
-    return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"),
-            QColor("#e3e6ea"), QColor("#8b929b"), QColor("#2f7fb8"), QColor("#3d4249")};
+    return {QColor("#24272c"), QColor("#1b1d21"), QColor("#212429"), QColor("#31353b"), QColor("#e3e6ea"),
+            QColor("#8b929b"), QColor("#2a78b0"), QColor("#6db3e6"), QColor("#ff8f75"), QColor("#3d4249")};
   }
-  return {QColor("#f2f4f7"), QColor("#ffffff"), QColor("#f6f8fa"), QColor("#e8ecf1"),
-          QColor("#1d2329"), QColor("#6b747e"), QColor("#1f6fae"), QColor("#c9d0d8")};
+  return {QColor("#f2f4f7"), QColor("#ffffff"), QColor("#f6f8fa"), QColor("#e8ecf1"), QColor("#1d2329"),
+          QColor("#636c76"), QColor("#1f6fae"), QColor("#1f6fae"), QColor("#b3261e"), QColor("#c9d0d8")};
 }
 
 QPalette paletteFrom(const Tones& tones) {
@@ -37,7 +38,9 @@ QPalette paletteFrom(const Tones& tones) {
   palette.setColor(QPalette::PlaceholderText, tones.faint);
   palette.setColor(QPalette::Highlight, tones.highlight);
   palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Link, tones.highlight);
+  palette.setColor(QPalette::Link, tones.link);
+  palette.setColor(QPalette::LinkVisited, tones.link);
+  palette.setColor(QPalette::BrightText, tones.alarm);
   return palette;
 }
 
@@ -66,8 +69,8 @@ QString styleSheetFrom(const Tones& tones) {
              "#arrange-bar QToolButton { border: 1px solid %2; background: %3; }"
              "#arrange-bar QToolButton:checked { background: %4; color: white; }"
              "#arrange-bar QToolButton:focus { border: 1px solid %4; }"
-             "#notice QToolButton { border: 1px solid %2; background: %3; }"
-             "#notice QToolButton:focus { border: 1px solid %4; }"
+             "#notice QToolButton, #preferences QToolButton { border: 1px solid %2; background: %3; }"
+             "#notice QToolButton:focus, #preferences QToolButton:focus { border: 1px solid %4; }"
              "#calibration QCheckBox::indicator, #attributes QCheckBox::indicator { width: 13px; height: 13px; "
              "border: 1px solid %5; border-radius: 2px; }"
              "#calibration QCheckBox::indicator:focus, #attributes QCheckBox::indicator:focus "

@@ -4,7 +4,8 @@
 
 namespace glissade {
 
-/// Gives the whole application the palette and style sheet of a theme (Fusion style).
+/// Gives the whole application the palette and style sheet of a theme (Fusion style). BrightText is the
+/// colour of texts about what is wrong.
 void applyTheme(Theme theme);
 
 /// The size of all texts of the application.

@@ -9,6 +9,7 @@
 #include "app/window/plain_message_box.h"
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_file.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -81,7 +82,7 @@ void offerUnsavedEdits(const QString& folder, const OpenEdits& open, QWidget* pa
               : ask(UnsavedEditsDialog::tr(
                         "Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.")
                         .arg(time),
-                    QString::fromStdString(toString(edits.error())), false, parent);
+                    diagnosticLine(edits.error()), false, parent);
     if (answer == Answer::Discard) left.remove();
     if (answer != Answer::Open || !open(*edits)) continue;
     left.remove();

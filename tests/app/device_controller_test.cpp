@@ -13,27 +13,12 @@
 #include <functional>
 #include <iostream>
 
+#include "tests/app/unseen_scene.h"
 #include "tests/engine/operator/fake_spacenav_daemon.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 namespace {
-
-/// A scene that nobody draws.
-class UnseenScene final : public SceneWidget {
- public:
-  SceneView& view() override { return view_; }
-  QWidget* widget() override { return &widget_; }
-  void refresh() override {}
-  QImage picture() override { return {}; }
-  QImage picture(const QSize& /*pixels*/) override { return {}; }
-  void setNavigationStyle(NavigationStyle /*style*/) override {}
-  void onCameraMoved(std::function<void()>) override {}
-
- private:
-  SceneView view_;
-  QWidget widget_;
-};
 
 class Controller : public testing::Test {
  protected:
@@ -71,7 +56,7 @@ class Controller : public testing::Test {
   QStatusBar bar;
   ActionCatalogue actions{nullptr};
   SessionBridge bridge{SessionClock::RealTime};
-  UnseenScene scene;
+  test::UnseenScene scene;
   std::unique_ptr<DeviceController> controller;
   double longestTurn = 0.0;
 };

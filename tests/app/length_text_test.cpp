@@ -30,5 +30,31 @@ TEST(LengthText, NeverShowsZeroForALengthThatIsNot) {
   }
 }
 
+TEST(LengthText, IsInTheUnitThatWasChosen) {
+  QLocale::setDefault(QLocale::c());
+  setLengthUnit(LengthUnit::Millimetres);
+  EXPECT_EQ(lengthText(1.52), QStringLiteral("1520 mm"));
+  EXPECT_EQ(lengthText(3.214e-6), QStringLiteral("0.00321 mm"));
+  setLengthUnit(LengthUnit::Inches);
+  EXPECT_EQ(lengthText(0.0254), QStringLiteral("1.00 in"));
+  EXPECT_EQ(lengthText(0.0), QStringLiteral("0 in"));
+  setLengthUnit(LengthUnit::Metres);
+  EXPECT_EQ(lengthText(0.024), QStringLiteral("0.0240 m"));
+  setLengthUnit(LengthUnit::Fitting);
+}
+
+TEST(LengthText, FieldsShowAsFineADifferenceAsTheyAreAskedFor) {
+  EXPECT_EQ(lengthField(1e-5).unit, QStringLiteral("mm"));
+  EXPECT_EQ(lengthField(1e-5).decimals, 2);
+  EXPECT_EQ(lengthField(1e-9).unit, QString::fromUtf8("µm"));
+  EXPECT_EQ(lengthField(1e-9).decimals, 3);
+  setLengthUnit(LengthUnit::Inches);
+  EXPECT_EQ(lengthField(1e-5).decimals, 4);
+  EXPECT_NEAR(lengthField(1e-5).perMetre, 39.3701, 1e-4);
+  setLengthUnit(LengthUnit::Metres);
+  EXPECT_EQ(lengthField(1e-5).decimals, 5);
+  setLengthUnit(LengthUnit::Fitting);
+}
+
 }  // namespace
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QtTest>
 
 namespace glissade {
@@ -17,7 +18,10 @@ class PreferencesDialogTest : public testing::Test {
   }
 
   ActionCatalogue actions{nullptr};
-  PreferencesDialog dialog{actions, {QStringLiteral("fr"), 11.0}, nullptr};
+  PreferencesDialog dialog{
+      actions,
+      {QStringLiteral("fr"), 11.0, LengthUnit::Inches, 20, SceneColours{Colour{1.0, 0.0, 0.0}, {}, {}, {}}},
+      nullptr};
 };
 
 TEST_F(PreferencesDialogTest, ShowsWhatIsChosen) {
@@ -35,6 +39,19 @@ TEST_F(PreferencesDialogTest, NothingChangesBeforeItIsAccepted) {
   EXPECT_TRUE(actions["view.dark"]->isChecked());
   EXPECT_TRUE(actions["navigation.blender"]->isChecked());
   EXPECT_EQ(dialog.preferences().language, QStringLiteral("en"));
+}
+
+TEST_F(PreferencesDialogTest, UnitAutosaveAndColoursAreKeptAndColoursReset) {
+  EXPECT_EQ(dialog.preferences().lengthUnit, LengthUnit::Inches);
+  EXPECT_EQ(dialog.preferences().autosaveSeconds, 20);
+  EXPECT_EQ(dialog.preferences().colours.background, (Colour{1.0, 0.0, 0.0}));
+  EXPECT_EQ(dialog.preferences().colours.goal, std::nullopt);
+  boxWith(QStringLiteral("Metres"))->setCurrentText(QStringLiteral("Metres"));
+  for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("colours"))) button->click();
+  }
+  EXPECT_EQ(dialog.preferences().lengthUnit, LengthUnit::Metres);
+  EXPECT_EQ(dialog.preferences().colours, SceneColours{});
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ TEST_F(Memory, KeepsPreferencesAndIgnoresSizesThatNobodyCouldRead) {
   WindowMemory(file()).savePreferences({QStringLiteral("fr"), 12.5});
   EXPECT_EQ(WindowMemory(file()).preferences().language, QStringLiteral("fr"));
   EXPECT_EQ(WindowMemory(file()).preferences().fontPoints, 12.5);
+  Preferences chosen;
+  chosen.lengthUnit = LengthUnit::Inches;
+  chosen.autosaveSeconds = 30;
+  chosen.colours.goal = Colour{0.0, 1.0, 0.0};
+  WindowMemory(file()).savePreferences(chosen);
+  EXPECT_EQ(WindowMemory(file()).preferences().lengthUnit, LengthUnit::Inches);
+  EXPECT_EQ(WindowMemory(file()).preferences().autosaveSeconds, 30);
+  EXPECT_EQ(WindowMemory(file()).preferences().colours, chosen.colours);
   WindowMemory(file()).savePreferences({QString(), 0.1});
   EXPECT_EQ(WindowMemory(file()).preferences().fontPoints, Preferences{}.fontPoints);
 }

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "widgets/commands/flow_layout.h"
+
 namespace glissade {
 namespace {
 
@@ -14,13 +16,24 @@ QString translated(const char* text) { return QCoreApplication::translate("Actio
 /// What a button says where its panel tells what it is about; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip")},
-    {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
-    {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},
-    {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Milestone")},
-    {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "Reset")},
-    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename...")},
-    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove")},
+    {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid place")},
+    {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer place")},
+    {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Set milestone")},
+    {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "Reset milestone")},
+    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename attribute...")},
+    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove attribute")},
 };
+
+void addActionButtons(QLayout& layout, const ActionCatalogue& actions, const std::vector<const char*>& ids,
+                      QWidget* parent) {
+  for (const char* id : ids) {
+    auto* button = new QToolButton(parent);
+    button->setDefaultAction(actions[QLatin1String(id)]);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    layout.addWidget(button);
+  }
+}
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 
@@ -29,7 +42,7 @@ QString plain(QString text) { return text.remove(QLatin1Char('&')); }
 const std::vector<ActionSpec>& actionSpecs() {
   static const std::vector<ActionSpec> specs{
       {"file.new", QT_TRANSLATE_NOOP("Actions", "&New from parts..."), "Ctrl+N",
-       QT_TRANSLATE_NOOP("Actions", "Make a scenario of mesh or URDF files, one of which moves"), false},
+       QT_TRANSLATE_NOOP("Actions", "Make a scenario from STEP, mesh or URDF files, one of which moves"), false},
       {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open..."), "Ctrl+O",
        QT_TRANSLATE_NOOP("Actions", "Open a scenario or an OMPL.app problem"), false},
       {"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "Ctrl+S",
@@ -45,16 +58,16 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Save what was done in the last run, to replay it bit by bit"), false},
       {"file.open-recording", QT_TRANSLATE_NOOP("Actions", "Open re&cording..."), "Ctrl+Alt+O",
        QT_TRANSLATE_NOOP("Actions", "Replay a recorded run"), false},
-      {"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "Ctrl+Q", QT_TRANSLATE_NOOP("Actions", "Leave Glissade"),
+      {"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "Ctrl+Q", QT_TRANSLATE_NOOP("Actions", "Quit Glissade"),
        false},
       {"recent.forget", QT_TRANSLATE_NOOP("Actions", "&Forget the recent files"), "",
        QT_TRANSLATE_NOOP("Actions", "Empty the list of the files opened last"), false},
-      {"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "Ctrl+Z",
-       QT_TRANSLATE_NOOP("Actions", "Take the last edit back"), false},
+      {"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "Ctrl+Z", QT_TRANSLATE_NOOP("Actions", "Undo the last edit"),
+       false},
       {"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "Ctrl+Shift+Z",
-       QT_TRANSLATE_NOOP("Actions", "Do again what was taken back"), false},
+       QT_TRANSLATE_NOOP("Actions", "Redo the edit that was undone"), false},
       {"edit.preferences", QT_TRANSLATE_NOOP("Actions", "Pre&ferences..."), "Ctrl+,",
-       QT_TRANSLATE_NOOP("Actions", "Language, theme, size of texts, navigation"), false},
+       QT_TRANSLATE_NOOP("Actions", "Language, theme, size of texts, unit of lengths, navigation, colours"), false},
       {"environment.build", QT_TRANSLATE_NOOP("Actions", "Find &places"), "F7",
        QT_TRANSLATE_NOOP("Actions", "Build the environment model: octree, places, borders, compatibility"), false},
       {"attribute.add", QT_TRANSLATE_NOOP("Actions", "&Add attribute..."), "",
@@ -64,19 +77,19 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Re&move the attribute"), "",
        QT_TRANSLATE_NOOP("Actions", "Remove the attribute of the current row, where it is your own"), false},
       {"attribute.remove-strays", QT_TRANSLATE_NOOP("Actions", "Remove edits with&out effect"), "",
-       QT_TRANSLATE_NOOP("Actions", "Forget what was said of places and borders that are not there any more"), false},
+       QT_TRANSLATE_NOOP("Actions", "Remove the edits of places and borders that no longer exist"), false},
       {"place.forbid", QT_TRANSLATE_NOOP("Actions", "&Forbid the place"), "Ctrl+B",
        QT_TRANSLATE_NOOP("Actions", "Let no path lead through the selected places, or allow it again"), false},
       {"place.prefer", QT_TRANSLATE_NOOP("Actions", "&Prefer the place"), "Ctrl+Shift+B",
-       QT_TRANSLATE_NOOP("Actions", "Favour ways through the selected places, or no longer"), false},
+       QT_TRANSLATE_NOOP("Actions", "Prefer ways through the selected places, or no longer"), false},
       {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Set the &milestone"), "Ctrl+M",
-       QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the object in your hand is"), false},
+       QT_TRANSLATE_NOOP("Actions", "Let the chosen step end at the present pose of the object"), false},
       {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "R&eset the milestone"), "",
-       QT_TRANSLATE_NOOP("Actions", "The chosen step ends where the planner likes"), false},
+       QT_TRANSLATE_NOOP("Actions", "Let the planner choose where the chosen step ends"), false},
       {"assembly.add", QT_TRANSLATE_NOOP("Actions", "&Add parts..."), "Ctrl+Shift+N",
-       QT_TRANSLATE_NOOP("Actions", "Put parts from mesh or URDF files into the scene"), false},
+       QT_TRANSLATE_NOOP("Actions", "Add parts from STEP, mesh or URDF files to the scene"), false},
       {"assembly.remove", QT_TRANSLATE_NOOP("Actions", "&Remove the bodies"), "Del",
-       QT_TRANSLATE_NOOP("Actions", "Take the selected bodies out of the scene"), false},
+       QT_TRANSLATE_NOOP("Actions", "Remove the selected bodies from the scene"), false},
       {"assembly.moves", QT_TRANSLATE_NOOP("Actions", "This part &moves"), "Ctrl+Shift+M",
        QT_TRANSLATE_NOOP("Actions",
                          "The selected body becomes the object, from where it lies to \"out\"; what moved "
@@ -103,18 +116,18 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Click a plane or a cylinder: the numbers of the placement are those of its frame"),
        true},
       {"assembly.start-here", QT_TRANSLATE_NOOP("Actions", "&Start here"), "Ctrl+Alt+1",
-       QT_TRANSLATE_NOOP("Actions", "The motion starts where the object in your hand is"), false},
+       QT_TRANSLATE_NOOP("Actions", "Make the present pose of the object the start"), false},
       {"assembly.goal-here", QT_TRANSLATE_NOOP("Actions", "&Goal here"), "Ctrl+Alt+2",
-       QT_TRANSLATE_NOOP("Actions", "The motion ends where the object in your hand is"), false},
+       QT_TRANSLATE_NOOP("Actions", "Make the present pose of the object the goal"), false},
       {"assembly.goal-out", QT_TRANSLATE_NOOP("Actions", "Goal &out"), "Ctrl+Alt+3",
-       QT_TRANSLATE_NOOP("Actions", "The motion ends anywhere clear of the other bodies"), false},
+       QT_TRANSLATE_NOOP("Actions", "The goal is any pose clear of the other bodies"), false},
       {"assembly.free-ends", QT_TRANSLATE_NOOP("Actions", "Move the ends &clear"), "Ctrl+Alt+5",
        QT_TRANSLATE_NOOP("Actions",
                          "Where the object touches or overlaps a body at its start or goal, move it clear by "
                          "the least that is found"),
        false},
       {"assembly.swap", QT_TRANSLATE_NOOP("Actions", "S&wap start and goal"), "Ctrl+Alt+4",
-       QT_TRANSLATE_NOOP("Actions", "Mounting instead of removing, or the other way round"), false},
+       QT_TRANSLATE_NOOP("Actions", "Plan the insertion instead of the removal, or the other way round"), false},
       {"assembly.fit-workspace", QT_TRANSLATE_NOOP("Actions", "&Fit the workspace"), "",
        QT_TRANSLATE_NOOP("Actions", "A workspace about all bodies, with room for the object to get out"), false},
       {"fits.find", QT_TRANSLATE_NOOP("Actions", "Find f&its"), "Ctrl+I",
@@ -127,14 +140,14 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"fits.thread", QT_TRANSLATE_NOOP("Actions", "Is a t&hread"), "",
        QT_TRANSLATE_NOOP("Actions", "The chosen pair is a thread that is drawn as cylinders"), false},
       {"fits.require-clearance", QT_TRANSLATE_NOOP("Actions", "Require c&learance"), "",
-       QT_TRANSLATE_NOOP("Actions", "Allow nothing for the chosen pair: the whole bodies count"), false},
+       QT_TRANSLATE_NOOP("Actions", "Give the chosen pair no allowance: it must keep the required clearance"), false},
       {"fits.as-measured", QT_TRANSLATE_NOOP("Actions", "As m&easured"), "",
-       QT_TRANSLATE_NOOP("Actions", "Take back what was said about the chosen pair"), false},
+       QT_TRANSLATE_NOOP("Actions", "Undo the decision about the chosen pair"), false},
       {"refusal.show", QT_TRANSLATE_NOOP("Actions", "Show the o&verlap"), "Ctrl+Alt+6",
-       QT_TRANSLATE_NOOP("Actions", "Bring what is refused near: the bodies and where they meet"), false},
+       QT_TRANSLATE_NOOP("Actions", "Zoom to what is refused: the bodies, and where they overlap"), false},
       {"refusal.allow", QT_TRANSLATE_NOOP("Actions", "Allow as f&its"), "Ctrl+Alt+7",
        QT_TRANSLATE_NOOP("Actions",
-                         "Take the object thinner against the bodies that it overlaps there; results state it"),
+                         "Give the object an allowance against the bodies that it overlaps there; results state it"),
        false},
       {"refusal.close", QT_TRANSLATE_NOOP("Actions", "Close the &message"), "",
        QT_TRANSLATE_NOOP("Actions", "Hide the message over the scene and its marks"), false},
@@ -151,12 +164,11 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"sequence.export", QT_TRANSLATE_NOOP("Actions", "Save the sequence..."), "Ctrl+Alt+E",
        QT_TRANSLATE_NOOP("Actions", "Save the plan, its work instruction, its table of steps or its animation"), false},
       {"sequence.play", QT_TRANSLATE_NOOP("Actions", "Play the sequence"), "Ctrl+Alt+Space",
-       QT_TRANSLATE_NOOP("Actions", "Show all steps one after the other, or hold"), true},
+       QT_TRANSLATE_NOOP("Actions", "Show all steps one after the other, or pause"), true},
       {"sequence.assembly-order", QT_TRANSLATE_NOOP("Actions", "Order of assembly"), "Ctrl+Alt+J",
        QT_TRANSLATE_NOOP("Actions", "Show the steps as they are assembled, or as they are removed"), true},
       {"sequence.aside", QT_TRANSLATE_NOOP("Actions", "Removed parts stand aside"), "",
-       QT_TRANSLATE_NOOP("Actions", "Draw the parts that have left where their motion ends, or draw them no more"),
-       true},
+       QT_TRANSLATE_NOOP("Actions", "Draw removed parts where their motion ends, or hide them"), true},
       {"sequence.graph", QT_TRANSLATE_NOOP("Actions", "Order as a &graph"), "Ctrl+Alt+G",
        QT_TRANSLATE_NOOP("Actions", "Show which step makes way for which, and who blocks the parts that are stuck"),
        false},
@@ -170,17 +182,16 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"sequence.lock", QT_TRANSLATE_NOOP("Actions", "Loc&k the step"), "",
        QT_TRANSLATE_NOOP("Actions", "The chosen steps keep their places and motions, or not any more"), true},
-      {"sequence.forbid-way", QT_TRANSLATE_NOOP("Actions", "Forbid this &way of leaving"), "",
-       QT_TRANSLATE_NOOP("Actions", "The parts of the chosen step are not to leave in its direction"), false},
+      {"sequence.forbid-way", QT_TRANSLATE_NOOP("Actions", "Forbid this &direction of removal"), "",
+       QT_TRANSLATE_NOOP("Actions", "Do not let the parts of the chosen step leave in its direction"), false},
       {"sequence.keep-order", QT_TRANSLATE_NOOP("Actions", "Keep the order of the chosen steps"), "",
        QT_TRANSLATE_NOOP("Actions", "Of several chosen steps, each is to leave before the next one"), false},
-      {"sequence.free-step", QT_TRANSLATE_NOOP("Actions", "No demands on the step"), "",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Take back what is demanded of the chosen parts: places, motions, directions, order"),
+      {"sequence.free-step", QT_TRANSLATE_NOOP("Actions", "Remove the demands on the step"), "",
+       QT_TRANSLATE_NOOP("Actions", "Remove the demands on the chosen parts: places, motions, directions, order"),
        false},
       {"sequence.by-hand", QT_TRANSLATE_NOOP("Actions", "Move &by hand"), "Ctrl+Alt+M",
        QT_TRANSLATE_NOOP("Actions",
-                         "Take the part of the chosen step in the hand, among the parts that are there then"),
+                         "Move the part of the chosen step by hand, among the parts that are present at that step"),
        false},
       {"sequence.take-path", QT_TRANSLATE_NOOP("Actions", "&Take the path as the step"), "",
        QT_TRANSLATE_NOOP("Actions",
@@ -191,9 +202,9 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"run.start", QT_TRANSLATE_NOOP("Actions", "&Start"), "F5",
        QT_TRANSLATE_NOOP("Actions", "Plan with a fresh roadmap and the current seed"), false},
       {"run.pause", QT_TRANSLATE_NOOP("Actions", "&Pause"), "F6",
-       QT_TRANSLATE_NOOP("Actions", "Hold the planner, or let it go on"), true},
+       QT_TRANSLATE_NOOP("Actions", "Pause the planner, or let it continue"), true},
       {"run.stop", QT_TRANSLATE_NOOP("Actions", "S&top"), "Shift+F5",
-       QT_TRANSLATE_NOOP("Actions", "End the run; what was found stays shown"), false},
+       QT_TRANSLATE_NOOP("Actions", "End the run; what was found is still shown"), false},
       {"run.restart", QT_TRANSLATE_NOOP("Actions", "&Restart"), "Ctrl+R",
        QT_TRANSLATE_NOOP("Actions", "Stop and start again with the same seed"), false},
       {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "Restart with a &new seed"), "Ctrl+Shift+R",
@@ -213,7 +224,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "What the same operator would have led to with the sliders as they are set"),
        false},
       {"replay.play", QT_TRANSLATE_NOOP("Actions", "Play the r&eplay"), "Ctrl+Space",
-       QT_TRANSLATE_NOOP("Actions", "Let the replayed run pass, or hold it"), true},
+       QT_TRANSLATE_NOOP("Actions", "Play the replayed run, or pause it"), true},
       {"replay.step", QT_TRANSLATE_NOOP("Actions", "Step &forward"), "Ctrl+Right",
        QT_TRANSLATE_NOOP("Actions", "Show the next step of the replay"), false},
       {"replay.step-back", QT_TRANSLATE_NOOP("Actions", "Step &back"), "Ctrl+Left",
@@ -223,7 +234,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"replay.close", QT_TRANSLATE_NOOP("Actions", "Close the repla&y"), "Ctrl+W",
        QT_TRANSLATE_NOOP("Actions", "Go back to the session; its run and parameters are as they were left"), false},
       {"object.to-start", QT_TRANSLATE_NOOP("Actions", "&Object to the start"), "Ctrl+Home",
-       QT_TRANSLATE_NOOP("Actions", "Put the object in your hand back to the start"), false},
+       QT_TRANSLATE_NOOP("Actions", "Move the object back to the start"), false},
       {"operator.camera", QT_TRANSLATE_NOOP("Actions", "Steer the &camera"), "F3",
        QT_TRANSLATE_NOOP("Actions", "Keys, 6D mouse and gamepad move the camera, or the object again"), true},
       {"operator.camera-roll", QT_TRANSLATE_NOOP("Actions", "The camera &rolls"), "Shift+F3",
@@ -233,7 +244,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons"),
        false},
       {"path.play", QT_TRANSLATE_NOOP("Actions", "&Play the path"), "Ctrl+P",
-       QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or hold it"), true},
+       QT_TRANSLATE_NOOP("Actions", "Move the object along the path, or pause"), true},
       {"path.smooth", QT_TRANSLATE_NOOP("Actions", "S&mooth the path"), "Ctrl+Shift+P",
        QT_TRANSLATE_NOOP("Actions", "Shorten the path by shortcuts that are certified, or show it as planned"), true},
       {"path.loop", QT_TRANSLATE_NOOP("Actions", "Play in a &loop"), "",
@@ -270,10 +281,10 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Remove the selected paths from the scenario; Undo brings them back"), false},
       {"difficulty.find", QT_TRANSLATE_NOOP("Actions", "&Why no path?"), "Ctrl+Shift+D",
        QT_TRANSLATE_NOOP("Actions",
-                         "Look for what stands in the way: the tightest passage, and how much would have to give"),
+                         "Find the tightest passage, and by how much bodies overlap on the way of least penetration"),
        false},
       {"difficulty.play", QT_TRANSLATE_NOOP("Actions", "Play the way of &least penetration"), "Ctrl+Shift+Space",
-       QT_TRANSLATE_NOOP("Actions", "Move the object along the way on which least has to give, or hold it"), true},
+       QT_TRANSLATE_NOOP("Actions", "Move the object along the way of least penetration, or pause"), true},
       {"study.open", QT_TRANSLATE_NOOP("Actions", "&Open study results..."), "Ctrl+Shift+O",
        QT_TRANSLATE_NOOP("Actions", "Browse a study's tables and plots, and see its runs again"), false},
       {"study.zoom-out", QT_TRANSLATE_NOOP("Actions", "Whole &plot"), "Ctrl+Shift+0",
@@ -352,19 +363,19 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"display-selected.as-view", QT_TRANSLATE_NOOP("Actions", "Selected: as the view"), "",
        QT_TRANSLATE_NOOP("Actions", "Draw the selected bodies in the display mode of the view again"), false},
       {"body.hide", QT_TRANSLATE_NOOP("Actions", "&Hide the selected bodies"), "Ctrl+H",
-       QT_TRANSLATE_NOOP("Actions", "Draw the selected obstacles no more; planning still knows them"), false},
+       QT_TRANSLATE_NOOP("Actions", "Hide the selected obstacles; planning still takes them into account"), false},
       {"body.isolate", QT_TRANSLATE_NOOP("Actions", "&Isolate the selected bodies"), "Ctrl+Alt+H",
        QT_TRANSLATE_NOOP("Actions", "Draw the selected obstacles and no others"), false},
       {"body.show-all", QT_TRANSLATE_NOOP("Actions", "&Show all bodies"), "Ctrl+Shift+H",
        QT_TRANSLATE_NOOP("Actions", "Draw all obstacles again"), false},
       {"view.dark", QT_TRANSLATE_NOOP("Actions", "&Dark theme"), "Ctrl+D",
-       QT_TRANSLATE_NOOP("Actions", "Light figures on a dark ground"), true},
+       QT_TRANSLATE_NOOP("Actions", "Light texts on a dark background"), true},
       {"view.reset-layout", QT_TRANSLATE_NOOP("Actions", "Reset la&yout"), "",
        QT_TRANSLATE_NOOP("Actions", "Put all panels where they were at first"), false},
       {"layer.bodies", QT_TRANSLATE_NOOP("Actions", "Obstacles"), "",
        QT_TRANSLATE_NOOP("Actions", "Show the obstacles"), true},
-      {"layer.object", QT_TRANSLATE_NOOP("Actions", "Object"), "",
-       QT_TRANSLATE_NOOP("Actions", "Show the object in your hand"), true},
+      {"layer.object", QT_TRANSLATE_NOOP("Actions", "Object"), "", QT_TRANSLATE_NOOP("Actions", "Show the object"),
+       true},
       {"layer.ends", QT_TRANSLATE_NOOP("Actions", "Start and goal"), "",
        QT_TRANSLATE_NOOP("Actions", "Show start and goal as ghosts"), true},
       {"layer.workspace", QT_TRANSLATE_NOOP("Actions", "Workspace"), "",
@@ -480,15 +491,15 @@ QString ActionCatalogue::shortcutTable() const {
 QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
   auto* row = new QHBoxLayout;
   row->setSpacing(4);
-  for (const char* id : ids) {
-    auto* button = new QToolButton(parent);
-    button->setDefaultAction(actions[QLatin1String(id)]);
-    button->setAutoRaise(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(button);
-  }
+  addActionButtons(*row, actions, ids, parent);
   row->addStretch();
   return row;
+}
+
+QLayout* makeActionFlow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent) {
+  auto* flow = new FlowLayout;
+  addActionButtons(*flow, actions, ids, parent);
+  return flow;
 }
 
 }  // namespace glissade

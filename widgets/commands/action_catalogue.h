@@ -45,5 +45,7 @@ class ActionCatalogue final : public QObject {
 
 /// A row of flat buttons for actions, reached with Tab.
 QHBoxLayout* makeActionRow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent);
+/// The same in as many rows as the width of the panel asks for.
+QLayout* makeActionFlow(const ActionCatalogue& actions, const std::vector<const char*>& ids, QWidget* parent);
 
 }  // namespace glissade

@@ -13,4 +13,7 @@ QString engineText(const std::string& text);
 /// The same of a reason and the advice, as sentences. File and place are left out.
 QString diagnosticText(const Diagnostic& why);
 
+/// All of it on one line, as toString() has it: file, place, reason, advice.
+QString diagnosticLine(const Diagnostic& why);
+
 }  // namespace glissade

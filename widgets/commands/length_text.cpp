@@ -1,40 +1,85 @@
 #include "widgets/commands/length_text.h"
 
+#include <QApplication>
 #include <QLocale>
+#include <QWidget>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace glissade {
 namespace {
 
 constexpr int kSignificantDigits = 3;
+constexpr int kMostDecimals = 9;
+/// Metres: a field that shows less than this is in micrometres where the unit is chosen as it fits.
+constexpr double kFinestInMillimetres = 1e-7;
+constexpr double kRounding = 1e-9;
 
-struct LengthUnit {
+struct UnitEntry {
   const char* name;
   double metres;
-  double from;  ///< the smallest length, in metres, that is written in this unit
 };
 
-constexpr std::array<LengthUnit, 3> kUnits{{{"m", 1.0, 1.0}, {"mm", 1e-3, 1e-5}, {"µm", 1e-6, 0.0}}};
+constexpr UnitEntry kMetre{"m", 1.0};
+constexpr UnitEntry kMillimetre{"mm", 1e-3};
+constexpr UnitEntry kMicrometre{"µm", 1e-6};
+constexpr UnitEntry kInch{"in", 0.0254};
+
+std::atomic<LengthUnit>& chosenUnit() {
+  static std::atomic<LengthUnit> unit{LengthUnit::Fitting};
+  return unit;
+}
+
+/// The unit of a length of this size; `smallestInMillimetres`: below it lengths are in micrometres.
+UnitEntry unitFor(double metres, double smallestInMillimetres) {
+  switch (chosenUnit().load()) {
+    case LengthUnit::Millimetres: return kMillimetre;
+    case LengthUnit::Inches: return kInch;
+    case LengthUnit::Metres: return kMetre;
+    case LengthUnit::Fitting: break;
+  }
+  if (metres >= 1.0) return kMetre;
+  return metres >= smallestInMillimetres ? kMillimetre : kMicrometre;
+}
 
 /// Decimals that leave the significant digits of a number below 1,000.
 int decimalsOf(double value) {
   const int before = static_cast<int>(std::floor(std::log10(value))) + 1;
-  return std::clamp(kSignificantDigits - before, 0, 6);
+  return std::clamp(kSignificantDigits - before, 0, kMostDecimals);
 }
+
+QString nameOf(const UnitEntry& unit) { return QString::fromUtf8(unit.name); }
 
 }  // namespace
 
+LengthUnit lengthUnit() { return chosenUnit().load(); }
+
+void setLengthUnit(LengthUnit unit) { chosenUnit().store(unit); }
+
+void announceLengthUnit() {
+  for (QWidget* widget : QApplication::allWidgets()) {
+    QEvent event(QEvent::LocaleChange);
+    QCoreApplication::sendEvent(widget, &event);
+  }
+}
+
 QString lengthText(double metres) {
+  constexpr double kSmallestInMillimetres = 1e-5;
   const double size = std::abs(metres);
-  if (size == 0.0) return QLocale().toString(0) + QStringLiteral(" mm");
   if (!std::isfinite(size)) return QStringLiteral("∞");
-  const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
-                                 [size](const LengthUnit& candidate) { return size >= candidate.from; });
-  const double value = metres / unit->metres;
-  return QLocale().toString(value, 'f', decimalsOf(std::abs(value))) + QLatin1Char(' ') + QString::fromUtf8(unit->name);
+  if (size == 0.0) return QLocale().toString(0) + QLatin1Char(' ') + nameOf(unitFor(kMillimetre.metres, 0.0));
+  const UnitEntry unit = unitFor(size, kSmallestInMillimetres);
+  const double value = metres / unit.metres;
+  return QLocale().toString(value, 'f', decimalsOf(std::abs(value))) + QLatin1Char(' ') + nameOf(unit);
+}
+
+LengthField lengthField(double finest) {
+  const UnitEntry unit = unitFor(finest, kFinestInMillimetres);
+  const int decimals = static_cast<int>(std::ceil(-std::log10(finest / unit.metres) - kRounding));
+  return {nameOf(unit), 1.0 / unit.metres, std::clamp(decimals, 0, kMostDecimals)};
 }
 
 }  // namespace glissade

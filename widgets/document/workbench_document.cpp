@@ -344,9 +344,14 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
 }
 
 bool WorkbenchDocument::isModified() const {
-  return scenario_ &&
-         (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
-          settings_.strategy != scenario_->scenario.planner || unkept_ || plan_ != scenario_->scenario.plan);
+  return hasUnsavedEdits() || (scenario_ && (unkept_ || hasUnsavedPlan()));
+}
+
+bool WorkbenchDocument::hasUnsavedPlan() const { return scenario_ && plan_ != scenario_->scenario.plan; }
+
+bool WorkbenchDocument::hasUnsavedEdits() const {
+  return scenario_ && (queue_.hasEdits() || !undo_.isClean() || options_ != scenario_->scenario.environment ||
+                       settings_.strategy != scenario_->scenario.planner);
 }
 
 bool WorkbenchDocument::isProblemSaved() const { return problemSha256(scenario_->scenario) == savedProblem_; }

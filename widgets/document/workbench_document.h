@@ -101,6 +101,8 @@ class WorkbenchDocument final : public QObject {
   /// Forgets the edits that are under way.
   void cancelEdits();
   const BackgroundTask& arranging() const { return queue_.task(); }
+  /// An edit of bodies is under way, not only the preparation of a scenario that was opened.
+  bool isEditing() const { return queue_.hasEdits(); }
   /// The environment model of the arrangement as it is. The same again: it holds for this arrangement, too.
   void setKnowledge(const SceneKnowledgePtr& knowledge);
   void setOptions(const EnvironmentOptions& options);
@@ -121,6 +123,10 @@ class WorkbenchDocument final : public QObject {
   void noteSaved(const std::string& file, const Scenario& content);
   /// What Save would write is not what the file holds. Seed and parameters do not count: they are tried out.
   bool isModified() const;
+  /// The plan is not what the file holds.
+  bool hasUnsavedPlan() const;
+  /// The same, a path that a run found and the plan left aside.
+  bool hasUnsavedEdits() const;
   /// The file has the same bodies, ends and geometry: a recording that names the file can be replayed.
   bool isProblemSaved() const;
 

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "engine/base/number_text.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -95,7 +96,7 @@ void AttributeDialog::accept() {
     QDialog::accept();
     return;
   }
-  refusal_->setText(QString::fromStdString(added.error().reason + ". " + added.error().advice));
+  refusal_->setText(diagnosticText(added.error()));
   adjustSize();  // a label that wraps does not ask for its room
 }
 

@@ -13,8 +13,12 @@
 #include <cmath>
 #include <type_traits>
 
+#include "widgets/commands/length_text.h"
+
 namespace glissade {
 namespace {
+
+constexpr double kFinestLength = 1e-5;  ///< metres
 
 const QString kDiffers = QStringLiteral("—");
 
@@ -85,11 +89,11 @@ QWidget* AttributeEditor::makeSpinBox(const AttributeDefinition& definition) {
   return connected(box, definition.unit);
 }
 
-/// Lengths are seen in millimetres, as everywhere in the window.
 QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
   const bool isLength = definition.unit == "m";
-  const double scale = isLength ? 1e3 : 1.0;
-  const int decimals = isLength ? 2 : 4;
+  const LengthField field = lengthField(kFinestLength);
+  const double scale = isLength ? field.perMetre : 1.0;
+  const int decimals = isLength ? field.decimals : 4;
   const double least = scale * definition.minimum;
   const double most = scale * definition.maximum;
   const double finest = std::pow(10.0, -decimals);
@@ -97,7 +101,7 @@ QWidget* AttributeEditor::makeNumberBox(const AttributeDefinition& definition) {
   box->setDecimals(decimals);
   box->setRange(least - finest, most);
   box->setSingleStep(std::clamp((most - least) / 20.0, finest, scale * 0.1));
-  return connected(box, isLength ? "mm" : definition.unit, scale);
+  return connected(box, isLength ? field.unit.toStdString() : definition.unit, scale);
 }
 
 /// The value below the range stands for "different"; what is shown is `scale` times the value.

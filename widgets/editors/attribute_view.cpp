@@ -1,6 +1,7 @@
 #include "widgets/editors/attribute_view.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QToolButton>
@@ -67,6 +68,13 @@ void AttributeView::rebuild(const std::vector<AttributeDefinition>& definitions)
     setTabOrder(before, row.editor->focusProxy());
     before = row.editor->focusProxy();
   }
+}
+
+void AttributeView::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() != QEvent::LocaleChange) return;
+  rebuild({});  // fields of lengths have another unit
+  refresh();
 }
 
 void AttributeView::keyPressEvent(QKeyEvent* event) {

@@ -25,6 +25,7 @@ class AttributeView final : public QTreeWidget {
   void refused(const glissade::Diagnostic& why);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "engine/import/mesh_import.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -69,11 +70,7 @@ QString sizeText(const Box3& box) {
 /// The file's folder is left to the row's tooltip.
 QString reasonText(Diagnostic why) {
   why.file = QFileInfo(QString::fromStdString(why.file)).fileName().toStdString();
-  return QString::fromStdString(toString(why));
-}
-
-QColor errorColour(const QPalette& palette) {
-  return palette.color(QPalette::Base).lightness() < 128 ? QColor("#ff8f75") : QColor("#b3261e");
+  return diagnosticLine(why);
 }
 
 }  // namespace
@@ -399,7 +396,7 @@ void PartsDialog::showSize(int row) {
   } else {
     item.setText(tr("cannot be read"));
     item.setToolTip(reasonText(inFile->error()));
-    item.setForeground(errorColour(palette()));
+    item.setForeground(palette().brush(QPalette::BrightText));
   }
 }
 

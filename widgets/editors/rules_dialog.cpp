@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "engine/planning/planner.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -96,6 +97,7 @@ QLayout* RulesDialog::makeBeginning() {
 
 void RulesDialog::setUpFine() {
   fine_->setObjectName(QStringLiteral("fine-rules"));
+  fine_->setAccessibleName(tr("Rules of the fine planners"));
   fine_->setHorizontalHeaderLabels({tr("Where"), tr("In a region"), tr("Local planner")});
   fine_->horizontalHeaderItem(kGeometrical)
       ->setToolTip(tr("The geometrical planner first finds cells that the local planner stays in"));
@@ -202,7 +204,7 @@ void RulesDialog::check() {
   if (accept_ == nullptr) return;  // not all there yet
   const auto parsed = parseRules(rules(), table_, idsOf(makeLocalPlannerRegistry()));
   accept_->setEnabled(parsed.ok());
-  trouble_->setText(parsed ? QString() : QString::fromStdString(toString(parsed.error())));
+  trouble_->setText(parsed ? QString() : diagnosticLine(parsed.error()));
 }
 
 }  // namespace glissade

@@ -7,6 +7,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/editors/attribute_dialog.h"
 
 namespace glissade {
@@ -23,8 +24,8 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
       warning_(new QLabel(this)),
       removeStrays_(new QToolButton(this)),
       refusal_(new QLabel(this)) {
-  setFocusProxy(tree_);
   filter_->setPlaceholderText(tr("Filter by name or value"));
+  filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(true);
   const PlaceIdentifierRegistry identifiers = makePlaceIdentifierRegistry();
   for (const PlaceIdentifierEntry& entry : identifiers.entries()) {
@@ -33,6 +34,9 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
     identifier_->setItemData(identifier_->count() - 1, QString::fromStdString(entry.description), Qt::ToolTipRole);
   }
   identifier_->setToolTip(tr("How the places are found"));
+  identifier_->setAccessibleName(identifier_->toolTip());
+  tree_->setAccessibleName(tr("Places and bodies"));
+  attributes_->setAccessibleName(tr("Attributes of the selection"));
   connect(identifier_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { emit identifierChosen(identifier_->currentData().toString().toStdString()); });
   busy_->setRange(0, 0);
@@ -56,14 +60,13 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   splitter->setChildrenCollapsible(false);
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 1);
-  tree_->setMinimumSize(288, 80);
-  attributes_->setMinimumHeight(80);
+  tree_->setMinimumWidth(200);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   actions[QStringLiteral("attribute.add")]->setIconText(tr("Add"));
   layout->addLayout(
-      makeActionRow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
+      makeActionFlow(actions, {"environment.build", "attribute.add", "attribute.rename", "attribute.remove"}, this));
   auto* finding = new QHBoxLayout;
   finding->addWidget(filter_, 1);
   finding->addWidget(identifier_);
@@ -107,7 +110,7 @@ void SemanticsPanel::showWarnings() {
   removeStrays_->setVisible(document_.hasStrays());
   if (warnings.empty()) return;
   QStringList texts;
-  for (const Diagnostic& warning : warnings) texts << QString::fromStdString(toString(warning));
+  for (const Diagnostic& warning : warnings) texts << diagnosticLine(warning);
   warning_->setToolTip(texts.join(QLatin1Char('\n')));
   warning_->setText(QStringLiteral("⚠ ") + (texts.size() == 1
                                                 ? texts.front()
@@ -115,7 +118,7 @@ void SemanticsPanel::showWarnings() {
 }
 
 void SemanticsPanel::showRefusal(const Diagnostic& why) {
-  refusal_->setText(QString::fromStdString(why.reason + ". " + why.advice));
+  refusal_->setText(diagnosticText(why));
   refusal_->show();
 }
 

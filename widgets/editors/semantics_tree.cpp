@@ -1,9 +1,11 @@
 #include "widgets/editors/semantics_tree.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 
 #include "widgets/commands/colour_swatch.h"
+#include "widgets/commands/length_text.h"
 #include "widgets/document/complexity_colour.h"
 
 namespace glissade {
@@ -76,6 +78,11 @@ SemanticsTree::SemanticsTree(SemanticDocument& document, QWidget* parent)
   refresh();
 }
 
+void SemanticsTree::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) refresh();
+}
+
 void SemanticsTree::refresh() {
   updating_ = true;
   showPlaces();
@@ -107,7 +114,7 @@ void SemanticsTree::showPlaces() {
     }
     item->setText(1, texts.join(QLatin1Char(' ')));
     item->setToolTip(1, meanings.join(QLatin1Char('\n')));
-    item->setText(2, QLocale().toString(width * 1e3, 'f', 0) + QStringLiteral(" mm"));
+    item->setText(2, lengthText(width));
     item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
     item->setData(0, kKeyRole, i);
     QString search = item->text(0);

@@ -21,6 +21,9 @@ class SemanticsTree final : public QTreeWidget {
  signals:
   void refused(const glissade::Diagnostic& why);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void refresh();
   void hideUnwanted();

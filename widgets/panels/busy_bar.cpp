@@ -7,13 +7,14 @@ namespace glissade {
 namespace {
 
 constexpr int kPatienceMilliseconds = 250;
+constexpr int kTickMilliseconds = 1000;
 constexpr int kProgressSteps = 1000;
 constexpr int kWidth = 140;
 
 }  // namespace
 
 BusyBar::BusyBar(QAction* cancel, QWidget* parent)
-    : QWidget(parent), what_(new QLabel(this)), progress_(new QProgressBar(this)) {
+    : QWidget(parent), what_(new QLabel(this)), progress_(new QProgressBar(this)), seconds_(new QLabel(this)) {
   setObjectName(QStringLiteral("busy"));
   progress_->setRange(0, kProgressSteps);
   progress_->setFixedWidth(kWidth);
@@ -30,10 +31,13 @@ BusyBar::BusyBar(QAction* cancel, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(what_);
   layout->addWidget(progress_);
+  layout->addWidget(seconds_);
   layout->addWidget(button);
   patience_.setSingleShot(true);
   patience_.setInterval(kPatienceMilliseconds);
   connect(&patience_, &QTimer::timeout, this, &QWidget::show);
+  tick_.setInterval(kTickMilliseconds);
+  connect(&tick_, &QTimer::timeout, this, &BusyBar::showElapsed);
   hide();
 }
 
@@ -41,12 +45,18 @@ void BusyBar::begin(const QString& what) {
   what_->setText(what);
   progress_->setAccessibleName(what);
   progress_->setValue(0);
+  clock_.start();
+  tick_.start();
+  showElapsed();
   patience_.start();
 }
 
 void BusyBar::setShare(double share) { progress_->setValue(static_cast<int>(kProgressSteps * share)); }
 
+void BusyBar::showElapsed() { seconds_->setText(tr("%1 s").arg(clock_.elapsed() / kTickMilliseconds)); }
+
 void BusyBar::end() {
+  tick_.stop();
   patience_.stop();
   hide();
 }

@@ -119,6 +119,7 @@ ComparePathsDialog::ComparePathsDialog(const std::vector<ComparedPath>& paths, c
   setObjectName(QStringLiteral("compare-paths"));
   auto* table = new QTableWidget(0, static_cast<int>(paths.size()), this);
   table->setAccessibleName(tr("Figures of the paths, side by side"));
+  table->setTabKeyNavigation(false);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   QStringList names;
   for (const ComparedPath& path : paths) names << QString::fromStdString(path.row.path->name);

@@ -1,19 +1,16 @@
 #include "widgets/panels/difficulty_panel.h"
 
+#include <QEvent>
 #include <QHeaderView>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
 constexpr int kRowRole = Qt::UserRole;
-
-QString depthText(double metres) {
-  const double shown = 1e3 * metres;
-  return QLocale().toString(shown, 'f', shown < 10.0 ? 2 : 1) + QStringLiteral(" mm");
-}
 
 QString bodyName(int body, const LoadedScenario& scenario) {
   if (body < 0) return QStringLiteral("–");
@@ -26,13 +23,13 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
     : QWidget(parent), summary_(new QLabel(this)), rows_(new QTreeWidget(this)), slider_(new WaySlider(this)) {
   summary_->setWordWrap(true);
   rows_->setObjectName(QStringLiteral("difficulty"));
+  rows_->setAccessibleName(tr("What stands in the way"));
   rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Nearest body")});
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
   rows_->setAlternatingRowColors(true);
   rows_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   rows_->header()->setStretchLastSection(true);
-  rows_->setMinimumHeight(5 * fontMetrics().height());
   slider_->setAccessibleName(tr("Place on the way of least penetration"));
   slider_->setToolTip(tr("Place on the way of least penetration"));
   auto* layout = new QVBoxLayout(this);
@@ -41,7 +38,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
   layout->addWidget(summary_);
   layout->addWidget(rows_, 1);
   layout->addWidget(slider_);
-  layout->addLayout(makeActionRow(actions, {"difficulty.find", "difficulty.play"}, this));
+  layout->addLayout(makeActionFlow(actions, {"difficulty.find", "difficulty.play"}, this));
   connect(rows_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item != nullptr) emit poseShown(places_[static_cast<std::size_t>(rows_->indexOfTopLevelItem(item))]);
   });
@@ -63,22 +60,27 @@ void DifficultyPanel::setDifficulty(const DifficultyPtr& difficulty, const Loade
   emit poseShown(std::nullopt);
 }
 
+void DifficultyPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) emit lengthUnitChanged();
+}
+
 void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenario& scenario) {
   if (const auto& least = difficulty.leastPenetration) {
-    summary_->setText(tr("With <b>%1</b> given between the object and <b>%2</b> there is a way.")
-                          .arg(depthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
-    addRow("least", tr("Least penetration"), depthText(least->depth), least->body, least->q, scenario);
+    summary_->setText(tr("There is a way if the object may overlap <b>%2</b> by <b>%1</b>.")
+                          .arg(lengthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
+    addRow("least", tr("Least penetration"), lengthText(least->depth), least->body, least->q, scenario);
   } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
     summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
   } else {
-    summary_->setText(tr("However much smaller the object was made, no way was found."));
+    summary_->setText(tr("No way was found, however much the object was shrunk."));
   }
   if (const auto& tightest = difficulty.tightest) {
-    addRow("tightest", tr("Tightest passage reached"), depthText(tightest->clearance), tightest->body, tightest->q,
+    addRow("tightest", tr("Tightest passage reached"), lengthText(tightest->clearance), tightest->body, tightest->q,
            scenario);
   }
   if (const auto& frontier = difficulty.frontier) {
-    addRow("frontier", tr("Trees came within"), depthText(frontier->distance), frontier->body,
+    addRow("frontier", tr("Trees came within"), lengthText(frontier->distance), frontier->body,
            frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
   }
 }

@@ -30,9 +30,14 @@ class DifficultyPanel final : public QWidget {
   void setPlaying(bool playing) { slider_->setPlaying(playing); }
 
  signals:
+  /// Lengths have another unit: what is shown has to be written again.
+  void lengthUnitChanged();
   /// The pose to show the object at; nothing: the hand is shown again.
   void poseShown(const std::optional<glissade::Pose>& pose);
   void playbackEnded();
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   void addRow(const char* id, const QString& what, const QString& amount, int body, const Pose& q,

@@ -1,5 +1,6 @@
 #include "widgets/panels/fits_panel.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -96,11 +97,11 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
     table_->addAction(actions[QLatin1String(id)]);
   }
   auto* layout = new QVBoxLayout(this);
-  layout->addLayout(makeActionRow(actions, {"fits.find"}, this));
+  layout->addLayout(makeActionFlow(actions, {"fits.find"}, this));
   layout->addWidget(summary_);
   layout->addWidget(filter_);
   layout->addWidget(table_, 1);
-  layout->addLayout(makeActionRow(actions, {"fits.isolate", "fits.accept"}, this));
+  layout->addLayout(makeActionFlow(actions, {"fits.isolate", "fits.accept"}, this));
   connect(filter_, &QLineEdit::textChanged, this, &FitsPanel::filter);
   connect(table_, &QTreeWidget::currentItemChanged, this, &FitsPanel::chosenChanged);
   connect(table_, &QTreeWidget::itemActivated, this, &FitsPanel::activated);
@@ -117,6 +118,11 @@ void FitsPanel::setFits(const PairFitsPtr& fits) {
   shareWidth();
   summary_->setText(summary());
   filter(filter_->text());
+}
+
+void FitsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) setFits(fits_);
 }
 
 void FitsPanel::shareWidth() {

@@ -37,6 +37,7 @@ class FitsPanel final : public QWidget {
   void activated();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -59,6 +59,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
   authority_->setToolTip(tr("Whose configuration was tried last"));
 
   auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setLabelAlignment(Qt::AlignLeft);
   form->addRow(tr("Strategy"), planner_);
   form->addRow(about_);

@@ -1,6 +1,7 @@
 #include "widgets/panels/kept_paths_panel.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 #include <QPixmap>
@@ -138,6 +139,11 @@ KeptPathsPanel::KeptPathsPanel(const ActionCatalogue& actions, QWidget* parent)
   connect(table_, &QTreeWidget::itemActivated, this,
           [this](QTreeWidgetItem* item) { emit activated(nameOf(*item).toStdString()); });
   setRows({}, false);
+}
+
+void KeptPathsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) emit lengthUnitChanged();
 }
 
 void KeptPathsPanel::setRows(const std::vector<KeptPathRow>& rows, bool unkept) {

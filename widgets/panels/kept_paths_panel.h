@@ -43,11 +43,16 @@ class KeptPathsPanel final : public QWidget {
   void editName();
 
  signals:
+  /// Lengths have another unit: what is shown has to be written again.
+  void lengthUnitChanged();
   void selectionChanged();
   void shownChanged(const std::string& name, bool shown);
   void renamed(const std::string& name, const std::string& newName);
   /// A double click, or Enter.
   void activated(const std::string& name);
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   void takeChange(QTreeWidgetItem* item, int column);

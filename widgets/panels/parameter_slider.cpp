@@ -1,6 +1,7 @@
 #include "widgets/panels/parameter_slider.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -9,13 +10,16 @@
 #include <cmath>
 
 #include "engine/planning/contact/interaction_settings.h"
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-/// Metres: numbers in millimetres have three decimals.
-constexpr double kSmallestInMillimetres = 1e-5;
+/// Metres, of what is usually set: below the first, numbers need a thousandth of a micrometre, below the second one of
+/// a millimetre.
+constexpr double kMinute = 1e-5;
+constexpr double kSmall = 1e-3;
 /// Of what sets itself: Okabe and Ito's orange, which nothing else in the panels has.
 constexpr QRgb kTunedColour = 0xffe69f00;
 
@@ -30,7 +34,7 @@ QString parameterLabel(const ParameterSpec& spec) {
 ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
     : QWidget(parent),
       id_(id),
-      shownPerUnit_(specOf(id).unit == "m" ? 1000.0 : 1.0),
+      shownPerUnit_(1.0),
       slider_(new QSlider(Qt::Horizontal, this)),
       number_(new QDoubleSpinBox(this)),
       tuning_(tunedSetting(id) != 0 ? makeTuningButton() : nullptr) {
@@ -38,10 +42,11 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   const QString symbol = spec.symbol.empty() ? QString() : text(spec.symbol) + QStringLiteral("  ");
   auto* label = new QLabel(symbol + parameterLabel(spec), this);
   label->setBuddy(number_);
+  label->setWordWrap(true);  // a long name does not widen the panel
   slider_->setRange(0, kSliderSteps);
   slider_->setAccessibleName(parameterLabel(spec));
   number_->setAccessibleName(parameterLabel(spec));
-  number_->setDecimals(spec.integer ? 0 : spec.unit != "m" || spec.defaultValue < 1e-3 ? 3 : 1);
+  number_->setDecimals(spec.integer ? 0 : 3);
   number_->setKeyboardTracking(false);
   number_->setFixedWidth(std::max(96, number_->fontMetrics().horizontalAdvance(QStringLiteral("0000.0 mm")) + 24));
   number_->setAlignment(Qt::AlignRight);
@@ -65,8 +70,9 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
 void ParameterSlider::setObjectRadius(double radius) {
   const QSignalBlocker blockNumber(number_);
   const double before = value();
+  radius_ = radius;
   range_ = rangeOf(id_, radius);
-  showUnit(radius);
+  showUnit();
   logarithmic_ = range_.minimum > 0.0 && range_.maximum / range_.minimum > 100.0;
   number_->setRange(range_.minimum * shownPerUnit_, range_.maximum * shownPerUnit_);
   number_->setValue(before * shownPerUnit_);
@@ -74,14 +80,20 @@ void ParameterSlider::setObjectRadius(double radius) {
   number_->setSingleStep(specOf(id_).integer ? 1.0 : step);
 }
 
-/// Micrometres where the usual value would be shown as 0 mm.
-void ParameterSlider::showUnit(double radius) {
+/// So fine that the usual value is not shown as 0.
+void ParameterSlider::showUnit() {
   const ParameterSpec& spec = specOf(id_);
   if (spec.unit != "m") return;
-  const double usual = spec.scale == ParameterScale::ObjectRadius ? radius * spec.defaultValue : spec.defaultValue;
-  const bool micrometres = usual < kSmallestInMillimetres;
-  shownPerUnit_ = micrometres ? 1e6 : 1e3;
-  number_->setSuffix(micrometres ? QStringLiteral(" µm") : QStringLiteral(" mm"));
+  const double usual = spec.scale == ParameterScale::ObjectRadius ? radius_ * spec.defaultValue : spec.defaultValue;
+  const LengthField field = lengthField(usual < kMinute ? 1e-9 : spec.defaultValue < kSmall ? 1e-6 : 1e-4);
+  shownPerUnit_ = field.perMetre;
+  number_->setDecimals(field.decimals);
+  number_->setSuffix(QLatin1Char(' ') + field.unit);
+}
+
+void ParameterSlider::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) setObjectRadius(radius_);
 }
 
 void ParameterSlider::setValue(double value) {

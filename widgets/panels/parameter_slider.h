@@ -35,8 +35,11 @@ class ParameterSlider final : public QWidget {
   /// The user gave the parameter to the tuner, or took it back.
   void tuningChosen(bool tuned);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
-  void showUnit(double radius);
+  void showUnit();
   double fromPosition(int position) const;
   int toPosition(double value) const;
   void sliderMoved(int position);
@@ -44,7 +47,8 @@ class ParameterSlider final : public QWidget {
   QToolButton* makeTuningButton();
 
   ParameterId id_;
-  double shownPerUnit_;  ///< millimetres or micrometres per metre, or 1
+  double shownPerUnit_;  ///< of lengths: what is shown of a metre; 1 else
+  double radius_ = 1.0;  ///< of the object, in metres
   ParameterRange range_{0.0, 1.0};
   bool logarithmic_ = false;
   QSlider* slider_;

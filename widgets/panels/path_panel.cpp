@@ -1,5 +1,6 @@
 #include "widgets/panels/path_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QToolButton>
@@ -150,13 +151,23 @@ void PathPanel::setPath(const std::shared_ptr<const Path>& path, const std::shar
   curve_->setVisible(path != nullptr);
   curve_->setProfile(nullptr, {}, 0.0);
   emit poseShown(std::nullopt);
-  if (path) certificate_->setText(certificateText(*path, scenario));
-  if (refused) certificate_->setText(refusalText(*refused, *slider_, scenario));
+  showTexts(scenario);
+}
+
+void PathPanel::showTexts(const LoadedScenario& scenario) {
+  const Path* shown = path_ ? path_.get() : refused_ ? &refused_->path : nullptr;
+  if (path_) certificate_->setText(certificateText(*path_, scenario));
+  if (refused_) certificate_->setText(refusalText(*refused_, *slider_, scenario));
   if (shown != nullptr) {
-    showFigures(*shown, metric);
+    showFigures(*shown, scenario.problem.metric());
   } else {
     certificate_->setText(tr("No path yet."));
   }
+}
+
+void PathPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) emit lengthUnitChanged();
 }
 
 void PathPanel::showFigures(const Path& path, const Se3Metric& metric) {

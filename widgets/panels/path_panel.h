@@ -27,6 +27,8 @@ class PathPanel final : public QWidget {
   void setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
                const LoadedScenario& scenario);
   /// The clearance along the path that is shown; null: not known yet.
+  /// Writes all texts again.
+  void showTexts(const LoadedScenario& scenario);
   void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
   /// For films: what playing shows (PlaySlider).
@@ -38,9 +40,14 @@ class PathPanel final : public QWidget {
   void showTightest();
 
  signals:
+  /// Lengths have another unit: what is shown has to be written again.
+  void lengthUnitChanged();
   /// The pose to show, or nothing when playback is over and the hand is shown again.
   void poseShown(const std::optional<glissade::Pose>& pose);
   void playbackEnded();
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   void showFigures(const Path& path, const Se3Metric& metric);

@@ -1,17 +1,21 @@
 #include "widgets/panels/placement_panel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QGridLayout>
 #include <QSignalBlocker>
+
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
-constexpr double kMillimetres = 1000.0;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 enum About { kFile, kMiddle, kReference, kPicked };
-/// A kilometre: whatever is assembled is smaller.
-constexpr double kFarthest = 1e6;
+/// Metres: whatever is assembled is smaller.
+constexpr double kFarthest = 1000.0;
+/// Metres: what the fields show, which is finer than parts are placed.
+constexpr double kFinestPlace = 1e-5;
 
 }  // namespace
 
@@ -27,11 +31,9 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   grid->addWidget(name_, 0, 0, 1, 6);
   for (int axis = 0; axis < 3; ++axis) {
     const QString letter(QLatin1Char("XYZ"[axis]));
-    position_[axis] =
-        addBox(QuantityBox::Quantity::Length, axis,
-               tr("Along the world's axis %1, in millimetres, or with a unit: 25.4 mm, 1 in").arg(letter));
+    position_[axis] = addBox(QuantityBox::Quantity::Length, axis,
+                             tr("Along the world's axis %1; a number may have a unit: 25.4 mm, 1 in").arg(letter));
     position_[axis]->setObjectName(QStringLiteral("place-") + letter.toLower());
-    position_[axis]->setRange(-kFarthest, kFarthest);
     turn_[axis] = addBox(QuantityBox::Quantity::Angle, axis,
                          tr("Turned about the world's axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, "
                             "then Z")
@@ -42,6 +44,7 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
             [this, axis] { takePosition(axis); });
     connect(turn_[axis], QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, axis] { takeTurn(axis); });
   }
+  showUnit();
   about_ = makePoints();
   grid->addWidget(about_, 3, 0, 1, 4);
   grid->addWidget(refused_, 4, 0, 1, 6);
@@ -137,15 +140,40 @@ void PlacementPanel::show(const QString& name, const std::optional<Pose>& X_WB, 
     const QSignalBlocker block(about_);
     about_->setCurrentIndex(about_->findData(kPicked));
   }
-  name_->setText(!X_WB            ? tr("Placement: select one body, start or goal")
-                 : name.isEmpty() ? tr("Placement, mm and °")
-                                  : tr("Placement of %1, mm and °").arg(name));
+  isPlaced_ = X_WB.has_value();
+  placedName_ = name;
+  showTitle();
   about_->setVisible(X_WB.has_value());
   if (pick_ != nullptr) pick_->setVisible(X_WB.has_value());
   for (int axis = 0; axis < 3; ++axis) {
     position_[axis]->setEnabled(X_WB.has_value());
     turn_[axis]->setEnabled(X_WB.has_value());
   }
+  showNumbers();
+}
+
+void PlacementPanel::showTitle() {
+  const QString unit = lengthField(kFinestPlace).unit;
+  name_->setText(!isPlaced_              ? tr("Placement: select one body, start or goal")
+                 : placedName_.isEmpty() ? tr("Placement, %1 and °").arg(unit)
+                                         : tr("Placement of %1, %2 and °").arg(placedName_, unit));
+}
+
+void PlacementPanel::showUnit() {
+  const LengthField field = lengthField(kFinestPlace);
+  perMetre_ = field.perMetre;
+  for (QuantityBox* box : position_) {
+    const QSignalBlocker block(box);
+    box->setUnit(1.0 / field.perMetre, field.decimals);
+    box->setRange(-kFarthest * perMetre_, kFarthest * perMetre_);
+  }
+}
+
+void PlacementPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LocaleChange) return;
+  showUnit();
+  showTitle();
   showNumbers();
 }
 
@@ -156,7 +184,7 @@ void PlacementPanel::showNumbers() {
   for (int axis = 0; axis < 3; ++axis) {
     const QSignalBlocker blockPosition(position_[axis]);
     const QSignalBlocker blockTurn(turn_[axis]);
-    position_[axis]->setValue(kMillimetres * at[axis]);
+    position_[axis]->setValue(perMetre_ * at[axis]);
     turn_[axis]->setValue(kDegrees * rollPitchYaw_[axis]);
   }
 }
@@ -164,7 +192,7 @@ void PlacementPanel::showNumbers() {
 void PlacementPanel::takePosition(int axis) {
   refused_->hide();
   const double turned = (X_WB_.orientation * frame().position)[axis];
-  X_WB_.position[axis] = position_[axis]->value() / kMillimetres - turned;
+  X_WB_.position[axis] = position_[axis]->value() / perMetre_ - turned;
   emit placed(X_WB_);
 }
 

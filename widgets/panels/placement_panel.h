@@ -40,12 +40,17 @@ class PlacementPanel final : public QWidget {
   /// Somebody has chosen what the numbers are about.
   void pointChosen();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QuantityBox* addBox(QuantityBox::Quantity quantity, int axis, const QString& tip);
   void showRefused(QuantityBox::Quantity quantity, const QString& text);
   QComboBox* makePoints();
   void offerPicked();
   Pose frame() const;
+  void showTitle();
+  void showUnit();
   void showNumbers();
   void takePosition(int axis);
   void takeTurn(int axis);
@@ -56,6 +61,9 @@ class PlacementPanel final : public QWidget {
   QuantityBox* position_[3] = {};
   QuantityBox* turn_[3] = {};
   QLabel* refused_;
+  double perMetre_ = 1.0;  ///< what is shown of a metre
+  QString placedName_;
+  bool isPlaced_ = false;
   Pose X_WB_;
   PlacementPoints points_;                  ///< in B
   Vector3 rollPitchYaw_ = Vector3::Zero();  ///< radians

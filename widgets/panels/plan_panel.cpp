@@ -56,6 +56,7 @@ std::optional<std::size_t> sameStep(const CoarsePlan& before, const TopologicalS
 PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent), summary_(new QLabel(this)), steps_(new QTreeWidget(this)), why_(new QLabel(this)) {
   steps_->setObjectName(QStringLiteral("steps"));
+  steps_->setAccessibleName(tr("Steps of the coarse path"));
   steps_->setColumnCount(5);
   steps_->setHeaderLabels({tr("Place"), tr("To"), tr("Planner"), tr("Random"), tr("Result")});
   steps_->headerItem()->setToolTip(3, tr("Random configurations, milestone and local planner together"));
@@ -69,7 +70,7 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   steps_->header()->setStretchLastSection(false);
   steps_->header()->setSectionResizeMode(2, QHeaderView::Stretch);
   steps_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  steps_->setMinimumSize(288, 64);
+  steps_->setMinimumSize(200, 64);
   why_->setTextFormat(Qt::PlainText);
   why_->setWordWrap(true);
   summary_->setTextFormat(Qt::PlainText);
@@ -80,7 +81,8 @@ PlanPanel::PlanPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(summary_);
   layout->addWidget(steps_, 1);
   layout->addWidget(why_);
-  layout->addLayout(makeActionRow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
+  layout->addLayout(
+      makeActionFlow(actions, {"place.forbid", "place.prefer", "milestone.set", "milestone.reset"}, this));
   connect(steps_, &QTreeWidget::itemSelectionChanged, this, [this] {
     showWhy();
     emit stepChosen();

@@ -14,11 +14,19 @@ constexpr int kShownDecimals = 2;
 
 }  // namespace
 
-QuantityBox::QuantityBox(Quantity quantity, QWidget* parent) : QDoubleSpinBox(parent), quantity_(quantity) {
+QuantityBox::QuantityBox(Quantity quantity, QWidget* parent) : QDoubleSpinBox(parent),
+      quantity_(quantity),
+      unit_(quantity == Quantity::Length ? kMillimetre : kDegree),
+      decimals_(kShownDecimals) {
   setDecimals(kKeptDecimals);
   setKeyboardTracking(false);  // a number counts when it is written
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   setAlignment(Qt::AlignRight);
+}
+
+void QuantityBox::setUnit(double unit, int decimals) {
+  unit_ = unit;
+  decimals_ = decimals;
 }
 
 /// Without the unit that the box shows by itself.
@@ -31,10 +39,9 @@ std::optional<double> QuantityBox::quantityOf(const QString& text) const {
   plain.replace(locale().decimalPoint(), QLatin1Char('.'));
   plain.replace(locale().negativeSign(), QLatin1Char('-'));
   const std::string written = plain.toStdString();
-  const double unit = quantity_ == Quantity::Length ? kMillimetre : kDegree;
-  const auto read = quantity_ == Quantity::Length ? toMetres(written, unit) : toRadians(written, unit);
+  const auto read = quantity_ == Quantity::Length ? toMetres(written, unit_) : toRadians(written, unit_);
   if (!read) return std::nullopt;
-  return *read / unit;
+  return *read / unit_;
 }
 
 /// What is shown is what is there, with all its digits.
@@ -44,7 +51,7 @@ double QuantityBox::valueFromText(const QString& text) const {
 }
 
 QString QuantityBox::textFromValue(double value) const {
-  QString text = locale().toString(value, 'f', kShownDecimals);
+  QString text = locale().toString(value, 'f', decimals_);
   return text.remove(locale().groupSeparator());
 }
 

@@ -6,7 +6,7 @@
 
 namespace glissade {
 
-/// A length in millimetres or an angle in degrees, which people may write in any unit: 25.4 mm, 1 in, 0.1 rad. A number
+/// A length (at first in millimetres) or an angle in degrees, which people may write in any unit: 25.4 mm, 1 in, 0.1 rad. A number
 /// without a unit is in the unit that is shown. It keeps more digits than it shows. What cannot be read changes nothing
 /// and is announced.
 class QuantityBox final : public QDoubleSpinBox {
@@ -16,6 +16,9 @@ class QuantityBox final : public QDoubleSpinBox {
   enum class Quantity { Length, Angle };
 
   QuantityBox(Quantity quantity, QWidget* parent);
+
+  /// The unit that is shown, in metres or radians, and so many decimals of it. The value is to be set anew.
+  void setUnit(double unit, int decimals);
 
   double valueFromText(const QString& text) const override;
   QString textFromValue(double value) const override;
@@ -31,6 +34,8 @@ class QuantityBox final : public QDoubleSpinBox {
   QString bare(const QString& text) const;
 
   Quantity quantity_;
+  double unit_;
+  int decimals_;
 };
 
 }  // namespace glissade

@@ -67,7 +67,10 @@ void ReplayBar::setPlace(std::uint64_t step, std::uint64_t steps, double seconds
 void ReplayBar::setVerdict(const QString& verdict, const QString& tip, bool alarming) {
   verdict_->setText(verdict);
   verdict_->setToolTip(tip);
-  verdict_->setStyleSheet(alarming ? QStringLiteral("QLabel { color: #d55e00; font-weight: bold; }") : QString());
+  verdict_->setForegroundRole(alarming ? QPalette::BrightText : QPalette::WindowText);
+  QFont font = place_->font();
+  font.setBold(alarming);
+  verdict_->setFont(font);
 }
 
 double ReplayBar::speed() const { return speed_->currentData().toDouble(); }

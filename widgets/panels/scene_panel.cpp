@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "widgets/commands/colour_swatch.h"
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
@@ -43,6 +44,7 @@ void collectBodies(const QTreeWidgetItem& item, QSet<QString>& bodies) {
 }  // namespace
 
 ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
+  setAccessibleName(tr("Bodies"));
   setColumnCount(3);
   setHeaderLabels({tr("Body"), tr("Kind"), tr("Triangles")});
   setRootIsDecorated(true);
@@ -141,8 +143,7 @@ void ScenePanel::showDeflections(const LoadedScenario& scenario) {
   for (QTreeWidgetItemIterator item(this); *item != nullptr; ++item) {
     const auto known = scenario.deflections.find((*item)->data(0, kBodyRole).toString().toStdString());
     if (known == scenario.deflections.end()) continue;
-    const QString millimetres = QLocale().toString(1000.0 * known->second, 'g', 2);
-    (*item)->setToolTip(2, tr("Within about %1 mm of the part's surface").arg(millimetres));
+    (*item)->setToolTip(2, tr("Within about %1 of the part's surface").arg(lengthText(known->second)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/panels/section_panel.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QSignalBlocker>
 
@@ -100,6 +101,11 @@ std::vector<Plane> SectionPanel::sections() const {
     sections.push_back({side * Vector3(Vector3::Unit(axis)), side * placeOf(axis)});
   }
   return sections;
+}
+
+void SectionPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) showLengths();
 }
 
 void SectionPanel::showLengths() {

@@ -34,6 +34,9 @@ class SectionPanel final : public QWidget {
   /// Before changed().
   void switchedOn(int axis);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Row {
     QCheckBox* on;

@@ -22,7 +22,7 @@ constexpr double kLongestPlay = 90.0;
 /// A step that is chosen is shown with its part on the way.
 constexpr double kOnTheWay = 0.5;
 
-void onlyIcons(const QHBoxLayout& row) {
+void onlyIcons(const QLayout& row) {
   for (int i = 0; i < row.count(); ++i) {
     auto* button = qobject_cast<QToolButton*>(row.itemAt(i)->widget());
     if (button == nullptr) continue;
@@ -59,7 +59,6 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addWidget(table_, 1);
   layout->addLayout(makePlayingRow(actions));
   layout->addLayout(makeExplodingRow());
-  setFocusProxy(table_);
   connect(&pictures_, &PartPictures::drawn, table_, &StepTable::takeIcons);
   connect(table_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* row) { showRow(row); });
   connect(table_, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* row) { showRow(row); });
@@ -99,7 +98,7 @@ void SequencePanel::addEditing(const ActionCatalogue& actions) {
 }
 
 QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
-  auto* row = makeActionRow(
+  auto* row = makeActionFlow(
       actions, {"sequence.plan", "sequence.resume", "sequence.graph", "sequence.open", "sequence.export"}, this);
   onlyIcons(*row);
   qobject_cast<QToolButton*>(row->itemAt(0)->widget())->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -111,7 +110,7 @@ QLayout* SequencePanel::makePlanningRow(const ActionCatalogue& actions) {
   step->setPopupMode(QToolButton::InstantPopup);
   step->setMenu(edits_);
   step->setMinimumWidth(step->sizeHint().width() + step->iconSize().width());
-  row->insertWidget(row->count() - 1, step);
+  row->addWidget(step);
   return row;
 }
 
@@ -207,7 +206,7 @@ QString SequencePanel::summary() const {
   switch (plan.end) {
     case PlanEnd::Complete: break;
     case PlanEnd::Stuck: text += QLatin1Char(' ') + tr("%1 stuck.").arg(plan.parts() - plan.removed()); break;
-    case PlanEnd::TimeLimit:
+    case PlanEnd::TimeLimit: text += QLatin1Char(' ') + tr("The time limit was reached."); break;
     case PlanEnd::Interrupted: text += QLatin1Char(' ') + tr("Stopped before the end."); break;
   }
   const auto forced = std::count_if(plan.steps.begin(), plan.steps.end(),

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDropEvent>
+#include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
@@ -25,8 +26,6 @@ constexpr int kStuckRole = Qt::UserRole + 1;    // id of a stuck part
 constexpr int kPictureRole = Qt::UserRole + 2;  // id of the body that the picture is of
 constexpr int kPartColumn = 184;
 constexpr int kPictureSize = 32;
-/// Of Okabe and Ito's palette: readable on light and on dark ground.
-constexpr QRgb kForced = 0xffd55e00;
 
 QString twoLines(const QString& upper, const QString& lower) { return upper + QLatin1Char('\n') + lower; }
 
@@ -111,7 +110,6 @@ StepTable::StepTable(IconOf iconOf, QWidget* parent) : QTreeWidget(parent), icon
   setTextElideMode(Qt::ElideMiddle);
   setItemDelegateForColumn(StepTools, new BeginningDelegate(this));
   setAccessibleName(tr("Steps of the sequence"));
-  setMinimumHeight(2 * fontMetrics().height());
   header()->setSectionResizeMode(QHeaderView::Interactive);
   header()->setMinimumSectionSize(20);
   setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -200,7 +198,7 @@ void StepTable::addStep(std::size_t place) {
   const QString standing = QString::fromStdString(words.standing(step, *shown_.product));
   row->setText(StepTools, twoLines(QString::fromStdString(words.tool(step, *shown_.product)),
                                    forced.isEmpty() ? standing : tr("forced: %1").arg(forced)));
-  if (!forced.isEmpty()) row->setForeground(StepTools, QColor::fromRgba(kForced));
+  if (!forced.isEmpty()) row->setForeground(StepTools, palette().brush(QPalette::BrightText));
   row->setToolTip(StepTools, (QStringList{row->text(StepTools), allNames(step.tool.blockedBy), allNames(step.falling)})
                                  .join(QLatin1Char('\n'))
                                  .trimmed());
@@ -268,6 +266,12 @@ std::vector<std::size_t> StepTable::selectedSteps() const {
 }
 
 /// The rows stay as they are: the plan is made anew.
+void StepTable::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  const bool isRead = event->type() == QEvent::LocaleChange || event->type() == QEvent::PaletteChange;
+  if (isRead && shown_.plan) show(ShownPlan(shown_), order_);
+}
+
 void StepTable::dropEvent(QDropEvent* event) {
   event->setDropAction(Qt::IgnoreAction);
   event->accept();

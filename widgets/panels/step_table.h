@@ -50,6 +50,7 @@ class StepTable final : public QTreeWidget {
   void stepDragged(int from, int to);
 
  protected:
+  void changeEvent(QEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 

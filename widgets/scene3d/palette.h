@@ -4,6 +4,7 @@
 #include <osg/Vec4ub>
 
 #include "engine/planning/roadmap.h"
+#include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
@@ -28,6 +29,17 @@ struct ScenePalette {
   osg::Vec4 guidance;
 };
 
+inline osg::Vec4ub bytesOf(const osg::Vec4& colour) {
+  const auto byte = [](float share) { return static_cast<unsigned char>(255.0F * share + 0.5F); };
+  return {byte(colour.r()), byte(colour.g()), byte(colour.b()), 255};
+}
+
+/// Whether white stands out on it better than black: its relative luminance as WCAG has it, simplified.
+inline bool isDark(const osg::Vec4& ground) {
+  const auto light = [](float share) { return share * share; };
+  return 0.2126F * light(ground.r()) + 0.7152F * light(ground.g()) + 0.0722F * light(ground.b()) < 0.18F;
+}
+
 inline ScenePalette paletteOf(Theme theme) {
   ScenePalette palette;
   const bool dark = theme == Theme::Dark;
@@ -46,6 +58,19 @@ inline ScenePalette paletteOf(Theme theme) {
   palette.penetration = dark ? osg::Vec4(0.76f, 0.58f, 1.0f, 1) : osg::Vec4(0.45f, 0.15f, 0.75f, 1);
   palette.guidance = dark ? osg::Vec4(1.0f, 0.35f, 0.60f, 1) : osg::Vec4(0.78f, 0.05f, 0.38f, 1);
   return palette;
+}
+
+/// Puts what a person has chosen in the place of the theme's colours.
+inline void applyColours(const SceneColours& chosen, ScenePalette& palette) {
+  if (chosen.background) {
+    palette.backgroundTop = palette.backgroundBottom = toOsg(*chosen.background);
+    const ScenePalette suited = paletteOf(isDark(palette.backgroundTop) ? Theme::Dark : Theme::Light);
+    palette.lines = suited.lines;
+    palette.nearest = suited.nearest;
+  }
+  if (chosen.path) palette.path = toOsg(*chosen.path);
+  if (chosen.start) palette.startTree = bytesOf(palette.start = toOsg(*chosen.start));
+  if (chosen.goal) palette.goalTree = bytesOf(palette.goal = toOsg(*chosen.goal));
 }
 
 /// Colour of a node: its author where a person had a hand in it, its tree otherwise.

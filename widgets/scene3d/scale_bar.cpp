@@ -58,7 +58,7 @@ void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   const ScaleLength scale = roundScale(perPixel, kMostBarPixels);
   if (scale.metres <= 0.0) return;
   QPainter painter(this);
-  painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
+  painter.setPen(QPen(view_.hasDarkBackground() ? Qt::white : Qt::black, 1.5));
   const double y = height() - 5.5;
   painter.drawLine(QPointF(2, y), QPointF(2 + scale.pixels, y));
   for (const double x : {2.0, 2.0 + scale.pixels}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y));

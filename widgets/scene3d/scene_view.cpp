@@ -222,11 +222,14 @@ void SceneView::setSequence(const SequencePicture& picture) {
 bool SceneView::showsSequence() const { return !impl_->sequence.bodies.empty(); }
 
 void SceneView::setTheme(Theme theme) {
-  const float scale = impl_->palette.pixelScale;
-  impl_->palette = paletteOf(theme);
-  impl_->palette.pixelScale = scale;
-  impl_->roadmap.setPalette(impl_->palette);
-  impl_->rebuild();
+  impl_->theme = theme;
+  impl_->makePalette();
+}
+
+void SceneView::setColours(const SceneColours& colours) {
+  if (colours == impl_->colours) return;
+  impl_->colours = colours;
+  impl_->makePalette();
 }
 
 void SceneView::setPixelScale(double scale) {
@@ -254,6 +257,8 @@ bool SceneView::layerVisible(SceneLayer layer) const { return impl_->layer(layer
 CameraController& SceneView::camera() { return impl_->camera; }
 const CameraController& SceneView::camera() const { return impl_->camera; }
 osg::Group* SceneView::root() const { return impl_->root; }
+
+bool SceneView::hasDarkBackground() const { return isDark(impl_->palette.backgroundTop); }
 
 Colour SceneView::background() const {
   const osg::Vec4& colour = impl_->palette.backgroundTop;

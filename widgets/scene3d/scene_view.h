@@ -27,6 +27,18 @@ struct EndConflicts;
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };
 
+/// Colours of the scene that a person has chosen; those of the theme where there is none.
+struct SceneColours {
+  std::optional<Colour> background;
+  std::optional<Colour> path;   ///< the path, and what is selected
+  std::optional<Colour> start;  ///< the ghost of the start and its tree
+  std::optional<Colour> goal;   ///< the ghost of the goal and its tree
+
+  friend bool operator==(const SceneColours& a, const SceneColours& b) {
+    return a.background == b.background && a.path == b.path && a.start == b.start && a.goal == b.goal;
+  }
+};
+
 /// One concept drawn, shown and hidden by itself.
 enum class SceneLayer {
   Bodies,
@@ -175,6 +187,8 @@ class SceneView {
   /// A plan is shown.
   bool showsSequence() const;
   void setTheme(Theme theme);
+  /// In the place of the theme's colours, in every theme.
+  void setColours(const SceneColours& colours);
   /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
   void setPixelScale(double scale);
   void setLayerVisible(SceneLayer layer, bool visible);
@@ -186,6 +200,8 @@ class SceneView {
   osg::Group* root() const;
   /// Clear colour, sRGB.
   Colour background() const;
+  /// Texts and lines on it are to be light.
+  bool hasDarkBackground() const;
 
   struct Impl;
 

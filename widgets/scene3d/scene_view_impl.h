@@ -37,6 +37,8 @@ struct SceneView::Impl {
   RoadmapLayer roadmap;
   bool roadmapKept = false;
   CameraController camera;
+  Theme theme = Theme::Light;
+  SceneColours colours;
   ScenePalette palette = paletteOf(Theme::Light);
   std::shared_ptr<const LoadedScenario> scenario;
   SnapshotPtr snapshot;
@@ -272,6 +274,15 @@ struct SceneView::Impl {
     fill(SceneLayer::KeptPaths, makeKeptPaths(keptPaths, palette));
     fill(SceneLayer::Measure, makeMeasure(measure, palette));
     fill(SceneLayer::Sweep, sweep ? makeSweep(sweep->surface_W, palette) : nullptr);
+  }
+
+  void makePalette() {
+    const float scale = palette.pixelScale;
+    palette = paletteOf(theme);
+    applyColours(colours, palette);
+    palette.pixelScale = scale;
+    roadmap.setPalette(palette);
+    rebuild();
   }
 
   void rebuild() {

@@ -33,6 +33,7 @@ PlanGraphView::PlanGraphView(QWidget* parent) : QDialog(parent) {
   picture->setAccessibleName(tr("An arrow leads from a step to each step that it makes way for"));
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(picture);
+  scroll->setAccessibleName(windowTitle());
   scroll->setAlignment(Qt::AlignCenter);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(scroll);

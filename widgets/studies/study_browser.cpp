@@ -79,6 +79,10 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       findings_(new QTextBrowser(this)),
       plots_(new QTabWidget(this)) {
   setWindowTitle(tr("Study"));
+  cells_->setAccessibleName(tr("Cells of the study"));
+  runs_->setAccessibleName(tr("Runs of the cell"));
+  findings_->setAccessibleName(tr("Findings"));
+  plots_->setAccessibleName(tr("Plots"));
   heading_->setWordWrap(true);
   message_->setWordWrap(true);
   findings_->setFrameShape(QFrame::NoFrame);
@@ -223,7 +227,7 @@ PlotView* StudyBrowser::plot() const { return qobject_cast<PlotView*>(plots_->cu
 
 void StudyBrowser::addPlotActions(const ActionCatalogue& actions) {
   const std::vector<const char*> ids{"study.zoom-out", "study.copy-plot", "study.save-plot"};
-  plotsLayout_->addLayout(makeActionRow(actions, ids, this));
+  plotsLayout_->addLayout(makeActionFlow(actions, ids, this));
   for (const char* id : ids) addAction(actions[QLatin1String(id)]);
 }
 
