@@ -38,7 +38,10 @@ void FileController::connectActions() {
   bench_.onAction("file.open", this, [this] { chooseScenario(); });
   bench_.onAction("file.save", this, [this] { save(); });
   bench_.onAction("file.save-as", this, [this] { chooseSaveFile(); });
-  bench_.onAction("recent.forget", this, [this] { memory_->forgetFiles(); });
+  bench_.onAction("recent.forget", this, [this] {
+    memory_->forgetFiles();
+    emit recentFilesChanged();
+  });
   for (const char* id : {"file.save", "file.save-as", "recent.forget"}) bench_.enable(id, false);
 }
 
@@ -66,7 +69,7 @@ std::optional<Diagnostic> FileController::take(Result<ScenarioFile> opened, cons
   saves_->noteContent(file.toStdString(), opened->sha256);
   const auto scenario = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
   bench_.document.open(scenario);
-  if (memory_ != nullptr) memory_->noteFile(file);
+  noteFile(file);
   if (quiet) return std::nullopt;
   if (scenario->fitsPending) {
     bench_.document.whenArranged([this] { showWarnings(*bench_.document.scenario()); });
@@ -108,7 +111,8 @@ SaveResult FileController::write(const QString& file) {
   SaveResult saved = saves_->save(content, name);
   if (!saved) return saved;
   bench_.document.noteSaved(name, content);
-  if (memory_ != nullptr) memory_->noteFile(file);
+  noteFile(file);
+  emit pictureDue(file);
   return saved;
 }
 
@@ -157,7 +161,25 @@ void FileController::trySave(const QString& file) {
   }
 }
 
+void FileController::setMemory(WindowMemory* memory) {
+  memory_ = memory;
+  emit recentFilesChanged();
+}
+
+void FileController::noteFile(const QString& file) {
+  if (memory_ == nullptr) return;
+  memory_->noteFile(file);
+  emit recentFilesChanged();
+}
+
 bool FileController::mayDiscard() {
+  if (!asksToDiscard()) return false;
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (scenario && !scenario->file.empty()) emit pictureDue(QString::fromStdString(scenario->file));
+  return true;
+}
+
+bool FileController::asksToDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
   const QString path = bench_.document.hasUnkeptPath()
                            ? tr("The path that was found is not saved. Save keeps it in the scenario.")
@@ -174,7 +196,7 @@ bool FileController::mayDiscard() {
 /// Files that are not there stay in the list: a drive may only be away for a while.
 void FileController::fillRecentMenu() {
   recent_->clear();
-  const QStringList files = memory_ != nullptr ? memory_->recentFiles() : QStringList();
+  const QStringList files = recentFiles();
   for (int i = 0; i < files.size(); ++i) {
     const QFileInfo file(files[i]);
     const QString number = i < 9 ? QStringLiteral("&%1  ").arg(i + 1) : QStringLiteral("1&0  ");

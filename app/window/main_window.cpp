@@ -34,6 +34,7 @@
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
 #include "app/window/view_controller.h"
+#include "app/window/welcome_controller.h"
 #include "app/window/window_script.h"
 
 namespace glissade {
@@ -81,6 +82,7 @@ void MainWindow::addParts() {
   auto* path = new PathController(bench_);
   auto* difficulty = new DifficultyController(bench_);
   files_ = new FileController(bench_, *parts, *path);
+  new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);
   replayBar_ = replay->bar();
   recordings_ = new RecordingController(bench_, *replay, *files_);
