@@ -15,11 +15,7 @@ constexpr int kMostColumns = 5;
 
 }  // namespace
 
-CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
-  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  policy.setHeightForWidth(true);
-  setSizePolicy(policy);
-}
+CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {}
 
 void CardGrid::setEntries(const std::vector<WelcomeEntry>& entries) {
   qDeleteAll(cards_);
@@ -33,7 +29,6 @@ void CardGrid::setEntries(const std::vector<WelcomeEntry>& entries) {
     cards_.push_back(card);
   }
   arrange();
-  updateGeometry();
 }
 
 int CardGrid::narrowestCard() const { return kNarrowestLines * fontMetrics().height(); }
@@ -54,9 +49,6 @@ int CardGrid::heightForWidth(int width) const {
   const int rows = (static_cast<int>(cards_.size()) + columnsIn(width) - 1) / columnsIn(width);
   return rows * (cards_.front()->heightForWidth(cardWidth(width)) + kCardGap) - kCardGap;
 }
-
-/// The height is that for the width: it is no minimum for other widths.
-QSize CardGrid::sizeHint() const { return {narrowestCard(), 0}; }
 
 void CardGrid::arrange() {
   const int columns = columnsIn(width());

@@ -17,9 +17,7 @@ class CardGrid final : public QWidget {
 
   void setEntries(const std::vector<WelcomeEntry>& entries);
   const std::vector<WelcomeCard*>& cards() const { return cards_; }
-  bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;
-  QSize sizeHint() const override;
   /// The width of a full row: more room is left free.
   int widest() const;
 

@@ -1,7 +1,6 @@
 #include "app/window/file_controller.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QUrl>
 
@@ -116,9 +115,15 @@ SaveResult FileController::write(const QString& file) {
   return saved;
 }
 
+QString FileController::folder() const {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario || scenario->file.empty()) return {};
+  return QFileInfo(QString::fromStdString(scenario->file)).absolutePath();
+}
+
 void FileController::chooseScenario() {
-  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a scenario"), QString(),
-                                                    tr("Scenarios (*.json *.cfg);;All files (*)"));
+  const QString file =
+      bench_.dialogs.open(FilePurpose::Scenario, tr("Open a scenario"), tr("Scenarios (*.json *.cfg);;All files (*)"));
   if (!file.isEmpty()) openInBackground(file);
 }
 
@@ -134,8 +139,8 @@ void FileController::save() {
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const std::string proposed = scenario.file.empty() ? scenario.scenario.name + ".json" : scenario.file;
-  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the scenario"),
-                                                    QString::fromStdString(proposed), tr("Scenarios (*.json)"));
+  const QString file = bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"),
+                                           QString::fromStdString(proposed), tr("Scenarios (*.json)"));
   if (!file.isEmpty()) trySave(file);
 }
 
@@ -228,12 +233,16 @@ void FileController::drop(const QMimeData& data) {
   }
 }
 
+/// The file, and the scenario's name where it says more.
 void FileController::showTitle() {
   const LoadedScenario& scenario = *bench_.document.scenario();
-  const std::string& name = scenario.scenario.name;
-  const QString file = QFileInfo(QString::fromStdString(scenario.file)).completeBaseName();
-  bench_.window.setWindowTitle(
-      QStringLiteral("%1[*] — Glissade").arg(name.empty() ? file : QString::fromStdString(name)));
+  const QFileInfo file(QString::fromStdString(scenario.file));
+  const QString name = QString::fromStdString(scenario.scenario.name);
+  QString title = (scenario.file.empty() ? name : file.fileName()) + QStringLiteral("[*]");
+  if (!scenario.file.empty() && !name.isEmpty() && name != file.completeBaseName()) {
+    title += QStringLiteral(" — ") + name;
+  }
+  bench_.window.setWindowTitle(title + QStringLiteral(" — Glissade"));
   bench_.window.setWindowModified(bench_.document.isModified());
   bench_.enable("file.save", true);
   bench_.enable("file.save-as", true);

@@ -35,6 +35,8 @@ class FileController final : public QObject {
   void openInBackground(const QString& file);
   /// Opens, imports or examines what was dropped on the window.
   void drop(const QMimeData& data);
+  /// Of the scenario that is open; empty where it has none.
+  QString folder() const;
   /// Saves the document into the file, which is the document's from then on. Nothing on success.
   std::optional<Diagnostic> saveAs(const QString& file);
   /// Asks what to do with edits that are not saved. False: the user wants to keep working on them.

@@ -9,7 +9,7 @@
 namespace glissade {
 namespace {
 
-/// Some 50 kB each.
+/// Some 30 kB each.
 constexpr int kMostPictures = 40;
 
 QFileInfoList picturesIn(const QString& folder) {

@@ -8,7 +8,7 @@
 namespace glissade {
 
 /// Pixels of the small pictures of scenarios: samples and recent files.
-constexpr QSize kScenarioPictureSize(312, 208);
+constexpr QSize kScenarioPictureSize(264, 176);
 
 /// The middle of the scene as it is seen, cut and scaled to the size.
 QImage smallScenePicture(SceneWidget& scene, const QSize& size = kScenarioPictureSize);

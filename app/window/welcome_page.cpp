@@ -4,6 +4,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace glissade {
 namespace {
 
@@ -43,6 +45,8 @@ WelcomePage::WelcomePage(const ActionCatalogue& actions, QWidget* parent)
   middle->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
   middle->addLayout(column);
   content_->setMaximumWidth(samples_.grid->widest() + 2 * kPageMargin);
+  // Never wider than the page: it has no horizontal scroll bar.
+  content_->setMinimumWidth(1);
   setWidget(content_);
   setAlignment(Qt::AlignHCenter | Qt::AlignTop);
 }
@@ -54,6 +58,7 @@ QLayout* WelcomePage::makeHead(const ActionCatalogue& actions) {
   auto* hint = new QLabel(
       tr("Make a scenario of your parts, open one, or drop files here: scenarios, STEP, meshes, URDF."), content_);
   hint->setWordWrap(true);
+  hint->setMinimumWidth(1);
   head->addWidget(hint);
   buttons_->setSpacing(8);
   for (const char* id : {"file.new", "file.open", "help.tour"}) {
@@ -78,6 +83,12 @@ void WelcomePage::arrangeButtons() {
 void WelcomePage::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
   arrangeButtons();
+  arrangeGrids();
+}
+
+void WelcomePage::arrangeGrids() {
+  const int width = std::min(viewport()->width(), content_->maximumWidth()) - 2 * kPageMargin;
+  for (const Section& section : {recent_, samples_}) section.grid->setFixedHeight(section.grid->heightForWidth(width));
 }
 
 WelcomePage::Section WelcomePage::makeSection(const QString& title, QLayout& column) {
@@ -94,6 +105,7 @@ void WelcomePage::fill(const Section& section, const std::vector<WelcomeEntry>& 
   section.grid->setEntries(entries);
   section.title->setHidden(entries.empty());
   section.grid->setHidden(entries.empty());
+  arrangeGrids();
 }
 
 void WelcomePage::setRecent(const std::vector<WelcomeEntry>& entries) { fill(recent_, entries); }

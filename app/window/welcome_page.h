@@ -36,10 +36,12 @@ class WelcomePage final : public QScrollArea {
 
   QLayout* makeHead(const ActionCatalogue& actions);
   Section makeSection(const QString& title, QLayout& column);
-  static void fill(const Section& section, const std::vector<WelcomeEntry>& entries);
+  void fill(const Section& section, const std::vector<WelcomeEntry>& entries);
 
   /// One below the other where the page is too narrow for a row.
   void arrangeButtons();
+  /// As high as all of its cards at the page's width.
+  void arrangeGrids();
 
   QWidget* content_;
   QBoxLayout* buttons_;

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "widgets/commands/action_help.h"
+
 namespace glissade {
 namespace {
 
@@ -440,6 +442,8 @@ void ActionCatalogue::setShortcut(const QString& id, const QKeySequence& keys) {
   QString tip = action->statusTip();
   if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
   action->setToolTip(tip);
+  action->setWhatsThis(
+      actionHelp(id, plain(action->text()), keys.toString(QKeySequence::NativeText), action->statusTip()));
 }
 
 QKeySequence ActionCatalogue::usualShortcut(const QString& id) {
