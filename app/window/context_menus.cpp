@@ -1,5 +1,6 @@
 #include "app/window/context_menus.h"
 
+#include <QAbstractItemView>
 #include <QContextMenuEvent>
 #include <QMouseEvent>
 
@@ -59,7 +60,18 @@ void fill(QMenu& menu, const ActionCatalogue& actions, const ActionIds& ids) {
 ContextMenus::ContextMenus(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   bench.scene.widget()->installEventFilter(this);
   addTableMenus();
+  bench.onAction("edit.context-menu", this, [this] { openByKeyboard(); });
   addCommands();
+}
+
+void ContextMenus::openByKeyboard() {
+  QWidget* widget = bench_.window.focusWidget();
+  if (widget == nullptr) widget = bench_.scene.widget();
+  const auto* table = qobject_cast<QAbstractItemView*>(widget);
+  const QRect row = table != nullptr ? table->visualRect(table->currentIndex()) : QRect();
+  const QPoint position = (row.isValid() ? row : widget->rect()).center();
+  QContextMenuEvent event(QContextMenuEvent::Keyboard, position, widget->mapToGlobal(position));
+  QCoreApplication::sendEvent(widget, &event);
 }
 
 void ContextMenus::addTableMenus() {

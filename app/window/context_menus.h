@@ -24,6 +24,8 @@ class ContextMenus final : public QObject {
 
  private:
   void addTableMenus();
+  /// As the menu key does, in the widget that has the focus.
+  void openByKeyboard();
   bool handleMouse(const QMouseEvent& event);
   /// The target becomes what is selected, where it is not selected yet.
   void select(const SceneTarget& target);

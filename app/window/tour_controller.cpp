@@ -162,6 +162,10 @@ void TourController::addCommands() {
     }
     return Done{};
   });
+  bench_.scripts.add("expect-tour-mark", 0, [this](const Words&) -> Outcome {
+    if (current_ && frame_->isVisible()) return Done{};
+    return unmetExpectation("nothing is marked");
+  });
   bench_.scripts.add("expect-tour", 1, [this](const Words& words) -> Outcome {
     const std::string at = current_ ? std::to_string(*current_ + 1) : "none";
     if (at == words[0]) return Done{};

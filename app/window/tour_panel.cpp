@@ -80,7 +80,7 @@ void TourPanel::setDone(bool done) {
 void TourPanel::place() {
   const QWidget& scene = *parentWidget();
   const int width = std::min(kWidestTour, scene.width() - 2 * kTourMargin);
-  const int height = layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height();
+  const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
   setGeometry(kTourMargin, std::max(0, scene.height() - kTourMargin - height), width, height);
   raise();
 }

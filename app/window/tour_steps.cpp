@@ -29,8 +29,8 @@ bool hasSolvedByGts(const Workbench& bench) {
   return hasRun(bench, "gts") && bench.run.snapshot()->state == SessionState::Solved;
 }
 bool isStepChosen(const Workbench& bench) { return hasSelectedRow(bench, "steps"); }
-bool isStandOpen(const Workbench& bench) { return isOpen(bench, "roller-stand/scenario.json"); }
-bool hasStandPath(const Workbench& bench) { return isStandOpen(bench) && bench.document.results().path != nullptr; }
+bool isNutOpen(const Workbench& bench) { return isOpen(bench, "nut-and-bolt/scenario.json"); }
+bool hasNutPath(const Workbench& bench) { return isNutOpen(bench) && bench.document.results().path != nullptr; }
 bool hasSequence(const Workbench& bench) { return bench.actions["sequence.export"]->isEnabled(); }
 
 }  // namespace
@@ -78,11 +78,11 @@ const std::vector<TourStep>& tourSteps() {
        isStepChosen},
       {QT_TRANSLATE_NOOP("Tour", "Open parts"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Now a product of parts. Open the sample \"Roller stand\" (samples/roller-stand). With parts "
-                         "of your own, begin with File > New from parts (Ctrl+N): STEP, mesh or URDF files."),
+                         "Now parts. Open the sample \"Nut and bolt\" (samples/nut-and-bolt). With parts of your own, "
+                         "begin with File > New from parts (Ctrl+N): STEP, mesh or URDF files."),
        "file.open",
-       {"open-sample roller-stand/scenario.json"},
-       isStandOpen},
+       {"open-sample nut-and-bolt/scenario.json"},
+       isNutOpen},
       {QT_TRANSLATE_NOOP("Tour", "Find the fits"),
        QT_TRANSLATE_NOOP("Tour",
                          "Choose Assembly > Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or "
@@ -92,12 +92,11 @@ const std::vector<TourStep>& tourSteps() {
        nullptr},
       {QT_TRANSLATE_NOOP("Tour", "Plan a motion"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Select a screw, choose This part moves (Ctrl+Shift+M) and press Start (F5): the planner "
-                         "searches its way out. "
-                         "The panel Path shows the clearance along it and plays it (Ctrl+P)."),
+                         "Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to "
+                         "turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P)."),
        "run.start",
-       {"select body stand/screw_1", "action assembly.moves", "action run.start"},
-       hasStandPath},
+       {"action run.start"},
+       hasNutPath},
       {QT_TRANSLATE_NOOP("Tour", "Plan the sequence"),
        QT_TRANSLATE_NOOP(
            "Tour",

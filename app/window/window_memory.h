@@ -9,9 +9,9 @@
 
 namespace glissade {
 
-/// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its panels lie, and a user's
-/// choices: language, size of texts, navigation, theme, perspective, shortcuts. Kept as the platform keeps settings.
-/// Scripts and pictures have none.
+/// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
+/// panels lie, and a user's choices: language, size of texts, navigation, theme, perspective, shortcuts. Kept as the
+/// platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.

@@ -1443,6 +1443,14 @@
         <source>Click anything in the window to read what it is for</source>
         <translation>Cliquer un élément de la fenêtre pour lire à quoi il sert</translation>
     </message>
+    <message>
+        <source>Context &amp;menu</source>
+        <translation>&amp;Menu contextuel</translation>
+    </message>
+    <message>
+        <source>Open the menu of what is selected in the scene or in the table in use</source>
+        <translation>Ouvrir le menu de ce qui est sélectionné dans la scène ou dans le tableau en cours</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -5926,8 +5934,8 @@
         <translation>Ouvrir des pièces</translation>
     </message>
     <message>
-        <source>Now a product of parts. Open the sample &quot;Roller stand&quot; (samples/roller-stand). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
-        <translation>Maintenant un produit fait de pièces. Ouvrez l&apos;exemple « Support à rouleau » (samples/roller-stand). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
+        <source>Now parts. Open the sample &quot;Nut and bolt&quot; (samples/nut-and-bolt). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
+        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
     </message>
     <message>
         <source>Find the fits</source>
@@ -5942,8 +5950,8 @@
         <translation>Planifier un mouvement</translation>
     </message>
     <message>
-        <source>Select a screw, choose This part moves (Ctrl+Shift+M) and press Start (F5): the planner searches its way out. The panel Path shows the clearance along it and plays it (Ctrl+P).</source>
-        <translation>Sélectionnez une vis, choisissez Cette pièce bouge (Ctrl+Maj+M) et appuyez sur Démarrer (F5) : le planificateur cherche comment la sortir. Le panneau Chemin montre le jeu le long du mouvement et le joue (Ctrl+P).</translation>
+        <source>Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et le joue (Ctrl+P).</translation>
     </message>
     <message>
         <source>Plan the sequence</source>

@@ -20,6 +20,10 @@ cd "$root"
 if [ -e "$bin/glissade" ]; then
   QT_QPA_PLATFORM=offscreen "$bin/glissade" --offscreen "$samples/sliding-plane/scenario.json" --screenshot "$root/window.png"
   test -s "$root/window.png"
+  # The samples of the welcome page are found.
+  echo "open-sample teaching/scenario.json" >"$root/sample.script"
+  QT_QPA_PLATFORM=offscreen "$bin/glissade" --offscreen --script "$root/sample.script"
+  rm "$root/sample.script"
   for file in applications/glissade.desktop mime/packages/glissade.xml icons/hicolor/scalable/apps/glissade.svg; do
     test -s "$root/usr/share/$file"
   done

@@ -54,6 +54,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Take the last edit back"), false},
       {"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "Ctrl+Shift+Z",
        QT_TRANSLATE_NOOP("Actions", "Do again what was taken back"), false},
+      {"edit.context-menu", QT_TRANSLATE_NOOP("Actions", "Context &menu"), "Shift+F10",
+       QT_TRANSLATE_NOOP("Actions", "Open the menu of what is selected in the scene or in the table in use"), false},
       {"edit.preferences", QT_TRANSLATE_NOOP("Actions", "Pre&ferences..."), "Ctrl+,",
        QT_TRANSLATE_NOOP("Actions", "Language, theme, size of texts, navigation"), false},
       {"environment.build", QT_TRANSLATE_NOOP("Actions", "Find &places"), "F7",
