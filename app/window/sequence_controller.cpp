@@ -396,7 +396,10 @@ void SequenceController::chooseExport() {
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
          "Animation (*.glb)") +
           QStringLiteral(";;") + filmFilter());
-  if (file.isEmpty()) return;
+  if (!file.isEmpty()) exportAndTell(file);
+}
+
+void SequenceController::exportAndTell(const QString& file) {
   exportTo(file, [this, file](const SaveResult& saved) {
     if (!saved && saved.why.kind == ErrorKind::Interrupted) {
       bench_.messages.showStatus(tr("The film was cancelled"));

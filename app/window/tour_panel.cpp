@@ -76,12 +76,12 @@ void TourPanel::setDone(bool done) {
   doIt_->setText(done ? tr("✓ Done") : tr("Do it for me"));
 }
 
-/// In the lower left corner of the scene, as high as its text needs.
+/// In the lower right corner of the scene, as high as its text needs: the axes and the first sample are at the left.
 void TourPanel::place() {
   const QWidget& scene = *parentWidget();
   const int width = std::min(kWidestTour, scene.width() - 2 * kTourMargin);
   const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
-  setGeometry(kTourMargin, std::max(0, scene.height() - kTourMargin - height), width, height);
+  setGeometry(scene.width() - kTourMargin - width, std::max(0, scene.height() - kTourMargin - height), width, height);
   raise();
 }
 

@@ -92,10 +92,12 @@ void WelcomePage::arrangeGrids() {
 }
 
 WelcomePage::Section WelcomePage::makeSection(const QString& title, QLayout& column) {
-  const Section section{makeTitle(title, kSectionScale, content_), new CardGrid(content_)};
+  const Section section{makeTitle(title, kSectionScale, content_), new CardGrid(content_), new QWidget(content_)};
+  section.gap->setFixedHeight(kSectionGap);
   section.grid->setAccessibleName(title);
   column.addWidget(section.title);
   column.addWidget(section.grid);
+  column.addWidget(section.gap);
   connect(section.grid, &CardGrid::chosen, this, &WelcomePage::chosen);
   connect(section.grid, &CardGrid::focused, this, [this](QWidget* card) { ensureWidgetVisible(card); });
   return section;
@@ -105,6 +107,7 @@ void WelcomePage::fill(const Section& section, const std::vector<WelcomeEntry>& 
   section.grid->setEntries(entries);
   section.title->setHidden(entries.empty());
   section.grid->setHidden(entries.empty());
+  section.gap->setHidden(entries.empty());
   arrangeGrids();
 }
 

@@ -32,6 +32,7 @@ class WelcomePage final : public QScrollArea {
   struct Section {
     QLabel* title;
     CardGrid* grid;
+    QWidget* gap;  ///< below the cards
   };
 
   QLayout* makeHead(const ActionCatalogue& actions);

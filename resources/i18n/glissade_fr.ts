@@ -5942,8 +5942,8 @@
         <translation>Trouver les ajustements</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap, with gap and allowance. A row selects its two bodies in the scene.</source>
-        <translation>Choisissez Assemblage &gt; Trouver les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se chevauchent, avec écart et tolérance. Une ligne sélectionne ses deux corps dans la scène.</translation>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a clearance of 0.1 mm: the list is empty, and nothing has to be allowed.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se chevauchent par conception, avec écart et tolérance, comme la plupart des pièces CAO. Vis et écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à tolérer.</translation>
     </message>
     <message>
         <source>Plan a motion</source>
