@@ -52,12 +52,14 @@ TEST_F(HelpWindow, TheTourGoesOnWhenAPersonDoesTheStep) {
 
 TEST_F(HelpWindow, TheRightButtonOpensTheMenuOfWhatIsThere) {
   // The middle of the first wall; with places a place is there; beside everything the menu of the scene.
-  expectGood(run(QStringLiteral("teaching"), QStringLiteral("action layer.object\naction view.top\n"
-                                                            "right-click 10 10\nexpect-menu view.fit\n"
-                                                            "right-click 325 300\nexpect-menu body.hide\n"
-                                                            "action view.isometric\naction layer.places\n"
-                                                            "right-click 475 333\n"
-                                                            "expect-menu place.forbid\n")));
+  expectGood(
+      run(QStringLiteral("teaching"), QStringLiteral("action layer.object\naction view.top\n"
+                                                     "right-click 10 10\nexpect-menu view.fit\n"
+                                                     "right-click 325 300\nexpect-menu body.hide\n"
+                                                     "action view.isometric\naction layer.places\n"
+                                                     "right-click 475 333\n"
+                                                     "expect-menu place.forbid\naction layer.places\nselect body O1\n"
+                                                     "action edit.context-menu\nexpect-menu body.hide\n")));
 }
 
 }  // namespace
