@@ -29,7 +29,8 @@ AssemblyController::AssemblyController(const Workbench& bench, PartImport& parts
   column->addWidget(scenePanel_, 1);
   column->addWidget(placement_);
   placement_->addPickAction(bench.actions["assembly.pick-frame"]);
-  for (const char* id : {"assembly.moves", "assembly.remove", "body.hide", "body.isolate", "body.show-all"}) {
+  for (const char* id : {"assembly.moves", "assembly.remove", "sequence.stays", "body.hide", "body.isolate",
+                         "body.show-all", "view.zoom-selection"}) {
     scenePanel_->addAction(bench.actions[QLatin1String(id)]);
   }
   scenePanel_->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "app/window/environment_script.h"
-#include "app/window/scene_ray.h"
+#include "app/window/scene_target.h"
 #include "engine/planning/fine/coarse_preview.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/document/complexity_colour.h"
 #include "widgets/scene3d/environment_layers.h"
-#include "widgets/scene3d/scene_pick.h"
 
 namespace glissade {
 namespace {
@@ -240,18 +239,11 @@ void EnvironmentController::leaveStep() {
 }
 
 void EnvironmentController::pick(const QPointF& position, bool add) {
-  const ScenarioPtr& scenario = bench_.document.scenario();
-  if (!scenario) return;
-  const Ray ray = rayThrough(bench_.scene, position);
-  const auto body = pickBody(scenario->obstacles, ray, bench_.scene.view().hiddenBodies());
+  if (!bench_.document.scenario()) return;
+  const SceneTarget target = targetAt(bench_, position);
   SemanticSelection selection = add ? document_.selection() : SemanticSelection{};
-  if (document_.knowledge() && bench_.scene.view().layerVisible(SceneLayer::Places)) {
-    const int place = pickPlace(document_.knowledge()->environment->map, ray, body ? body->distance : 1e9);
-    if (place != kNoPlace && !selection.places.remove(place)) selection.places.insert(place);
-  } else if (body) {
-    const QString id = QString::fromStdString(scenario->obstacles[body->body].id);
-    if (!selection.bodies.remove(id)) selection.bodies.insert(id);
-  }
+  if (target.place != kNoPlace && !selection.places.remove(target.place)) selection.places.insert(target.place);
+  if (target.body && !selection.bodies.remove(*target.body)) selection.bodies.insert(*target.body);
   document_.select(selection);
 }
 

@@ -1,7 +1,6 @@
 #include "app/window/file_controller.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QUrl>
 
@@ -38,7 +37,10 @@ void FileController::connectActions() {
   bench_.onAction("file.open", this, [this] { chooseScenario(); });
   bench_.onAction("file.save", this, [this] { save(); });
   bench_.onAction("file.save-as", this, [this] { chooseSaveFile(); });
-  bench_.onAction("recent.forget", this, [this] { memory_->forgetFiles(); });
+  bench_.onAction("recent.forget", this, [this] {
+    memory_->forgetFiles();
+    emit recentFilesChanged();
+  });
   for (const char* id : {"file.save", "file.save-as", "recent.forget"}) bench_.enable(id, false);
 }
 
@@ -66,7 +68,7 @@ std::optional<Diagnostic> FileController::take(Result<ScenarioFile> opened, cons
   saves_->noteContent(file.toStdString(), opened->sha256);
   const auto scenario = std::make_shared<const LoadedScenario>(std::move(opened->scenario));
   bench_.document.open(scenario);
-  if (memory_ != nullptr) memory_->noteFile(file);
+  noteFile(file);
   if (quiet) return std::nullopt;
   if (scenario->fitsPending) {
     bench_.document.whenArranged([this] { showWarnings(*bench_.document.scenario()); });
@@ -108,13 +110,20 @@ SaveResult FileController::write(const QString& file) {
   SaveResult saved = saves_->save(content, name);
   if (!saved) return saved;
   bench_.document.noteSaved(name, content);
-  if (memory_ != nullptr) memory_->noteFile(file);
+  noteFile(file);
+  emit pictureDue(file);
   return saved;
 }
 
+QString FileController::folder() const {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario || scenario->file.empty()) return {};
+  return QFileInfo(QString::fromStdString(scenario->file)).absolutePath();
+}
+
 void FileController::chooseScenario() {
-  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a scenario"), QString(),
-                                                    tr("Scenarios (*.json *.cfg);;All files (*)"));
+  const QString file =
+      bench_.dialogs.open(FilePurpose::Scenario, tr("Open a scenario"), tr("Scenarios (*.json *.cfg);;All files (*)"));
   if (!file.isEmpty()) openInBackground(file);
 }
 
@@ -130,8 +139,8 @@ void FileController::save() {
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
   const std::string proposed = scenario.file.empty() ? scenario.scenario.name + ".json" : scenario.file;
-  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the scenario"),
-                                                    QString::fromStdString(proposed), tr("Scenarios (*.json)"));
+  const QString file = bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"),
+                                           QString::fromStdString(proposed), tr("Scenarios (*.json)"));
   if (!file.isEmpty()) trySave(file);
 }
 
@@ -157,7 +166,25 @@ void FileController::trySave(const QString& file) {
   }
 }
 
+void FileController::setMemory(WindowMemory* memory) {
+  memory_ = memory;
+  emit recentFilesChanged();
+}
+
+void FileController::noteFile(const QString& file) {
+  if (memory_ == nullptr) return;
+  memory_->noteFile(file);
+  emit recentFilesChanged();
+}
+
 bool FileController::mayDiscard() {
+  if (!asksToDiscard()) return false;
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (scenario && !scenario->file.empty()) emit pictureDue(QString::fromStdString(scenario->file));
+  return true;
+}
+
+bool FileController::asksToDiscard() {
   if (bench_.messages.isQuiet() || !bench_.document.isModified()) return true;
   QStringList unsaved;
   if (bench_.document.hasUnsavedEdits()) unsaved << tr("edits");
@@ -176,7 +203,7 @@ bool FileController::mayDiscard() {
 /// Files that are not there stay in the list: a drive may only be away for a while.
 void FileController::fillRecentMenu() {
   recent_->clear();
-  const QStringList files = memory_ != nullptr ? memory_->recentFiles() : QStringList();
+  const QStringList files = recentFiles();
   for (int i = 0; i < files.size(); ++i) {
     const QFileInfo file(files[i]);
     const QString number = i < 9 ? QStringLiteral("&%1  ").arg(i + 1) : QStringLiteral("1&0  ");
@@ -208,12 +235,16 @@ void FileController::drop(const QMimeData& data) {
   }
 }
 
+/// The file, and the scenario's name where it says more.
 void FileController::showTitle() {
   const LoadedScenario& scenario = *bench_.document.scenario();
-  const std::string& name = scenario.scenario.name;
-  const QString file = QFileInfo(QString::fromStdString(scenario.file)).completeBaseName();
-  bench_.window.setWindowTitle(
-      QStringLiteral("%1[*] — Glissade").arg(name.empty() ? file : QString::fromStdString(name)));
+  const QFileInfo file(QString::fromStdString(scenario.file));
+  const QString name = QString::fromStdString(scenario.scenario.name);
+  QString title = (scenario.file.empty() ? name : file.fileName()) + QStringLiteral("[*]");
+  if (!scenario.file.empty() && !name.isEmpty() && name != file.completeBaseName()) {
+    title += QStringLiteral(" — ") + name;
+  }
+  bench_.window.setWindowTitle(title + QStringLiteral(" — Glissade"));
   bench_.window.setWindowModified(bench_.document.isModified());
   bench_.enable("file.save", true);
   bench_.enable("file.save-as", true);

@@ -24,7 +24,10 @@ class FileController final : public QObject {
   /// Guards saves, keeps earlier versions and unsaved edits.
   SaveController& saves() { return *saves_; }
   /// From now on files are remembered there.
-  void setMemory(WindowMemory* memory) { memory_ = memory; }
+  void setMemory(WindowMemory* memory);
+  bool remembers() const { return memory_ != nullptr; }
+  /// The files opened last, the latest first; they may be gone. None where nothing is remembered.
+  QStringList recentFiles() const { return memory_ != nullptr ? memory_->recentFiles() : QStringList(); }
 
   /// Opens a scenario; errors are shown in a dialog unless `quiet`, and returned.
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet, FindFits fits = FindFits::Now);
@@ -32,16 +35,25 @@ class FileController final : public QObject {
   void openInBackground(const QString& file);
   /// Opens, imports or examines what was dropped on the window.
   void drop(const QMimeData& data);
+  /// Of the scenario that is open; empty where it has none.
+  QString folder() const;
   /// Saves the document into the file, which is the document's from then on. Nothing on success.
   std::optional<Diagnostic> saveAs(const QString& file);
   /// Asks what to do with edits that are not saved. False: the user wants to keep working on them.
   bool mayDiscard();
+
+ signals:
+  void recentFilesChanged();
+  /// The scenario of the file was saved, or another one may take its place: the scene still shows it.
+  void pictureDue(const QString& file);
 
  private:
   void connectActions();
   std::optional<Diagnostic> take(Result<ScenarioFile> opened, const QString& file, bool quiet);
   void showWarnings(const LoadedScenario& scenario);
   void fillRecentMenu();
+  void noteFile(const QString& file);
+  bool asksToDiscard();
   void chooseScenario();
   void chooseSaveFile();
   void save();

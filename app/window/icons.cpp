@@ -66,6 +66,15 @@ void ball(QPainter& painter, double opacity) {
 
 std::vector<std::pair<const char*, Drawing>> drawings() {
   return {
+      {"file.new",
+       [](QPainter& p) {
+         cube(p, {});
+         p.setCompositionMode(QPainter::CompositionMode_Source);
+         p.fillRect(QRectF(8.5, 8.5, 7.5, 7.5), Qt::transparent);
+         p.setCompositionMode(QPainter::CompositionMode_SourceOver);
+         p.drawLine(QPointF(12.5, 9.5), QPointF(12.5, 15.5));
+         p.drawLine(QPointF(9.5, 12.5), QPointF(15.5, 12.5));
+       }},
       {"file.open",
        [](QPainter& p) {
          p.drawPolygon(QPolygonF({{1.5, 13}, {1.5, 3}, {6, 3}, {7.5, 5}, {14.5, 5}, {14.5, 13}}));
@@ -99,6 +108,11 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
          p.drawLine(QPointF(8, 2), QPointF(8, 14));
          p.drawLine(QPointF(2, 8), QPointF(14, 8));
          p.fillRect(QRectF(8, 2, 6, 6), p.pen().color());
+       }},
+      {"help.tour",
+       [](QPainter& p) {
+         p.drawLine(QPointF(4, 2), QPointF(4, 14.5));
+         fill(p, QPolygonF({{4, 2.5}, {13.5, 5.5}, {4, 8.5}}));
        }},
       {"run.start",
        [](QPainter& p) {

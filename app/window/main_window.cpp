@@ -7,7 +7,7 @@
 #include "app/window/arrange_controller.h"
 #include "app/window/assembly_controller.h"
 #include "app/window/body_visibility.h"
-#include "app/window/command_palette.h"
+#include "app/window/context_menus.h"
 #include "app/window/device_controller.h"
 #include "app/window/device_script.h"
 #include "app/window/difficulty_controller.h"
@@ -15,7 +15,7 @@
 #include "app/window/editor_in_use.h"
 #include "app/window/environment_controller.h"
 #include "app/window/fits_controller.h"
-#include "app/window/help_pages.h"
+#include "app/window/help_controller.h"
 #include "app/window/icons.h"
 #include "app/window/kept_paths_controller.h"
 #include "app/window/keyboard_steering.h"
@@ -30,11 +30,12 @@
 #include "app/window/run_controller.h"
 #include "app/window/section_controller.h"
 #include "app/window/sequence_controller.h"
-#include "app/window/shortcuts_dialog.h"
 #include "app/window/study_controller.h"
 #include "app/window/sweep_controller.h"
 #include "app/window/theme.h"
+#include "app/window/tour_controller.h"
 #include "app/window/view_controller.h"
+#include "app/window/welcome_controller.h"
 #include "app/window/window_script.h"
 #include "app/window/workspace_notice.h"
 
@@ -49,11 +50,13 @@ MainWindow::MainWindow(const SceneWidgetFactory& makeScene, SessionClock clock)
     : scene_(makeScene(this)),
       actions_(*new ActionCatalogue(this)),
       messages_(*this),
+      dialogs_(*this, [this] { return files_->folder(); }),
       document_(new WorkbenchDocument(this)),
       session_(new SessionBridge(clock, this)),
       bench_{*document_, *session_, *new ShownRun(*document_, *session_, this),
              *scene_,    actions_,  *new WorkController(*session_, actions_, *statusBar()),
-             messages_,  scripts_,  *this},
+             messages_,  scripts_,  dialogs_,
+             *this},
       docks_(*this, actions_) {
   setWindowTitle(QStringLiteral("Glissade"));
   setAcceptDrops(true);
@@ -88,6 +91,7 @@ void MainWindow::addParts() {
   auto* path = new PathController(bench_);
   auto* difficulty = new DifficultyController(bench_);
   files_ = new FileController(bench_, *parts, *path);
+  new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);
   replayBar_ = replay->bar();
   recordings_ = new RecordingController(bench_, *replay, *files_);
@@ -129,6 +133,9 @@ void MainWindow::addParts() {
   resize(kUsualSize);  // the docks share the width that the window has now
   docks_.arrange();
   makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()});
+  new ContextMenus(bench_);
+  new HelpController(bench_);
+  new TourController(bench_);
 }
 
 void MainWindow::connectActions() {
@@ -140,15 +147,6 @@ void MainWindow::connectActions() {
   for (const char* id : {"edit.undo", "edit.redo"}) bench_.enable(id, false);
   bench_.onAction("file.quit", this, [this] { close(); });
   bench_.onAction("view.reset-layout", this, [this] { docks_.arrange(); });
-  bench_.onAction("help.shortcuts", this, [this] { showShortcuts(actions_, this); });
-  bench_.onAction("help.commands", this, [this] {
-    auto* palette = new CommandPalette(actions_, this);
-    palette->setAttribute(Qt::WA_DeleteOnClose);
-    palette->open();
-    palette->field().setFocus();
-  });
-  bench_.onAction("help.change-shortcuts", this, [this] { changeShortcuts(); });
-  bench_.onAction("help.about", this, [this] { showAbout(this); });
   connect(actions_["view.dark"], &QAction::toggled, this,
           [this](bool dark) { setTheme(dark ? Theme::Dark : Theme::Light); });
   connect(&bench_.work, &WorkController::failed, this,
@@ -165,14 +163,6 @@ void MainWindow::connectActions() {
 
 std::optional<Diagnostic> MainWindow::openScenario(const QString& file, bool quiet) {
   return files_->openScenario(file, quiet, FindFits::LaterIfLarge);
-}
-
-void MainWindow::changeShortcuts() {
-  ShortcutsDialog dialog(actions_, this);
-  if (dialog.exec() != QDialog::Accepted) return;
-  for (auto entry = dialog.shortcuts().begin(); entry != dialog.shortcuts().end(); ++entry) {
-    actions_.setShortcut(entry.key(), entry.value());
-  }
 }
 
 void MainWindow::setTheme(Theme theme) {
@@ -193,6 +183,7 @@ void MainWindow::setBatch(bool batch) {
 void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   memory_ = std::move(memory);
   files_->setMemory(memory_.get());
+  dialogs_.setMemory(memory_.get());
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

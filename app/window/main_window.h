@@ -43,12 +43,12 @@ class MainWindow final : public QMainWindow {
  private:
   void addParts();
   void connectActions();
-  void changeShortcuts();
 
   std::unique_ptr<SceneWidget> scene_;
   ActionCatalogue& actions_;
   ScriptCommands scripts_;
   Messages messages_;
+  FileDialogs dialogs_;
   WorkbenchDocument* document_;
   SessionBridge* session_;
   Workbench bench_;

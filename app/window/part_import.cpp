@@ -12,7 +12,11 @@ PartImport::PartImport(const Workbench& bench) : QObject(&bench.window), bench_(
 
 void PartImport::ask(PartsDialog::Purpose purpose, const QStringList& files) {
   PartsDialog dialog(purpose, files, false, &bench_.window);
-  if (dialog.exec() == QDialog::Accepted) take(purpose, dialog.parts(), dialog.read());
+  dialog.setFolder(bench_.dialogs.folderOf(FilePurpose::Parts));
+  if (dialog.exec() != QDialog::Accepted) return;
+  const std::vector<PartFile> parts = dialog.parts();
+  if (!parts.empty()) bench_.dialogs.noteFile(FilePurpose::Parts, QString::fromStdString(parts.back().path));
+  take(purpose, parts, dialog.read());
 }
 
 void PartImport::take(PartsDialog::Purpose purpose, const std::vector<PartFile>& parts, const GeometryCache& read) {

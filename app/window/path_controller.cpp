@@ -1,7 +1,5 @@
 #include "app/window/path_controller.h"
 
-#include <QFileDialog>
-
 #include <utility>
 
 #include "app/window/export_dialog.h"
@@ -79,8 +77,8 @@ void PathController::showError(const Diagnostic& why) {
 }
 
 void PathController::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a path of this scenario"), QString(),
-                                                    tr("Paths (%1);;All files (*)").arg(readablePatterns()));
+  const QString file = bench_.dialogs.open(FilePurpose::Path, tr("Open a path of this scenario"),
+                                           tr("Paths (%1);;All files (*)").arg(readablePatterns()));
   if (!file.isEmpty()) openOrShowError(file);
 }
 
@@ -147,8 +145,10 @@ void PathController::measureClearance() {
 
 void PathController::chooseExport() {
   ExportDialog dialog(makePathExporterRegistry(), &bench_.window);
+  dialog.setDirectory(bench_.dialogs.folderOf(FilePurpose::Export));
   if (dialog.exec() != QDialog::Accepted) return;
   const QString file = dialog.selectedFiles().front();
+  bench_.dialogs.noteFile(FilePurpose::Export, file);
   const SaveResult saved = exportTo(file);
   if (!saved) {
     showError(saved.why);
@@ -169,9 +169,8 @@ SaveResult PathController::exportTo(const QString& file) {
 }
 
 void PathController::chooseReport() {
-  const QString file =
-      QFileDialog::getSaveFileName(&bench_.window, tr("Write the report of the path"),
-                                   QStringLiteral("path-report.html"), tr("Web page (*.html);;PDF (*.pdf)"));
+  const QString file = bench_.dialogs.save(FilePurpose::Report, tr("Write the report of the path"),
+                                           QStringLiteral("path-report.html"), tr("Web page (*.html);;PDF (*.pdf)"));
   if (file.isEmpty()) return;
   reportTo(file, [this, file](const SaveResult& saved) {
     if (!saved) return showError(saved.why);
@@ -189,7 +188,7 @@ void PathController::reportTo(const QString& file, const PathReportJob::Finished
 
 void PathController::chooseFilm() {
   const QString file =
-      QFileDialog::getSaveFileName(&bench_.window, tr("Film the path"), QStringLiteral("path.mp4"), filmFilter());
+      bench_.dialogs.save(FilePurpose::Film, tr("Film the path"), QStringLiteral("path.mp4"), filmFilter());
   if (file.isEmpty()) return;
   filmTo(file, [this, file](const SaveResult& saved) {
     if (saved) return bench_.messages.showStatus(tr("The film was saved as %1").arg(file));

@@ -1,7 +1,6 @@
 #include "app/window/recording_controller.h"
 
 #include <QFile>
-#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -31,8 +30,8 @@ std::optional<Diagnostic> RecordingController::open(const Result<RunRecord>& rec
 }
 
 void RecordingController::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open a recording"), QString(),
-                                                    tr("Recordings (*.json *.journal);;All files (*)"));
+  const QString file = bench_.dialogs.open(FilePurpose::Recording, tr("Open a recording"),
+                                           tr("Recordings (*.json *.journal);;All files (*)"));
   if (file.isEmpty()) return;
   bench_.work.run(tr("Reading the recording"), [this, file](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto record = std::make_shared<const Result<RunRecord>>(readRunRecord(file.toStdString(), watch));
@@ -48,8 +47,8 @@ void RecordingController::chooseFile() {
 }
 
 void RecordingController::chooseSaveFile() {
-  const QString file = QFileDialog::getSaveFileName(&bench_.window, tr("Save the recording"),
-                                                    QStringLiteral("run.json"), tr("Recordings (*.json)"));
+  const QString file = bench_.dialogs.save(FilePurpose::Recording, tr("Save the recording"), QStringLiteral("run.json"),
+                                           tr("Recordings (*.json)"));
   if (file.isEmpty()) return;
   const SaveResult saved = replay_.save(file);
   showOutcome(saved);
@@ -88,8 +87,8 @@ QString RecordingController::offerJournal(const QString& file) {
   box.exec();
   if (box.clickedButton() == discarded) QFile::remove(file);
   if (box.clickedButton() != saved) return {};
-  return QFileDialog::getSaveFileName(&bench_.window, tr("Save the recording"), QStringLiteral("run.json"),
-                                      tr("Recordings (*.json)"));
+  return bench_.dialogs.save(FilePurpose::Recording, tr("Save the recording"), QStringLiteral("run.json"),
+                             tr("Recordings (*.json)"));
 }
 
 /// A journal whose saving is cancelled stays, and is offered again at the next start.

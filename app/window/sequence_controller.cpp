@@ -1,7 +1,6 @@
 #include "app/window/sequence_controller.h"
 
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QScopedValueRollback>
 
@@ -409,19 +408,22 @@ void SequenceController::film(const QString& file, const FilmJob::Finished& fini
 }
 
 void SequenceController::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(&bench_.window, tr("Open an assembly plan of this product"),
-                                                    QString(), tr("Assembly plans (*.json);;All files (*)"));
+  const QString file = bench_.dialogs.open(FilePurpose::Sequence, tr("Open an assembly plan of this product"),
+                                           tr("Assembly plans (*.json);;All files (*)"));
   if (file.isEmpty()) return;
   if (const auto why = open(file)) bench_.messages.showError(tr("The assembly plan cannot be opened"), *why);
 }
 
 void SequenceController::chooseExport() {
-  const QString file = QFileDialog::getSaveFileName(
-      &bench_.window, tr("Save the assembly plan"), QStringLiteral("plan.json"),
+  const QString file = bench_.dialogs.save(
+      FilePurpose::Sequence, tr("Save the assembly plan"), QStringLiteral("plan.json"),
       tr("Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;"
          "Animation (*.glb)") +
           QStringLiteral(";;") + filmFilter());
-  if (file.isEmpty()) return;
+  if (!file.isEmpty()) exportAndTell(file);
+}
+
+void SequenceController::exportAndTell(const QString& file) {
   exportTo(file, [this, file](const SaveResult& saved) {
     if (!saved && saved.why.kind == ErrorKind::Interrupted) {
       bench_.messages.showStatus(tr("The film was cancelled"));

@@ -43,6 +43,8 @@ class SequenceController final : public QObject {
   /// PDF, a film as MP4, WebM or a series of pictures, by the ending of the file.
   /// `finished` is called when it is done: at once, or later for a work instruction and a film.
   void exportTo(const QString& file, const InstructionJob::Finished& finished);
+  /// The same; a message says what came of it.
+  void exportAndTell(const QString& file);
   /// The name of the scenario, of its file, or of the file that its parts come from.
   std::string productName() const;
   /// The scene as the panel's sliders have it.

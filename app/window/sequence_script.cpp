@@ -76,7 +76,12 @@ void addSequenceCommands(const Workbench& bench, SequenceController& sequence) {
               [&sequence](const Words& words) { return expectSequence(sequence.shown(), words[0], words[1]); });
   scripts.add("open-sequence", 1,
               [&sequence](const Words& words) { return outcomeOf(sequence.open(QString::fromStdString(words[0]))); });
-  scripts.add("export-sequence", 1, [&sequence](const Words& words) {
+  scripts.add("export-sequence", 1, [&bench, &sequence](const Words& words) -> Outcome {
+    // On screen the pictures are taken at later turns of the event loop.
+    if (!bench.work.isAtOnce()) {
+      sequence.exportAndTell(QString::fromStdString(words[0]));
+      return Done{};
+    }
     SaveResult saved = notSaved({ErrorKind::Usage, words[0], "", "is not written yet", "Wait."});
     sequence.exportTo(QString::fromStdString(words[0]), [&saved](const SaveResult& result) { saved = result; });
     return outcomeOf(saved);

@@ -1,7 +1,5 @@
 #include "app/window/study_controller.h"
 
-#include <QFileDialog>
-
 #include "app/window/study_script.h"
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_file.h"
@@ -35,7 +33,7 @@ StudyController::StudyController(const Workbench& bench, FileController& files)
 }
 
 void StudyController::choose() {
-  const QString folder = QFileDialog::getExistingDirectory(&bench_.window, tr("Open the results of a study"));
+  const QString folder = bench_.dialogs.openFolder(FilePurpose::Study, tr("Open the results of a study"));
   if (folder.isEmpty()) return;
   bench_.work.run(tr("Reading the study"), [this, folder](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const auto content = std::make_shared<const Result<Content>>(read(folder, watch));
@@ -53,15 +51,15 @@ void StudyController::choosePdf() {
   const StudyFolder& folder = *browser_->folder();
   const QString proposed = QString::fromStdString(folder.file("report.pdf"));
   const QString file =
-      QFileDialog::getSaveFileName(&bench_.window, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
+      bench_.dialogs.save(FilePurpose::Report, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
   if (file.isEmpty()) return;
   Warnings warnings;
   showSaved(writeReportPdf(reportOf(folder, warnings, studyLanguage()), file), tr("The report cannot be written"));
 }
 
 void StudyController::choosePlotFile() {
-  const QString file = QFileDialog::getSaveFileName(browser_, tr("Save the plot"), QStringLiteral("plot.svg"),
-                                                    tr("Drawings (*.svg);;Pictures (*.png)"));
+  const QString file = bench_.dialogs.save(FilePurpose::Export, tr("Save the plot"), QStringLiteral("plot.svg"),
+                                           tr("Drawings (*.svg);;Pictures (*.png)"), browser_);
   if (!file.isEmpty()) showSaved(browser_->plot()->save(file), tr("The plot cannot be saved"));
 }
 

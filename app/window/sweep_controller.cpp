@@ -1,6 +1,5 @@
 #include "app/window/sweep_controller.h"
 
-#include <QFileDialog>
 #include <QLocale>
 
 #include "engine/base/volume_unit.h"
@@ -96,8 +95,8 @@ void SweepController::tell() {
 
 void SweepController::chooseExport() {
   compute([this] {
-    const QString file = QFileDialog::getSaveFileName(
-        &bench_.window, tr("Export the swept volume"), QStringLiteral("swept-volume.stl"),
+    const QString file = bench_.dialogs.save(
+        FilePurpose::Export, tr("Export the swept volume"), QStringLiteral("swept-volume.stl"),
         tr("Triangles in millimetres (%1);;3D viewers (%2)").arg(QStringLiteral("*.stl"), QStringLiteral("*.glb")));
     if (file.isEmpty()) return;
     if (const Outcome saved = exportTo(file); !saved) {

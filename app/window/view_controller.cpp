@@ -1,7 +1,5 @@
 #include "app/window/view_controller.h"
 
-#include <QVBoxLayout>
-
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 #include "widgets/scene3d/scale_bar.h"
@@ -9,12 +7,10 @@
 
 namespace glissade {
 
-ViewController::ViewController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), welcome_(new QLabel(&bench.window)) {
+ViewController::ViewController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   QWidget* widget = bench.scene.widget();
   new LabelOverlay(bench.scene.view(), widget);
   addNavigationAids();
-  showWelcome();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
   // A body that was dragged goes back.
@@ -60,19 +56,9 @@ void ViewController::zoomToSelection() {
   showCamera();
 }
 
-void ViewController::showWelcome() {
-  welcome_->setAlignment(Qt::AlignCenter);
-  welcome_->setText(
-      tr("<h2>Glissade</h2><p>Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.</p>"
-         "<p>The folder <i>samples</i> holds the papers' environments.</p>"));
-  auto* over = new QVBoxLayout(bench_.scene.widget());
-  over->addWidget(welcome_, 0, Qt::AlignCenter);
-}
-
 void ViewController::updateView(Changes what) {
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (what & Change::Scenario) {
-    welcome_->hide();
     bench_.scene.view().setScenario(scenario);
     bench_.scene.widget()->setFocus();
   } else if (what & Change::Arrangement) {

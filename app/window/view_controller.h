@@ -1,12 +1,10 @@
 #pragma once
 
-#include <QLabel>
-
 #include "app/window/workbench.h"
 
 namespace glissade {
 
-/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers, the welcome text.
+/// Keeps the 3D view in step with the document and the run that is shown; standard views, layers.
 class ViewController final : public QObject {
   Q_OBJECT
 
@@ -19,14 +17,12 @@ class ViewController final : public QObject {
  private:
   void updateView(Changes what);
   void connectActions();
-  void showWelcome();
   void addNavigationAids();
   /// After the camera was moved.
   void showCamera();
   void zoomToSelection();
 
   const Workbench& bench_;
-  QLabel* welcome_;
 };
 
 }  // namespace glissade

@@ -14,6 +14,7 @@ constexpr int kMostFiles = 10;
 constexpr int kLayoutVersion = 2;
 
 const QLatin1String kFiles("recent-files");
+const QLatin1String kFolders("folders/");
 const QLatin1String kState("layout/panels");
 const QLatin1String kGeometry("layout/window");
 
@@ -75,6 +76,12 @@ void WindowMemory::noteFile(const QString& file) {
 }
 
 void WindowMemory::forgetFiles() { settings_.remove(kFiles); }
+
+QString WindowMemory::folder(const QString& purpose) const { return settings_.value(kFolders + purpose).toString(); }
+
+void WindowMemory::noteFolder(const QString& purpose, const QString& folder) {
+  settings_.setValue(kFolders + purpose, folder);
+}
 
 void WindowMemory::saveLayout(const QMainWindow& window) {
   settings_.setValue(kState, window.saveState(kLayoutVersion));

@@ -9,9 +9,9 @@
 
 namespace glissade {
 
-/// What the window remembers from one start to the next: the files opened last, where its panels lie, and a user's
-/// choices: language, size of texts, unit of lengths, colours, navigation, theme, perspective, shortcuts. Kept as the
-/// platform keeps settings. Scripts and pictures have none.
+/// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
+/// panels lie, and a user's choices: language, size of texts, unit of lengths, colours, navigation, theme, perspective,
+/// shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -27,6 +27,10 @@ class WindowMemory {
   void saveLayout(const QMainWindow& window);
   /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
   void restoreLayout(QMainWindow& window, bool sizeToo) const;
+
+  /// The folder that was used last for a purpose, by its word; empty: none.
+  QString folder(const QString& purpose) const;
+  void noteFolder(const QString& purpose, const QString& folder);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

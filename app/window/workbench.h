@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/script/script_commands.h"
+#include "app/window/file_dialogs.h"
 #include "app/window/messages.h"
 #include "app/window/shown_run.h"
 #include "app/window/work_controller.h"
@@ -21,6 +22,7 @@ struct Workbench {
   WorkController& work;
   Messages& messages;
   ScriptCommands& scripts;
+  FileDialogs& dialogs;
   QMainWindow& window;  ///< parent of panels and dialogs
 
   /// Calls `handler` when the action is triggered, as long as `context` lives.

@@ -1471,6 +1471,30 @@
         <source>Move the part of the chosen step by hand, among the parts that are present at that step</source>
         <translation>Déplacer à la main la pièce de l&apos;étape choisie, parmi les pièces présentes à cette étape</translation>
     </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <source>Show the first steps in the window: places and strategies, then parts</source>
+        <translation>Montrer les premières étapes dans la fenêtre : lieux et stratégies, puis pièces</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s this?</source>
+        <translation>&amp;Qu&apos;est-ce que c&apos;est ?</translation>
+    </message>
+    <message>
+        <source>Click anything in the window to read what it is for</source>
+        <translation>Cliquer un élément de la fenêtre pour lire à quoi il sert</translation>
+    </message>
+    <message>
+        <source>Context &amp;menu</source>
+        <translation>&amp;Menu contextuel</translation>
+    </message>
+    <message>
+        <source>Open the menu of what is selected in the scene or in the table in use</source>
+        <translation>Ouvrir le menu de ce qui est sélectionné dans la scène ou dans le tableau en cours</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -5987,13 +6011,6 @@
     </message>
 </context>
 <context>
-    <name>glissade::ViewController</name>
-    <message>
-        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
     <name>glissade::ViewCube</name>
     <message>
         <source>Left</source>
@@ -6886,6 +6903,545 @@
     <message>
         <source>As the theme</source>
         <translation>Comme le thème</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Four bodies</source>
+        <translation>Quatre corps</translation>
+    </message>
+    <message>
+        <source>A flat world in the manner of Cailhol et al. 2019</source>
+        <translation>Un monde plat à la manière de Cailhol et al. 2019</translation>
+    </message>
+    <message>
+        <source>Environment 1</source>
+        <translation>Environnement 1</translation>
+    </message>
+    <message>
+        <source>The cluttered environment of Blin et al. 2016 (figure 3)</source>
+        <translation>L&apos;environnement encombré de Blin et al. 2016 (figure 3)</translation>
+    </message>
+    <message>
+        <source>Roller stand</source>
+        <translation>Support à rouleau</translation>
+    </message>
+    <message>
+        <source>A roller on a shaft between two walls</source>
+        <translation>Un rouleau sur un axe entre deux parois</translation>
+    </message>
+    <message>
+        <source>Pump, unmounting</source>
+        <translation>Pompe, démontage</translation>
+    </message>
+    <message>
+        <source>The pump leaves its seat in the power-electronics frame</source>
+        <translation>La pompe quitte son logement dans le châssis d&apos;électronique de puissance</translation>
+    </message>
+    <message>
+        <source>Nut and bolt</source>
+        <translation>Vis et écrou</translation>
+    </message>
+    <message>
+        <source>A nut on its bolt, with modelled threads</source>
+        <translation>Un écrou sur sa vis, aux filets modélisés</translation>
+    </message>
+    <message>
+        <source>Shape game: star, tight</source>
+        <translation>Jeu de formes : étoile, serré</translation>
+    </message>
+    <message>
+        <source>The shape game of Cailhol et al. 2019 (figure 13)</source>
+        <translation>Le jeu de formes de Cailhol et al. 2019 (figure 13)</translation>
+    </message>
+    <message>
+        <source>Environment 2</source>
+        <translation>Environnement 2</translation>
+    </message>
+    <message>
+        <source>The very cluttered environment of Blin et al. 2016 (figure 11)</source>
+        <translation>L&apos;environnement très encombré de Blin et al. 2016 (figure 11)</translation>
+    </message>
+    <message>
+        <source>Interlocked: a turn</source>
+        <translation>Imbriqués : un tour</translation>
+    </message>
+    <message>
+        <source>A key whose bar lies across the slot of the cover</source>
+        <translation>Une clé dont la barre est en travers de la fente du couvercle</translation>
+    </message>
+    <message>
+        <source>Sliding plane</source>
+        <translation>Plan de glissement</translation>
+    </message>
+    <message>
+        <source>The L slides on a plane</source>
+        <translation>Le L glisse sur un plan</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WelcomeController</name>
+    <message>
+        <source>Not there</source>
+        <translation>Absent</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WelcomePage</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Accueil</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Make a scenario of your parts, open one, or drop files here: scenarios, STEP, meshes, URDF.</source>
+        <translation>Faites un scénario de vos pièces, ouvrez-en un, ou déposez des fichiers ici : scénarios, STEP, maillages, URDF.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ContextMenus</name>
+    <message>
+        <source>&amp;Display</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TourController</name>
+    <message>
+        <source>This cannot be done</source>
+        <translation>Cela ne peut pas se faire</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TourPanel</name>
+    <message>
+        <source>Do it for me</source>
+        <translation>Le faire pour moi</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suite</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>End the tour (Esc)</source>
+        <translation>Terminer la visite (Échap)</translation>
+    </message>
+    <message>
+        <source>Tour: step %1 of %2</source>
+        <translation>Visite : étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Fait</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Ouvrir un scénario</translation>
+    </message>
+    <message>
+        <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the object that moves, its start and its goal.</source>
+        <translation>Ouvrez l&apos;exemple « Quatre corps » : sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
+    </message>
+    <message>
+        <source>See the places</source>
+        <translation>Voir les lieux</translation>
+    </message>
+    <message>
+        <source>Press F8 (View &gt; Layers &gt; Places). The free space is divided into places: green ones are easy, red ones are narrow, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
+        <translation>Appuyez sur F8 (Vue &gt; Couches &gt; Lieux). L&apos;espace libre est divisé en lieux : les verts sont faciles, les rouges étroits, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
+    </message>
+    <message>
+        <source>Plan with topology</source>
+        <translation>Planifier avec la topologie</translation>
+    </message>
+    <message>
+        <source>Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine : le panneau Plan dit où et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Plan with semantics</source>
+        <translation>Planifier avec la sémantique</translation>
+    </message>
+    <message>
+        <source>Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
+        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente et va par P5. Il est prouvé que le chemin trouvé est sans pénétration.</translation>
+    </message>
+    <message>
+        <source>Look at a step</source>
+        <translation>Regarder une étape</translation>
+    </message>
+    <message>
+        <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
+        <translation>Cliquez une ligne du tableau du panneau Plan (Alt+4). Chaque ligne est une étape à travers un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se changent dans le panneau Sémantique.</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Ouvrir des pièces</translation>
+    </message>
+    <message>
+        <source>Now parts. Open the sample &quot;Nut and bolt&quot; (samples/nut-and-bolt). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
+        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
+    </message>
+    <message>
+        <source>Find the fits</source>
+        <translation>Trouver les ajustements</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a clearance of 0.1 mm: the list is empty, and nothing has to be allowed.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se chevauchent par conception, avec écart et tolérance, comme la plupart des pièces CAO. Vis et écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à tolérer.</translation>
+    </message>
+    <message>
+        <source>Plan a motion</source>
+        <translation>Planifier un mouvement</translation>
+    </message>
+    <message>
+        <source>Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et le joue (Ctrl+P).</translation>
+    </message>
+    <message>
+        <source>Plan the sequence</source>
+        <translation>Planifier la séquence</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. A click on a row shows the step; Explode moves the parts apart.</source>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. Un clic sur une ligne montre l&apos;étape ; Éclater écarte les pièces.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Écrire le rapport</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Run &gt; Report of the path does the same for one motion. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Calcul &gt; Rapport du chemin fait de même pour un mouvement. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
+    </message>
+</context>
+<context>
+    <name>ActionHelp</name>
+    <message>
+        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
+        <translation>Les fichiers STEP d&apos;un produit donnent une ligne par pièce, placée comme dans l&apos;assemblage. Les maillages peuvent demander une unité et un axe. Une pièce bouge ; les autres sont fixes ou mobiles.</translation>
+    </message>
+    <message>
+        <source>A scenario holds bodies, the object that moves, its start and goal, places, fits, kept paths and parameters.</source>
+        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins gardés et les paramètres.</translation>
+    </message>
+    <message>
+        <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is proved free of penetration. Parameters can be changed while the run goes on.</source>
+        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction disent comment. Il est prouvé qu&apos;un chemin trouvé est sans pénétration. Les paramètres se changent pendant le calcul.</translation>
+    </message>
+    <message>
+        <source>The program changes the values while it plans, from what computer, operator and contact have earned lately. A slider that is touched is set by hand again.</source>
+        <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que l&apos;on touche est de nouveau réglé à la main.</translation>
+    </message>
+    <message>
+        <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. The strategies GT and GTS plan a coarse path through places first.</source>
+        <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Les stratégies GT et GTS planifient d&apos;abord un chemin grossier par les lieux.</translation>
+    </message>
+    <message>
+        <source>The coarse path is planned again at once, also during a run. An edit of a place is saved with the scenario and can be undone.</source>
+        <translation>Le chemin grossier est aussitôt replanifié, même pendant un calcul. La modification d&apos;un lieu est enregistrée avec le scénario et peut être annulée.</translation>
+    </message>
+    <message>
+        <source>A milestone is a configuration in the border of two places that the path passes through. It can be dragged in the scene, too.</source>
+        <translation>Un jalon est une configuration à la frontière de deux lieux par laquelle le chemin passe. On peut aussi le tirer dans la scène.</translation>
+    </message>
+    <message>
+        <source>CAD parts touch in their assembled position. Where clearance is required, start or goal have to move by the distance that is found and stated.</source>
+        <translation>Les pièces CAO se touchent en position assemblée. Là où un jeu est exigé, le départ ou le but doivent se déplacer de la distance trouvée et indiquée.</translation>
+    </message>
+    <message>
+        <source>The object is the one rigid body whose motion is planned. All other bodies are obstacles.</source>
+        <translation>L&apos;objet est le seul corps rigide dont on planifie le mouvement. Tous les autres corps sont des obstacles.</translation>
+    </message>
+    <message>
+        <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
+        <translation>Les pièces d&apos;un produit se touchent ou se chevauchent par conception. Un ajustement dit de combien l&apos;objet est aminci contre un corps, et chaque résultat l&apos;indique.</translation>
+    </message>
+    <message>
+        <source>Assembly is the reverse order. The plan says which step makes way for which, which parts have to be held, and which tool turns a fastener.</source>
+        <translation>L&apos;assemblage est l&apos;ordre inverse. Le plan dit quelle étape libère laquelle, quelles pièces il faut tenir, et quel outil tourne une fixation.</translation>
+    </message>
+    <message>
+        <source>The shortened path is proved like the planned one; both are kept.</source>
+        <translation>Le chemin raccourci est prouvé comme le chemin planifié ; les deux sont gardés.</translation>
+    </message>
+    <message>
+        <source>The surface contains the object at every time of the path, and is nowhere farther from it than the stated bound.</source>
+        <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
+    </message>
+    <message>
+        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and by how much the object would have to be thinner.</source>
+        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et de combien l&apos;objet devrait être plus mince.</translation>
+    </message>
+    <message>
+        <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
+        <translation>Chaque calcul est enregistré avec sa graine, ses paramètres et ce que l&apos;opérateur a fait. La relecture donne le même graphe, nœud par nœud.</translation>
+    </message>
+    <message>
+        <source>Keys and devices move the object as a rule. In camera mode the same input moves the view instead.</source>
+        <translation>D&apos;ordinaire, touches et périphériques déplacent l&apos;objet. En mode caméra, ils déplacent la vue.</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsThis</name>
+    <message>
+        <source>How the next run plans, and who steers. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved while a run goes on.</source>
+        <translation>Comment le prochain calcul planifie, et qui dirige. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet : vous, un périphérique ou une personne simulée. Les curseurs se déplacent pendant le calcul.</translation>
+    </message>
+    <message>
+        <source>All bodies of the scenario: the object that moves with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
+        <translation>Tous les corps du scénario : l&apos;objet qui bouge avec son départ et son but, et les obstacles. Une case cochée dessine un corps. Dessous, position et angles de la sélection.</translation>
+    </message>
+    <message>
+        <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
+        <translation>Ce que l&apos;on sait des lieux et des corps. En haut, les lieux avec complexité et largeur ; en bas, les attributs de la sélection. Le chemin grossier suit aussitôt chaque changement.</translation>
+    </message>
+    <message>
+        <source>The pairs of bodies that touch or overlap as designed, with their kind and the allowance that planning takes. The menu of a row accepts a clash or marks a thread.</source>
+        <translation>Les paires de corps qui se touchent ou se chevauchent par conception, avec leur genre et la tolérance que prend la planification. Le menu d&apos;une ligne accepte une collision ou marque un filetage.</translation>
+    </message>
+    <message>
+        <source>Planes across the axes that cut the obstacles open in the view. Planning does not know of them.</source>
+        <translation>Des plans perpendiculaires aux axes qui ouvrent les obstacles dans la vue. La planification les ignore.</translation>
+    </message>
+    <message>
+        <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
+        <translation>Chiffres du calcul : itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
+    </message>
+    <message>
+        <source>The steps of the coarse path through places, with the planner of each and its result. A click on a row shows its place in the scene.</source>
+        <translation>Les étapes du chemin grossier par les lieux, avec le planificateur de chacune et son résultat. Un clic sur une ligne montre son lieu dans la scène.</translation>
+    </message>
+    <message>
+        <source>The path that was found, its certificate and its clearance. The slider and the curve move the object along it.</source>
+        <translation>Le chemin trouvé, son certificat et son jeu. Le curseur et la courbe déplacent l&apos;objet le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The paths that the scenario keeps. Each is proved again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
+        <translation>Les chemins que garde le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou réarrangé. Une case cochée dessine un chemin dans la scène.</translation>
+    </message>
+    <message>
+        <source>All messages since the program was started.</source>
+        <translation>Tous les messages depuis le démarrage du programme.</translation>
+    </message>
+    <message>
+        <source>In which order the parts of the product leave, each with a proved motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
+        <translation>Dans quel ordre les pièces du produit partent, chacune avec un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Les lignes se déplacent, se verrouillent et se font à la main.</translation>
+    </message>
+    <message>
+        <source>Why no path was found: where the trees come nearest, which body stands between them, and how much is missing.</source>
+        <translation>Pourquoi aucun chemin n&apos;a été trouvé : où les arbres sont le plus près, quel corps les sépare, et combien il manque.</translation>
+    </message>
+    <message>
+        <source>Files, undo, the run, and views of the scene.</source>
+        <translation>Fichiers, annulation, calcul et vues de la scène.</translation>
+    </message>
+    <message>
+        <source>The recorded run that is replayed, step by step.</source>
+        <translation>Le calcul enregistré que l&apos;on relit, pas à pas.</translation>
+    </message>
+    <message>
+        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (F1 lists them).</source>
+        <translation>La scène. Tirer pour tourner, tirer avec le bouton du milieu pour déplacer, molette pour zoomer, double clic pour cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (F1 les énumère).</translation>
+    </message>
+    <message>
+        <source>What can be opened: new parts, recent files and samples.</source>
+        <translation>Ce que l&apos;on peut ouvrir : nouvelles pièces, fichiers récents et exemples.</translation>
+    </message>
+    <message>
+        <source>The name of the body. A checked box draws it.</source>
+        <translation>Le nom du corps. Une case cochée le dessine.</translation>
+    </message>
+    <message>
+        <source>Moved: the object. Static bodies stay; mobile bodies can be moved out of the way by a person.</source>
+        <translation>Déplacé : l&apos;objet. Les corps fixes restent ; une personne peut écarter les corps mobiles.</translation>
+    </message>
+    <message>
+        <source>How many triangles its surface has.</source>
+        <translation>Combien de triangles a sa surface.</translation>
+    </message>
+    <message>
+        <source>A place or a body. F2 renames a place.</source>
+        <translation>Un lieu ou un corps. F2 renomme un lieu.</translation>
+    </message>
+    <message>
+        <source>How hard the place is to pass, from its width and from what clutters it.</source>
+        <translation>La difficulté du passage, d&apos;après la largeur du lieu et ce qui l&apos;encombre.</translation>
+    </message>
+    <message>
+        <source>How wide the place is at its narrowest.</source>
+        <translation>La largeur du lieu à son endroit le plus étroit.</translation>
+    </message>
+    <message>
+        <source>The name of the attribute. Your own can be renamed and removed.</source>
+        <translation>Le nom de l&apos;attribut. Les vôtres peuvent être renommés et enlevés.</translation>
+    </message>
+    <message>
+        <source>Its value for what is selected.</source>
+        <translation>Sa valeur pour la sélection.</translation>
+    </message>
+    <message>
+        <source>Who says so: computed from geometry, a class of bodies, or you.</source>
+        <translation>Qui le dit : un calcul géométrique, une classe de corps, ou vous.</translation>
+    </message>
+    <message>
+        <source>Takes your value back.</source>
+        <translation>Retire votre valeur.</translation>
+    </message>
+    <message>
+        <source>How the two surfaces meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <translation>Comment les deux surfaces se rencontrent : plan, cylindre, filetage, serrage, chevauchement, contact ou collision.</translation>
+    </message>
+    <message>
+        <source>The distance of the surfaces; negative where the bodies overlap.</source>
+        <translation>La distance des surfaces ; négative là où les corps se chevauchent.</translation>
+    </message>
+    <message>
+        <source>The first body of the pair.</source>
+        <translation>Le premier corps de la paire.</translation>
+    </message>
+    <message>
+        <source>The second body of the pair.</source>
+        <translation>Le second corps de la paire.</translation>
+    </message>
+    <message>
+        <source>By how much the object is taken thinner against the other body.</source>
+        <translation>De combien l&apos;objet est aminci contre l&apos;autre corps.</translation>
+    </message>
+    <message>
+        <source>What was decided about the pair.</source>
+        <translation>Ce qui a été décidé pour la paire.</translation>
+    </message>
+    <message>
+        <source>The place that the step crosses.</source>
+        <translation>Le lieu que l&apos;étape traverse.</translation>
+    </message>
+    <message>
+        <source>The place that it leads to.</source>
+        <translation>Le lieu où elle mène.</translation>
+    </message>
+    <message>
+        <source>The planner that searches the step.</source>
+        <translation>Le planificateur qui cherche l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Random configurations that were drawn for the step.</source>
+        <translation>Configurations aléatoires tirées pour l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>What came of the step.</source>
+        <translation>Le résultat de l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>The name of the path. A checked box draws it.</source>
+        <translation>Le nom du chemin. Une case cochée le dessine.</translation>
+    </message>
+    <message>
+        <source>Whether the path holds in the present arrangement.</source>
+        <translation>Si le chemin tient dans la disposition actuelle.</translation>
+    </message>
+    <message>
+        <source>The smallest distance to other bodies along the path.</source>
+        <translation>La plus petite distance aux autres corps le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The length of the way of the reference point.</source>
+        <translation>La longueur du trajet du point de référence.</translation>
+    </message>
+    <message>
+        <source>By how much the object turns along the path.</source>
+        <translation>De combien l&apos;objet tourne le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The strategy that found it.</source>
+        <translation>La stratégie qui l&apos;a trouvé.</translation>
+    </message>
+    <message>
+        <source>The seed of that run: the same seed gives the same path.</source>
+        <translation>La graine de ce calcul : la même graine donne le même chemin.</translation>
+    </message>
+    <message>
+        <source>The largest allowance that the path needs.</source>
+        <translation>La plus grande tolérance dont le chemin a besoin.</translation>
+    </message>
+    <message>
+        <source>The number of the step.</source>
+        <translation>Le numéro de l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>The part that leaves or is put in, and the kind of its motion.</source>
+        <translation>La pièce qui part ou qui est montée, et le genre de son mouvement.</translation>
+    </message>
+    <message>
+        <source>The smallest distance to other parts, and the largest allowance.</source>
+        <translation>La plus petite distance aux autres pièces, et la plus grande tolérance.</translation>
+    </message>
+    <message>
+        <source>The tool that turns a fastener, and which parts have to be held.</source>
+        <translation>L&apos;outil qui tourne une fixation, et les pièces qu&apos;il faut tenir.</translation>
+    </message>
+    <message>
+        <source>Whether the independent check agrees, and what the step does not keep.</source>
+        <translation>Si la vérification indépendante est d&apos;accord, et ce que l&apos;étape ne respecte pas.</translation>
+    </message>
+    <message>
+        <source>The place that was examined.</source>
+        <translation>L&apos;endroit examiné.</translation>
+    </message>
+    <message>
+        <source>The distance or the overlap there.</source>
+        <translation>La distance ou le chevauchement à cet endroit.</translation>
+    </message>
+    <message>
+        <source>The body that is nearest there.</source>
+        <translation>Le corps le plus proche à cet endroit.</translation>
+    </message>
+    <message>
+        <source>When the message came.</source>
+        <translation>Quand le message est arrivé.</translation>
+    </message>
+    <message>
+        <source>Information, warning or error.</source>
+        <translation>Information, avertissement ou erreur.</translation>
+    </message>
+    <message>
+        <source>What happened.</source>
+        <translation>Ce qui s&apos;est passé.</translation>
+    </message>
+    <message>
+        <source>Panels that share a place. Alt and a digit bring one to the front; View &gt; Panels shows and hides them.</source>
+        <translation>Des panneaux qui partagent une place. Alt et un chiffre en mettent un au premier plan ; Vue &gt; Panneaux les montre et les cache.</translation>
+    </message>
+    <message>
+        <source>All commands. Ctrl+K finds one by a part of its name.</source>
+        <translation>Toutes les commandes. Ctrl+K en trouve une par une partie de son nom.</translation>
+    </message>
+    <message>
+        <source>What the program is doing, what keys and devices move, and devices.</source>
+        <translation>Ce que fait le programme, ce que déplacent les touches et les périphériques, et les périphériques.</translation>
     </message>
 </context>
 </TS>

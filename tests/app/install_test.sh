@@ -24,6 +24,10 @@ if [ -e "$bin/glissade" ]; then
     test -s "$root/usr/share/doc/glissade/manual/$page.html"
   done
   test -s "$root/usr/share/doc/glissade/manual/pictures/environment-1-solved.png"
+  # The samples of the welcome page are found.
+  echo "open-sample teaching/scenario.json" >"$root/sample.script"
+  QT_QPA_PLATFORM=offscreen "$bin/glissade" --offscreen --script "$root/sample.script"
+  rm "$root/sample.script"
   for file in applications/glissade.desktop mime/packages/glissade.xml icons/hicolor/scalable/apps/glissade.svg; do
     test -s "$root/usr/share/$file"
   done

@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "widgets/commands/action_help.h"
 #include "widgets/commands/flow_layout.h"
 
 namespace glissade {
@@ -66,6 +67,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "Ctrl+Shift+Z",
        QT_TRANSLATE_NOOP("Actions", "Redo the edit that was undone"), false},
+      {"edit.context-menu", QT_TRANSLATE_NOOP("Actions", "Context &menu"), "Shift+F10",
+       QT_TRANSLATE_NOOP("Actions", "Open the menu of what is selected in the scene or in the table in use"), false},
       {"edit.preferences", QT_TRANSLATE_NOOP("Actions", "Pre&ferences..."), "Ctrl+,",
        QT_TRANSLATE_NOOP("Actions", "Language, theme, size of texts, unit of lengths, navigation, colours"), false},
       {"environment.build", QT_TRANSLATE_NOOP("Actions", "Find &places"), "F7",
@@ -220,7 +223,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        false},
       {"replay.last", QT_TRANSLATE_NOOP("Actions", "Replay the &last run"), "F10",
        QT_TRANSLATE_NOOP("Actions", "Run the last run, or the recording opened last, again bit by bit"), false},
-      {"replay.again", QT_TRANSLATE_NOOP("Actions", "Replay with &current parameters"), "Shift+F10",
+      {"replay.again", QT_TRANSLATE_NOOP("Actions", "Replay with &current parameters"), "Ctrl+F10",
        QT_TRANSLATE_NOOP("Actions", "What the same operator would have led to with the sliders as they are set"),
        false},
       {"replay.play", QT_TRANSLATE_NOOP("Actions", "Play the r&eplay"), "Ctrl+Space",
@@ -433,10 +436,14 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Bring the log of messages to the front"), false},
       {"help.manual", QT_TRANSLATE_NOOP("Actions", "&Manual"), "F1", QT_TRANSLATE_NOOP("Actions", "Open the manual"),
        false},
-      {"help.panel", QT_TRANSLATE_NOOP("Actions", "Help on this &panel"), "Shift+F1",
+      {"help.panel", QT_TRANSLATE_NOOP("Actions", "Help on this &panel"), "Ctrl+Shift+F1",
        QT_TRANSLATE_NOOP("Actions", "Open the manual at the panel that has the focus"), false},
       {"help.commands", QT_TRANSLATE_NOOP("Actions", "Fin&d a command..."), "Ctrl+K",
        QT_TRANSLATE_NOOP("Actions", "Type a part of its name to find any command and carry it out"), false},
+      {"help.tour", QT_TRANSLATE_NOOP("Actions", "&Tour"), "",
+       QT_TRANSLATE_NOOP("Actions", "Show the first steps in the window: places and strategies, then parts"), false},
+      {"help.whats-this", QT_TRANSLATE_NOOP("Actions", "&What's this?"), "Shift+F1",
+       QT_TRANSLATE_NOOP("Actions", "Click anything in the window to read what it is for"), false},
       {"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keys and shortcuts"), "Ctrl+F1",
        QT_TRANSLATE_NOOP("Actions", "How to steer, and all shortcuts"), false},
       {"log.copy", QT_TRANSLATE_NOOP("Actions", "Copy for a &bug report"), "",
@@ -467,6 +474,8 @@ void ActionCatalogue::setShortcut(const QString& id, const QKeySequence& keys) {
   QString tip = action->statusTip();
   if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
   action->setToolTip(tip);
+  action->setWhatsThis(
+      actionHelp(id, plain(action->text()), keys.toString(QKeySequence::NativeText), action->statusTip()));
 }
 
 QKeySequence ActionCatalogue::usualShortcut(const QString& id) {

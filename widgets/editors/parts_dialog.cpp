@@ -234,7 +234,7 @@ QComboBox* PartsDialog::makeUp(const QString& name) {
 
 void PartsDialog::chooseFiles() {
   const QString folder =
-      rows_.empty() ? QString() : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
+      rows_.empty() ? folder_ : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
   addFiles(QFileDialog::getOpenFileNames(
       this, tr("Add the files of parts"), folder,
       tr("Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)")));

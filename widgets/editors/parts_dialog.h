@@ -27,6 +27,8 @@ class PartsDialog final : public QDialog {
   /// `atOnce`: files are measured before the constructor and addFiles() return.
   PartsDialog(Purpose purpose, const QStringList& files, bool atOnce, QWidget* parent = nullptr);
 
+  /// Where the dialog that adds files begins while none is listed.
+  void setFolder(const QString& folder) { folder_ = folder; }
   /// Files that are listed already stay as they are.
   void addFiles(const QStringList& files);
 
@@ -71,6 +73,7 @@ class PartsDialog final : public QDialog {
 
   Purpose purpose_;
   bool atOnce_;
+  QString folder_;
   bool roleChosen_ = false;
   std::vector<Row> rows_;               ///< as in the table
   std::optional<UnitGuess> unitGuess_;  ///< of the files that say none, where nobody has chosen

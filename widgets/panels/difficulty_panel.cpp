@@ -22,7 +22,7 @@ QString bodyName(int body, const LoadedScenario& scenario) {
 DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent), summary_(new QLabel(this)), rows_(new QTreeWidget(this)), slider_(new WaySlider(this)) {
   summary_->setWordWrap(true);
-  rows_->setObjectName(QStringLiteral("difficulty"));
+  rows_->setObjectName(QStringLiteral("difficulty-rows"));
   rows_->setAccessibleName(tr("What stands in the way"));
   rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Nearest body")});
   rows_->setRootIsDecorated(false);

@@ -83,6 +83,7 @@ FitsPanel::FitsPanel(const ActionCatalogue& actions, QWidget* parent)
   filter_->setPlaceholderText(tr("Filter by kind, status or body"));
   filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(true);
+  table_->setObjectName(QStringLiteral("fits-table"));
   table_->setColumnCount(ColumnCount);
   table_->setHeaderLabels({tr("Kind"), tr("Gap"), tr("Body A"), tr("Body B"), tr("Allowance"), tr("Status")});
   table_->headerItem()->setToolTip(Amount, tr("Negative where the bodies overlap"));

@@ -50,6 +50,7 @@ InteractionPanel::InteractionPanel(QWidget* parent)
     device_->setItemData(device_->count() - 1, QCoreApplication::translate("Devices", entry.description.c_str()),
                          Qt::ToolTipRole);
   }
+  planner_->setObjectName(QStringLiteral("strategy"));
   planner_->setToolTip(tr("The strategy of the next run"));
   planner_->setAccessibleName(tr("Strategy"));
   device_->setToolTip(tr("Who holds the object"));

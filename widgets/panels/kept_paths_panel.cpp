@@ -106,6 +106,7 @@ QString proofText(const KeptPathProof& proof) {
 KeptPathsPanel::KeptPathsPanel(const ActionCatalogue& actions, QWidget* parent)
     : QWidget(parent), summary_(new QLabel(this)), table_(new QTreeWidget(this)) {
   summary_->setWordWrap(true);
+  table_->setObjectName(QStringLiteral("kept-paths"));
   table_->setColumnCount(KeptColumnCount);
   table_->setHeaderLabels({tr("Name"), tr("Proof"), tr("Clearance"), tr("Length"), tr("Turns"), tr("Strategy"),
                            tr("Seed"), tr("Allowances")});

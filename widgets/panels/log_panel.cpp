@@ -23,6 +23,7 @@ LogPanel::LogPanel(const MessageLog& log, const ActionCatalogue& actions, QWidge
   table_->setRootIsDecorated(false);
   table_->setAlternatingRowColors(true);
   table_->setAccessibleName(tr("Messages"));
+  table_->setObjectName(QStringLiteral("log-messages"));
   table_->header()->setSectionResizeMode(LogTime, QHeaderView::ResizeToContents);
   table_->header()->setSectionResizeMode(LogLevelColumn, QHeaderView::ResizeToContents);
   auto* row = makeActionRow(actions, {"log.copy"}, this);

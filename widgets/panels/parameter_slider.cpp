@@ -52,6 +52,7 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setAlignment(Qt::AlignRight);
   const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());
   setToolTip(help);
+  setWhatsThis(help);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setVerticalSpacing(2);

@@ -44,6 +44,7 @@ void collectBodies(const QTreeWidgetItem& item, QSet<QString>& bodies) {
 }  // namespace
 
 ScenePanel::ScenePanel(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName(QStringLiteral("bodies"));
   setAccessibleName(tr("Bodies"));
   setColumnCount(3);
   setHeaderLabels({tr("Body"), tr("Kind"), tr("Triangles")});

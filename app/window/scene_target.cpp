@@ -1,0 +1,33 @@
+#include "app/window/scene_target.h"
+
+#include "app/window/scene_ray.h"
+
+namespace glissade {
+namespace {
+
+/// Metres: nothing is farther away.
+constexpr double kEndOfRay = 1e9;
+
+}  // namespace
+
+SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
+  const LoadedScenario& scenario = *bench.document.scenario();
+  const SceneView& view = bench.scene.view();
+  const Ray ray = rayThrough(bench.scene, position);
+  const auto body = pickBody(scenario.obstacles, ray, view.hiddenBodies());
+  const double farthest = body ? body->distance : kEndOfRay;
+  SceneTarget target;
+  RigidBody object = scenario.object;
+  object.X_WB = view.objectPose();
+  const auto hit = pickBody({object}, ray);
+  target.isObject = view.layerVisible(SceneLayer::Object) && hit && hit->distance < farthest;
+  const SceneKnowledgePtr& knowledge = bench.document.knowledge();
+  if (knowledge && view.layerVisible(SceneLayer::Places)) {
+    target.place = pickPlace(knowledge->environment->map, ray, farthest);
+  } else if (body) {
+    target.body = QString::fromStdString(scenario.obstacles[body->body].id);
+  }
+  return target;
+}
+
+}  // namespace glissade

@@ -1,0 +1,121 @@
+#include "app/window/tour_steps.h"
+
+#include <QTreeWidget>
+
+namespace glissade {
+namespace {
+
+bool isOpen(const Workbench& bench, const char* sample) {
+  const ScenarioPtr& scenario = bench.document.scenario();
+  return scenario && QString::fromStdString(scenario->file).endsWith(QLatin1String(sample));
+}
+
+/// A run of this strategy has ended.
+bool hasRun(const Workbench& bench, const char* strategy) {
+  const SnapshotPtr& snapshot = bench.run.snapshot();
+  return snapshot && snapshot->plannerId == strategy && snapshot->run > 0 && !isRunning(*snapshot) &&
+         snapshot->state != SessionState::Idle;
+}
+
+bool hasSelectedRow(const Workbench& bench, const char* table) {
+  const auto* rows = bench.window.findChild<QTreeWidget*>(QLatin1String(table));
+  return rows != nullptr && !rows->selectedItems().isEmpty();
+}
+
+bool isTeachingOpen(const Workbench& bench) { return isOpen(bench, "teaching/scenario.json"); }
+bool arePlacesShown(const Workbench& bench) { return bench.scene.view().layerVisible(SceneLayer::Places); }
+bool hasRunGt(const Workbench& bench) { return hasRun(bench, "gt"); }
+bool hasSolvedByGts(const Workbench& bench) {
+  return hasRun(bench, "gts") && bench.run.snapshot()->state == SessionState::Solved;
+}
+bool isStepChosen(const Workbench& bench) { return hasSelectedRow(bench, "steps"); }
+bool isNutOpen(const Workbench& bench) { return isOpen(bench, "nut-and-bolt/scenario.json"); }
+bool hasNutPath(const Workbench& bench) { return isNutOpen(bench) && bench.document.results().path != nullptr; }
+bool hasSequence(const Workbench& bench) { return bench.actions["sequence.export"]->isEnabled(); }
+
+}  // namespace
+
+const std::vector<TourStep>& tourSteps() {
+  static const std::vector<TourStep> steps{
+      {QT_TRANSLATE_NOOP("Tour", "Open a scenario"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Open the sample \"Four bodies\": its card on the welcome page, or Open (Ctrl+O) and "
+                         "samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, "
+                         "the object that moves, its start and its goal."),
+       "file.open",
+       {"open-sample teaching/scenario.json"},
+       isTeachingOpen},
+      {QT_TRANSLATE_NOOP("Tour", "See the places"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Press F8 (View > Layers > Places). The free space is divided into places: green ones are "
+                         "easy, red ones are narrow, yellow ones are cluttered by a mobile body. The blue line is the "
+                         "coarse path: the sequence of places that costs least."),
+       "layer.places",
+       {"action layer.places"},
+       arePlacesShown},
+      {QT_TRANSLATE_NOOP("Tour", "Plan with topology"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. "
+                         "It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan "
+                         "says where and why."),
+       "strategy",
+       {"select-strategy gt", "action run.start"},
+       hasRunGt},
+      {QT_TRANSLATE_NOOP("Tour", "Plan with semantics"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through "
+                         "the slot and goes through P5. The path that it finds is proved free of penetration."),
+       "strategy",
+       {"select-strategy gts", "action run.start"},
+       hasSolvedByGts},
+      {QT_TRANSLATE_NOOP("Tour", "Look at a step"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, "
+                         "with the planner that found it. The scene marks the place of the step, and its attributes "
+                         "can be changed in the panel Semantics."),
+       "steps",
+       {"select step 2"},
+       isStepChosen},
+      {QT_TRANSLATE_NOOP("Tour", "Open parts"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Now parts. Open the sample \"Nut and bolt\" (samples/nut-and-bolt). With parts of your own, "
+                         "begin with File > New from parts (Ctrl+N): STEP, mesh or URDF files."),
+       "file.open",
+       {"open-sample nut-and-bolt/scenario.json"},
+       isNutOpen},
+      {QT_TRANSLATE_NOOP("Tour", "Find the fits"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Choose Assembly > Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or "
+                         "overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a "
+                         "clearance of 0.1 mm: the list is empty, and nothing has to be allowed."),
+       "fits.find",
+       {"action fits.find"},
+       nullptr},
+      {QT_TRANSLATE_NOOP("Tour", "Plan a motion"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to "
+                         "turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P)."),
+       "run.start",
+       {"action run.start"},
+       hasNutPath},
+      {QT_TRANSLATE_NOOP("Tour", "Plan the sequence"),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Choose Assembly > Plan the sequence (Ctrl+J): in which order do the parts leave? Each step "
+           "has a motion that is proved. A click on a row shows the step; Explode moves the parts apart."),
+       "sequence.plan",
+       {"action sequence.plan"},
+       hasSequence},
+      {QT_TRANSLATE_NOOP("Tour", "Write the report"),
+       QT_TRANSLATE_NOOP("Tour",
+                         "Choose Assembly > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a "
+                         "work instruction with a picture of each step. Run > Report of the path does the same for one "
+                         "motion. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
+       "sequence.export",
+       {"export-sequence {report}"},
+       nullptr},
+  };
+  return steps;
+}
+
+}  // namespace glissade

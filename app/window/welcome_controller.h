@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "app/window/file_controller.h"
+#include "app/window/scenario_pictures.h"
+#include "app/window/welcome_page.h"
+
+namespace glissade {
+
+/// The welcome page over the empty scene, and the pictures of the files opened last: they are taken when a scenario is
+/// saved or left. Scripts and pictures have samples only.
+class WelcomeController final : public QObject {
+  Q_OBJECT
+
+ public:
+  WelcomeController(const Workbench& bench, FileController& files);
+
+ private:
+  void showRecent();
+  void takePicture(const QString& file);
+  void addCommands();
+  Outcome openSample(const std::string& name);
+
+  const Workbench& bench_;
+  FileController& files_;
+  WelcomePage* page_;
+  QString samples_;  ///< folder; empty: there is none
+  ScenarioPictures pictures_;
+};
+
+}  // namespace glissade

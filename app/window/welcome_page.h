@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+
+#include <vector>
+
+#include "app/window/card_grid.h"
+#include "widgets/commands/action_catalogue.h"
+
+namespace glissade {
+
+/// What the window shows while no scenario is open: what can be done first, the files opened last, and the samples.
+class WelcomePage final : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  WelcomePage(const ActionCatalogue& actions, QWidget* parent);
+
+  /// The section is hidden where there are none.
+  void setRecent(const std::vector<WelcomeEntry>& entries);
+  void setSamples(const std::vector<WelcomeEntry>& entries);
+
+ signals:
+  void chosen(const QString& file);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Section {
+    QLabel* title;
+    CardGrid* grid;
+    QWidget* gap;  ///< below the cards
+  };
+
+  QLayout* makeHead(const ActionCatalogue& actions);
+  Section makeSection(const QString& title, QLayout& column);
+  void fill(const Section& section, const std::vector<WelcomeEntry>& entries);
+
+  /// One below the other where the page is too narrow for a row.
+  void arrangeButtons();
+  /// As high as all of its cards at the page's width.
+  void arrangeGrids();
+
+  QWidget* content_;
+  QBoxLayout* buttons_;
+  Section recent_;
+  Section samples_;
+};
+
+}  // namespace glissade
