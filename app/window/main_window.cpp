@@ -22,6 +22,7 @@
 #include "app/window/log_controller.h"
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
+#include "app/window/named_views_controller.h"
 #include "app/window/navigation_controller.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/recording_controller.h"
@@ -71,6 +72,8 @@ MainWindow::~MainWindow() {
 void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
+  views_ = new NamedViewsController(bench_);
+  connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
   auto* sections = new SectionController(bench_);
   auto* fits = new FitsController(bench_);
@@ -114,7 +117,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Difficulty"), "difficulty", difficulty->panel(), DockPlace::LowerRight, "panel.difficulty",
               Scrolling::Own, [difficulty] { return difficulty->difficulty() != nullptr; }});
   docks_.arrange();
-  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()});
+  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()}, views_->menu());
 }
 
 void MainWindow::connectActions() {
@@ -192,6 +195,7 @@ void MainWindow::setBatch(bool batch) {
 void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   memory_ = std::move(memory);
   files_->setMemory(memory_.get());
+  views_->setMemory(memory_.get());
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   replayBar_->setVisible(!bench_.run.isLive());

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QStringList>
 
+#include "app/window/named_views.h"
 #include "app/window/preferences.h"
 #include "widgets/commands/action_catalogue.h"
 
@@ -27,6 +28,10 @@ class WindowMemory {
   void saveLayout(const QMainWindow& window);
   /// Nothing happens where no layout of this version was saved. `sizeToo`: and place on the screen.
   void restoreLayout(QMainWindow& window, bool sizeToo) const;
+
+  /// The views that have a name, of this scenario file.
+  NamedViews views(const QString& file) const;
+  void saveViews(const QString& file, const NamedViews& views);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

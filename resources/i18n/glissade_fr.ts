@@ -76,6 +76,38 @@
         <translation>Comme standard, mais l&apos;horizon ne reste pas horizontal</translation>
     </message>
     <message>
+        <source>&amp;Save this view...</source>
+        <translation>&amp;Enregistrer cette vue...</translation>
+    </message>
+    <message>
+        <source>Give the present camera a name, to come back to it</source>
+        <translation>Donner un nom à la caméra actuelle, pour y revenir</translation>
+    </message>
+    <message>
+        <source>&amp;Manage named views...</source>
+        <translation>&amp;Gérer les vues nommées...</translation>
+    </message>
+    <message>
+        <source>Go to, rename and remove named views</source>
+        <translation>Rappeler, renommer et supprimer des vues nommées</translation>
+    </message>
+    <message>
+        <source>Camera follows the object</source>
+        <translation>La caméra suit l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Keep the object in the middle of the view while the path is played</source>
+        <translation>Garder l&apos;objet au milieu de la vue pendant la lecture du chemin</translation>
+    </message>
+    <message>
+        <source>&amp;Depth shading</source>
+        <translation>Ombrage de &amp;profondeur</translation>
+    </message>
+    <message>
+        <source>Draw corners, holes and gaps darker</source>
+        <translation>Assombrir les coins, les trous et les interstices</translation>
+    </message>
+    <message>
         <source>Shaded with &amp;edges</source>
         <translation>Ombré avec &amp;arêtes</translation>
     </message>
@@ -3890,6 +3922,48 @@
     <message>
         <source>Error</source>
         <translation>Erreur</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsController</name>
+    <message>
+        <source>Named &amp;views</source>
+        <translation>&amp;Vues nommées</translation>
+    </message>
+    <message>
+        <source>Look from there again</source>
+        <translation>Regarder de nouveau de là</translation>
+    </message>
+    <message>
+        <source>Save this view</source>
+        <translation>Enregistrer cette vue</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Nom de la vue</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsDialog</name>
+    <message>
+        <source>Named views</source>
+        <translation>Vues nommées</translation>
+    </message>
+    <message>
+        <source>&amp;Go to</source>
+        <translation>&amp;Rappeler</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>R&amp;emove</source>
+        <translation>&amp;Supprimer</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include "widgets/scene3d/mouse_navigation.h"
 #include "widgets/scene3d/scene_renderer.h"
@@ -6,6 +7,9 @@
 
 namespace glissade {
 namespace {
+
+/// Milliseconds without a picture after which the camera is at rest.
+constexpr int kRefineAfter = 150;
 
 class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
  public:
@@ -16,6 +20,8 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     format.setProfile(QSurfaceFormat::CompatibilityProfile);
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
+    refine_.setSingleShot(true);
+    connect(&refine_, &QTimer::timeout, this, [this] { refresh(); });
   }
 
   SceneView& view() override { return view_; }
@@ -25,7 +31,12 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     update();
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
-  QImage picture() override { return grabFramebuffer(); }
+  QImage picture() override {
+    exact_ = true;
+    const QImage image = grabFramebuffer();
+    exact_ = false;
+    return image;
+  }
   void setNavigationStyle(NavigationStyle style) override { mouse_.setStyle(style); }
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
@@ -34,7 +45,13 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     view_.setPixelScale(devicePixelRatioF());
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
   }
-  void paintGL() override { renderer_.render(defaultFramebufferObject()); }
+  void paintGL() override {
+    if (exact_) {
+      renderer_.render(defaultFramebufferObject());
+    } else if (renderer_.renderInteractively(defaultFramebufferObject())) {
+      refine_.start(kRefineAfter);
+    }
+  }
 
   void mousePressEvent(QMouseEvent* event) override { mouse_.press(*event); }
   void mouseMoveEvent(QMouseEvent* event) override { moved(mouse_.move(*event, *this, view_)); }
@@ -51,6 +68,8 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   SceneView view_;
   SceneRenderer renderer_;
   MouseNavigation mouse_;
+  bool exact_ = false;  ///< the next picture is to be in full detail
+  QTimer refine_;
   std::function<void()> cameraMoved_;
 };
 

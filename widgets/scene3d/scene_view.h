@@ -117,7 +117,8 @@ class SceneView {
   /// The same for the ghosts of the object at its start and at its goal, where there are any.
   void placeStart(const Pose& X_WB);
   void placeGoal(const Pose& X_WB);
-  /// Everything in view, direction kept.
+  /// The parts in view, with both ends of the object and the path; direction kept. The workspace does not count: it may
+  /// be much larger.
   void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.
   void setSnapshot(SnapshotPtr snapshot);
@@ -130,6 +131,9 @@ class SceneView {
   /// shaded obstacles are see-through.
   void setDisplayMode(DisplayMode mode);
   DisplayMode displayMode() const;
+  /// Corners, holes and gaps are darker; on at first. Not in a wireframe.
+  void setDepthShading(bool shaded);
+  bool depthShading() const;
   /// Obstacles, by id, that have a display mode of their own; none when a scenario is opened.
   void setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes);
   const std::map<std::string, DisplayMode>& bodyDisplayModes() const;
@@ -137,7 +141,7 @@ class SceneView {
   /// object is never cut. None when a scenario is opened; at most kMostSections.
   void setSections(const std::vector<Plane>& sections);
   const std::vector<Plane>& sections() const;
-  /// The box of what is drawn: bodies and both ends of the object. Empty without a scenario.
+  /// The box of what is drawn: bodies, both ends of the object, and the path. Empty without a scenario.
   Box3 extent() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
   void setCoarsePlan(const CoarsePlanPtr& plan);
@@ -175,11 +179,14 @@ class SceneView {
   void setTheme(Theme theme);
   /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
   void setPixelScale(double scale);
+  double pixelScale() const;
   void setLayerVisible(SceneLayer layer, bool visible);
   bool layerVisible(SceneLayer layer) const;
 
   CameraController& camera();
   const CameraController& camera() const;
+  /// Before each picture, of this size in device pixels.
+  void beginPicture(int width, int height);
   /// Root of the scene graph, for the widget that renders it.
   osg::Group* root() const;
   /// Clear colour, sRGB.
