@@ -6,15 +6,16 @@
 namespace glissade {
 namespace {
 
-/// Of one lightness, about, and of little saturation: what is marked, found or planned has the strong colours.
+/// Of one lightness, about, and of little saturation: what is marked, found or planned has the strong colours, and the
+/// object is cream where its file has no colour.
 constexpr std::array<Colour, 10> kQuiet{{{0.62, 0.66, 0.73},
-                                         {0.72, 0.66, 0.58},
+                                         {0.72, 0.60, 0.55},
                                          {0.58, 0.69, 0.66},
                                          {0.72, 0.61, 0.64},
                                          {0.66, 0.69, 0.57},
                                          {0.64, 0.62, 0.74},
                                          {0.57, 0.67, 0.75},
-                                         {0.75, 0.71, 0.62},
+                                         {0.52, 0.60, 0.68},
                                          {0.68, 0.68, 0.68},
                                          {0.60, 0.72, 0.60}}};
 

@@ -38,16 +38,19 @@ void main() {
   float distance = mix(planes.x * planes.y / (planes.y - depth * range), 1.0, planes.z);
   float metresPerDepth = mix(distance * distance * range / (planes.x * planes.y), range, planes.z);
   float metresPerPixel = distance / planes.w;
+  // Neighbours look in different directions, so that the few directions of each are not seen as bands.
+  vec2 parity = mod(floor(gl_FragCoord.xy), 2.0);
+  float turn = 0.785398 * (parity.x + 2.0 * parity.y);
   float occlusion = 0.0;
   for (int i = 0; i < kPairs; ++i) {
     float share = (float(i) + 0.5) / float(kPairs);
     float radius = reach.z * share;
-    float angle = 2.399963 * float(i);
+    float angle = 2.399963 * float(i) + turn;
     vec2 aside = radius * vec2(cos(angle), sin(angle)) * reach.xy;
     float mean = 0.5 * (texture2D(depths, here + aside).r + texture2D(depths, here - aside).r);
     float concave = (depth - mean) * metresPerDepth / (radius * metresPerPixel);
     // What is far before the place does not darken it as a corner does.
-    occlusion += clamp(concave, 0.0, 1.0) * (1.0 - 0.75 * smoothstep(1.0, 5.0, concave));
+    occlusion += clamp(concave, 0.0, 1.0) * (1.0 - 0.85 * smoothstep(1.0, 5.0, concave));
   }
   float light = 1.0 - 0.62 * smoothstep(0.02, 0.9, occlusion / float(kPairs));
   gl_FragColor = vec4(light, light, light, 1.0);

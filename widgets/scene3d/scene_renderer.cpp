@@ -73,7 +73,8 @@ void SceneRenderer::draw(unsigned int target, double tolerance) {
                                              controller.aspect(), controller.nearPlane(), controller.farPlane());
   }
   const osg::Viewport& viewport = *camera->getViewport();
-  view_.beginPicture(static_cast<int>(viewport.width()), static_cast<int>(viewport.height()));
+  const bool quick = tolerance > view_.pixelScale();
+  view_.beginPicture(static_cast<int>(viewport.width()), static_cast<int>(viewport.height()), quick);
   camera->setLODScale(static_cast<float>(tolerance));
   camera->setClearColor(toOsg(view_.background()));
   viewer_->frame();

@@ -123,7 +123,9 @@ void SceneView::setDepthShading(bool shaded) {
 
 bool SceneView::depthShading() const { return impl_->depthShadingWanted; }
 
-void SceneView::beginPicture(int width, int height) {
+void SceneView::beginPicture(int width, int height, bool quick) {
+  impl_->quick = quick;
+  impl_->showDepthShading();
   const CameraController& camera = impl_->camera;
   const double across = camera.isOrthographic() ? camera.viewHeight() : camera.viewHeight() / camera.distance();
   impl_->depthShading.prepare(width, height, camera.nearPlane(), camera.farPlane(), camera.isOrthographic(),

@@ -185,8 +185,8 @@ class SceneView {
 
   CameraController& camera();
   const CameraController& camera() const;
-  /// Before each picture, of this size in device pixels.
-  void beginPicture(int width, int height);
+  /// Before each picture, of this size in device pixels. A quick one, while the camera moves, has no depth shading.
+  void beginPicture(int width, int height, bool quick);
   /// Root of the scene graph, for the widget that renders it.
   osg::Group* root() const;
   /// Clear colour, sRGB.

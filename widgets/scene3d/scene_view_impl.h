@@ -60,6 +60,7 @@ struct SceneView::Impl {
   std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
   DepthShading depthShading;
   bool depthShadingWanted = true;
+  bool quick = false;  ///< the next picture is one of a camera that moves
   SectionClip sectionClip;
   osg::ref_ptr<osg::Group> caps = new osg::Group;  ///< a group for each section, with a node for each obstacle
   std::vector<Plane> sections;
@@ -208,7 +209,7 @@ struct SceneView::Impl {
   /// Surfaces of a wireframe are not seen, but they are in the depth buffer.
   void showDepthShading() {
     const bool wires = std::count(drawnModes.begin(), drawnModes.end(), DisplayMode::Wireframe) > 0;
-    depthShading.setEnabled(depthShadingWanted && mode != DisplayMode::Wireframe && !wires);
+    depthShading.setEnabled(depthShadingWanted && !quick && mode != DisplayMode::Wireframe && !wires);
   }
 
   osg::ref_ptr<osg::MatrixTransform> drawBody(std::size_t obstacle) {
