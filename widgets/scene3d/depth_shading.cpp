@@ -15,6 +15,9 @@ namespace {
 constexpr int kAfterOpaque = 5;
 /// Pixels from which a place is darkened, at most.
 constexpr double kReach = 18.0;
+/// Pairs of places that are looked at for each device pixel: fewer give bands, unless several pixels become one.
+constexpr float kPairs = 32.0F;
+constexpr float kPairsOversampled = 12.0F;
 
 constexpr const char* kVertexShader = R"(#version 120
 void main() {
@@ -27,8 +30,8 @@ void main() {
 constexpr const char* kFragmentShader = R"(#version 120
 uniform sampler2D depths;
 uniform vec4 planes;  // near, far, 1 where there is no perspective, pixels per metre
-uniform vec3 reach;   // the size of a pixel of the texture, the reach in pixels
-const int kPairs = 12;
+uniform vec4 reach;   // the size of a pixel of the texture, the reach in pixels, pairs of places for each pixel
+const int kMostPairs = 32;
 
 void main() {
   vec2 here = gl_FragCoord.xy * reach.xy;
@@ -38,12 +41,13 @@ void main() {
   float distance = mix(planes.x * planes.y / (planes.y - depth * range), 1.0, planes.z);
   float metresPerDepth = mix(distance * distance * range / (planes.x * planes.y), range, planes.z);
   float metresPerPixel = distance / planes.w;
-  // Neighbours look in different directions, so that the few directions of each are not seen as bands.
+  // Where four pixels become one, each looks in other directions.
   vec2 parity = mod(floor(gl_FragCoord.xy), 2.0);
-  float turn = 0.785398 * (parity.x + 2.0 * parity.y);
+  float turn = reach.w < float(kMostPairs) ? 0.785398 * (parity.x + 2.0 * parity.y) : 0.0;
   float occlusion = 0.0;
-  for (int i = 0; i < kPairs; ++i) {
-    float share = (float(i) + 0.5) / float(kPairs);
+  for (int i = 0; i < kMostPairs; ++i) {
+    if (float(i) >= reach.w) break;
+    float share = (float(i) + 0.5) / reach.w;
     float radius = reach.z * share;
     float angle = 2.399963 * float(i) + turn;
     vec2 aside = radius * vec2(cos(angle), sin(angle)) * reach.xy;
@@ -52,7 +56,7 @@ void main() {
     // What is far before the place does not darken it as a corner does.
     occlusion += clamp(concave, 0.0, 1.0) * (1.0 - 0.85 * smoothstep(1.0, 5.0, concave));
   }
-  float light = 1.0 - 0.62 * smoothstep(0.02, 0.9, occlusion / float(kPairs));
+  float light = 1.0 - 0.62 * smoothstep(0.02, 0.9, occlusion / reach.w);
   gl_FragColor = vec4(light, light, light, 1.0);
 }
 )";
@@ -102,7 +106,7 @@ DepthShading::DepthShading()
     : quad_(new osg::Geometry),
       depth_(new osg::Texture2D),
       planes_(new osg::Uniform("planes", osg::Vec4())),
-      reach_(new osg::Uniform("reach", osg::Vec3())) {
+      reach_(new osg::Uniform("reach", osg::Vec4())) {
   depth_->setInternalFormat(GL_DEPTH24_STENCIL8_EXT);
   depth_->setSourceFormat(GL_DEPTH_STENCIL_EXT);
   depth_->setSourceType(GL_UNSIGNED_INT_24_8_EXT);
@@ -144,8 +148,9 @@ void DepthShading::prepare(int width, int height, double nearPlane, double farPl
   }
   planes_->set(osg::Vec4(static_cast<float>(nearPlane), static_cast<float>(farPlane), orthographic ? 1.0F : 0.0F,
                          static_cast<float>(pixelsPerMetre)));
-  reach_->set(osg::Vec3(1.0F / static_cast<float>(width), 1.0F / static_cast<float>(height),
-                        static_cast<float>(kReach * pixelScale)));
+  const bool isOversampled = pixelScale >= 2.0;
+  reach_->set(osg::Vec4(1.0F / static_cast<float>(width), 1.0F / static_cast<float>(height),
+                        static_cast<float>(kReach * pixelScale), isOversampled ? kPairsOversampled : kPairs));
 }
 
 }  // namespace glissade

@@ -12,23 +12,24 @@ constexpr double kAtRest = 1.0;
 constexpr double kMostInMotion = 8.0;
 /// A picture in motion should take less: 20 a second.
 constexpr double kLongest = 0.05;
-constexpr double kShort = 0.3 * kLongest;
 
 }  // namespace
 
 double DetailControl::begin(const CameraController& camera) {
+  const bool wasMoving = moving_;
   moving_ = camera.eye() != eye_ || !camera.R_WV().coeffs().isApprox(R_WV_.coeffs(), 0.0) ||
             camera.viewHeight() != viewHeight_;
   eye_ = camera.eye();
   R_WV_ = camera.R_WV();
   viewHeight_ = camera.viewHeight();
+  // Never finer within a motion: it would change from picture to picture.
+  if (moving_ && !wasMoving) moved_ = std::max(kAtRest, 0.5 * moved_);
   drawn_ = moving_ ? moved_ : std::max(kAtRest, 0.5 * drawn_);
   return drawn_;
 }
 
 bool DetailControl::end(double seconds) {
   if (moving_ && seconds > kLongest) moved_ = std::min(kMostInMotion, 2.0 * moved_);
-  if (moving_ && seconds < kShort) moved_ = std::max(kAtRest, 0.5 * moved_);
   return drawn_ > kAtRest;
 }
 
