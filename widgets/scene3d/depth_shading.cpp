@@ -61,6 +61,15 @@ void main() {
 }
 )";
 
+/// A state variable of OpenGL. Looked up by OSG: this library is linked with no OpenGL of its own.
+GLint numberOf(GLenum name) {
+  using GetNumber = void (*)(GLenum, GLint*);
+  GetNumber getNumber = nullptr;
+  GLint number = 0;
+  if (osg::setGLExtensionFuncPtr(getNumber, "glGetIntegerv")) getNumber(name, &number);
+  return number;
+}
+
 /// Copies the depth of what has been drawn into the texture, then draws.
 class CopyDepthFirst final : public osg::Drawable::DrawCallback {
  public:
@@ -69,9 +78,7 @@ class CopyDepthFirst final : public osg::Drawable::DrawCallback {
   void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
     osg::State& state = *info.getState();
     state.applyTextureAttribute(0, depth_);
-    GLint samples = 0;
-    glGetIntegerv(GL_SAMPLES, &samples);
-    if (samples > 0) {
+    if (numberOf(GL_SAMPLES) > 0) {
       resolve(state);
     } else {
       depth_->copyTexSubImage2D(state, 0, 0, 0, 0, depth_->getTextureWidth(), depth_->getTextureHeight());
@@ -83,17 +90,16 @@ class CopyDepthFirst final : public osg::Drawable::DrawCallback {
   /// A buffer of several samples per pixel is copied by a blit only.
   void resolve(osg::State& state) const {
     const auto* gl = state.get<osg::GLExtensions>();
-    GLint target = 0;
-    glGetIntegerv(GL_FRAMEBUFFER_BINDING_EXT, &target);
+    const auto target = static_cast<GLuint>(numberOf(GL_FRAMEBUFFER_BINDING_EXT));
     if (framebuffer_ == 0) gl->glGenFramebuffers(1, &framebuffer_);
     gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER_EXT, framebuffer_);
     gl->glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER_EXT, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D,
                                depth_->getTextureObject(state.getContextID())->id(), 0);
-    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, static_cast<GLuint>(target));
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER_EXT, target);
     const int width = depth_->getTextureWidth();
     const int height = depth_->getTextureHeight();
     gl->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    gl->glBindFramebuffer(GL_FRAMEBUFFER_EXT, static_cast<GLuint>(target));
+    gl->glBindFramebuffer(GL_FRAMEBUFFER_EXT, target);
   }
 
   osg::ref_ptr<osg::Texture2D> depth_;

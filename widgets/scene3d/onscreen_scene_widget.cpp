@@ -48,7 +48,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   void paintGL() override {
     if (exact_) {
       renderer_.render(defaultFramebufferObject());
-    } else if (renderer_.renderInteractively(defaultFramebufferObject())) {
+    } else if (renderer_.renderInteractively(defaultFramebufferObject(), [] { glFinish(); })) {
       refine_.start(kRefineAfter);
     }
   }

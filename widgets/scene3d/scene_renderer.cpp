@@ -51,10 +51,10 @@ void SceneRenderer::resize(int width, int height) {
 
 void SceneRenderer::render(unsigned int target) { draw(target, 0.0); }
 
-bool SceneRenderer::renderInteractively(unsigned int target) {
+bool SceneRenderer::renderInteractively(unsigned int target, const std::function<void()>& finish) {
   const auto begin = std::chrono::steady_clock::now();
   draw(target, detail_.begin(view_.camera()) * view_.pixelScale());
-  glFinish();
+  finish();
   return detail_.end(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
 }
 

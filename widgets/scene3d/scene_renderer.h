@@ -2,6 +2,8 @@
 
 #include <osgViewer/Viewer>
 
+#include <functional>
+
 #include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -18,8 +20,8 @@ class SceneRenderer {
   /// Renders one frame into the framebuffer object `target` (0: the context's own), in full detail.
   void render(unsigned int target);
   /// The same for a person who turns the view: in less detail where bodies are small or pictures take long. True: the
-  /// next picture from here is a finer one.
-  bool renderInteractively(unsigned int target);
+  /// next picture from here is a finer one. `finish` waits until OpenGL has drawn.
+  bool renderInteractively(unsigned int target, const std::function<void()>& finish);
 
  private:
   /// `tolerance`: device pixels that what is drawn may be off.
