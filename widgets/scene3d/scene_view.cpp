@@ -52,6 +52,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
 }
 
 void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
+  const std::size_t before = impl_->scenario ? impl_->scenario->obstacles.size() : 0;
   impl_->scenario = std::move(scenario);
   impl_->shapes.dropUnused();
   impl_->snapshot.reset();
@@ -66,6 +67,9 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->motionLayers->setNodeMask(~0U);
   impl_->roadmap.clear();
   impl_->rebuild();
+  if (!impl_->scenario) return;
+  if (impl_->camera.isFitted() && impl_->scenario->obstacles.size() > before) fit();
+  impl_->camera.enclose(impl_->extent());
 }
 
 void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {

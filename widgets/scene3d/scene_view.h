@@ -109,8 +109,8 @@ class SceneView {
 
   /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
   void setScenario(std::shared_ptr<const LoadedScenario> scenario);
-  /// The same scenario with its bodies, its object or its ends elsewhere: what is looked at, and from where,
-  /// stays.
+  /// The same scenario with its bodies, its object or its ends elsewhere: what is looked at, and from where, stays. A
+  /// camera that shows the whole fits bodies that are added.
   void rearrange(std::shared_ptr<const LoadedScenario> scenario);
   /// Draws an obstacle elsewhere while it is in somebody's hand: until rearrange(). Index into the scenario's.
   void placeObstacle(std::size_t obstacle, const Pose& X_WB);
