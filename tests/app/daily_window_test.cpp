@@ -87,7 +87,7 @@ TEST_F(DailyWindow, MeasuresWhatIsClicked) {
                                                          "action view.orthographic\naction view.front\n"
                                                          "action measure.clearance\nclick 240 470\nclick 411 470\n"
                                                          "expect-measure 400\n"
-                                                         "action measure.distance\nclick 212 328\nclick 439 328\n"
+                                                         "action measure.distance\nclick 215 332\nclick 436 332\n"
                                                          "expect-measure 800\n"
                                                          "action measure.angle\nclick 240 470\nclick 411 470\n"
                                                          "expect-measure 0.00\n"
