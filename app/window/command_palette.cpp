@@ -38,11 +38,12 @@ int rankOf(const QAction& action, const QString& text) {
 
 std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text) {
   std::vector<std::pair<int, QAction*>> ranked;
-  for (const ActionSpec& spec : actionSpecs()) {
-    QAction* action = actions[QLatin1String(spec.id)];
+  const auto add = [&](QAction* action) {
     const int rank = rankOf(*action, text.trimmed());
     if (rank >= 0) ranked.emplace_back(rank, action);
-  }
+  };
+  for (const ActionSpec& spec : actionSpecs()) add(actions[QLatin1String(spec.id)]);
+  for (QAction* action : actions.passing()) add(action);
   std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<QAction*> found;
   found.reserve(ranked.size());

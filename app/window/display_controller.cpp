@@ -30,6 +30,12 @@ DisplayController::DisplayController(const Workbench& bench) : QObject(&bench.wi
     bench.onAction(entry.selected, this, [this, mode = entry.mode] { setModeOfSelected(mode); });
   }
   bench.onAction(kAsView, this, [this] { setModeOfSelected(std::nullopt); });
+  QAction* depth = bench.actions["display.depth-shading"];
+  depth->setChecked(bench.scene.view().depthShading());
+  connect(depth, &QAction::toggled, this, [this](bool shaded) {
+    bench_.scene.view().setDepthShading(shaded);
+    bench_.scene.refresh();
+  });
   connect(bench.actions["view.keep-roadmap"], &QAction::toggled, this, [this](bool kept) {
     bench_.scene.view().setRoadmapKept(kept);
     bench_.scene.refresh();

@@ -23,6 +23,7 @@
 #include "app/window/manual_controller.h"
 #include "app/window/measure_controller.h"
 #include "app/window/menus.h"
+#include "app/window/named_views_controller.h"
 #include "app/window/navigation_controller.h"
 #include "app/window/preferences_controller.h"
 #include "app/window/recording_controller.h"
@@ -81,6 +82,8 @@ MainWindow::~MainWindow() {
 void MainWindow::addParts() {
   auto* view = new ViewController(bench_);
   new DisplayController(bench_);
+  views_ = new NamedViewsController(bench_);
+  connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
   auto* sections = new SectionController(bench_);
   auto* fits = new FitsController(bench_);
@@ -132,7 +135,7 @@ void MainWindow::addParts() {
   docks_.orderTabStops();
   resize(kUsualSize);  // the docks share the width that the window has now
   docks_.arrange();
-  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()});
+  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()}, views_->menu());
   new ContextMenus(bench_);
   new HelpController(bench_);
   new TourController(bench_);
@@ -184,6 +187,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   memory_ = std::move(memory);
   files_->setMemory(memory_.get());
   dialogs_.setMemory(memory_.get());
+  views_->setMemory(memory_.get());
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

@@ -8,6 +8,7 @@
 namespace glissade {
 
 class FileController;
+class NamedViewsController;
 class PreferencesController;
 class RecordingController;
 class WindowMemory;
@@ -54,6 +55,7 @@ class MainWindow final : public QMainWindow {
   Workbench bench_;
   PanelDocks docks_;
   FileController* files_ = nullptr;
+  NamedViewsController* views_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   QWidget* replayBar_ = nullptr;

@@ -15,7 +15,7 @@ class Menus {
  public:
   Menus(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
 
-  void makeMenuBar(const std::vector<QMenu*>& fileMenus) {
+  void makeMenuBar(const std::vector<QMenu*>& fileMenus, QMenu* namedViews) {
     QMenu* file = add(tr("&File"), {"file."});
     for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
     add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
@@ -26,6 +26,7 @@ class Menus {
     add(tr("&Operator"), {"operator."});
     QMenu* view = add(tr("&View"), {"view.", "", "body.", "", "measure."});
     fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
+    view->addMenu(namedViews);
     fill(view->addMenu(tr("Lay&ers")), {"layer."});
     fill(view->addMenu(tr("&Navigation")), {"navigation."});
     QMenu* panels = view->addMenu(tr("&Panels"));
@@ -71,7 +72,8 @@ class Menus {
     for (QAction* action : menu->actions()) {
       // The icon changes with the mode and with the theme.
       const auto show = [button, action] {
-        if (!action->isChecked()) return;
+        const bool isMode = action->actionGroup() != nullptr;
+        if (!isMode || !action->isChecked()) return;
         button->setIcon(action->icon());
         button->setToolTip(action->toolTip());
       };
@@ -107,9 +109,10 @@ class Menus {
 
 }  // namespace
 
-void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& fileMenus) {
+void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& fileMenus,
+               QMenu* namedViews) {
   Menus menus(window, actions);
-  menus.makeMenuBar(fileMenus);
+  menus.makeMenuBar(fileMenus, namedViews);
   menus.makeToolBar();
 }
 

@@ -8,6 +8,7 @@
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
+#include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 namespace {
@@ -34,6 +35,9 @@ PathController::PathController(const Workbench& bench)
       report_(bench, nullptr),
       film_(bench.work, [&bench] { return bench.scene.picture(kFilmPicture); }) {
   connect(panel_, &PathPanel::poseShown, this, [this](const std::optional<Pose>& pose) {
+    if (pose && bench_.actions["path.follow"]->isChecked()) {
+      bench_.scene.view().camera().follow(bench_.scene.view().objectPose().position, pose->position);
+    }
     shownPose_ = pose;
     bench_.scene.view().setPlaybackPose(pose);
     bench_.scene.refresh();

@@ -51,11 +51,21 @@ std::vector<QLatin1String> choiceIds() {
   for (const ActionSpec& spec : actionSpecs()) {
     const QLatin1String id(spec.id);
     if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.dark") ||
-        id == QLatin1String("view.orthographic")) {
+        id == QLatin1String("view.orthographic") || id == QLatin1String("display.depth-shading") ||
+        id == QLatin1String("path.follow")) {
       ids.push_back(id);
     }
   }
   return ids;
+}
+
+/// Name, focus, quaternion x y z w, distance, orthographic.
+constexpr int kViewFields = 10;
+
+/// A file name has characters that a key cannot have.
+QString viewsKey(const QString& file) {
+  const QByteArray path = QFileInfo(file).absoluteFilePath().toUtf8();
+  return QStringLiteral("views/") + QString::fromLatin1(path.toBase64(QByteArray::Base64UrlEncoding));
 }
 
 }  // namespace
@@ -91,6 +101,39 @@ void WindowMemory::saveLayout(const QMainWindow& window) {
 void WindowMemory::restoreLayout(QMainWindow& window, bool sizeToo) const {
   if (sizeToo) window.restoreGeometry(settings_.value(kGeometry).toByteArray());
   window.restoreState(settings_.value(kState).toByteArray(), kLayoutVersion);
+}
+
+NamedViews WindowMemory::views(const QString& file) const {
+  NamedViews views;
+  for (const QVariant& entry : settings_.value(viewsKey(file)).toList()) {
+    const QVariantList fields = entry.toList();
+    if (fields.size() != kViewFields) continue;
+    const auto number = [&](int i) { return fields[i].toDouble(); };
+    CameraPose pose;
+    pose.focus = {number(1), number(2), number(3)};
+    pose.R_WV = Quaternion(number(7), number(4), number(5), number(6));
+    pose.distance = number(8);
+    pose.orthographic = fields[9].toBool();
+    if (pose.R_WV.norm() > 0.5 && pose.distance > 0.0) views.push_back({fields[0].toString(), pose});
+  }
+  return views;
+}
+
+void WindowMemory::saveViews(const QString& file, const NamedViews& views) {
+  QVariantList entries;
+  for (const NamedView& view : views) {
+    const Vector3& p = view.pose.focus;
+    const Quaternion& R = view.pose.R_WV;
+    const QVariantList fields{
+        view.name, p.x(), p.y(), p.z(), R.x(), R.y(), R.z(), R.w(), view.pose.distance, view.pose.orthographic};
+    entries.push_back(QVariant(fields));
+  }
+  if (file.isEmpty()) return;
+  if (entries.isEmpty()) {
+    settings_.remove(viewsKey(file));
+  } else {
+    settings_.setValue(viewsKey(file), entries);
+  }
 }
 
 Preferences WindowMemory::preferences() const {

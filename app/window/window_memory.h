@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QStringList>
 
+#include "app/window/named_views.h"
 #include "app/window/preferences.h"
 #include "widgets/commands/action_catalogue.h"
 
@@ -31,6 +32,9 @@ class WindowMemory {
   /// The folder that was used last for a purpose, by its word; empty: none.
   QString folder(const QString& purpose) const;
   void noteFolder(const QString& purpose, const QString& folder);
+  /// The views that have a name, of this scenario file.
+  NamedViews views(const QString& file) const;
+  void saveViews(const QString& file, const NamedViews& views);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

@@ -12,6 +12,7 @@
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
 #include "widgets/plots/picture_file.h"
+#include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
 namespace {
@@ -72,6 +73,30 @@ Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
   return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
 }
 
+/// Turns the camera once around in so many pictures; appends a line: seconds of the first picture, pictures a second
+/// while it turns, seconds of the picture at rest after it.
+Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const std::string& name) {
+  const auto count = toNumber(pictures);
+  if (!count || *count < 1.0) return wrongCommand("'" + pictures + "' is not a number of pictures", "Give 1 or more.");
+  const auto secondsOfPicture = [&scene] {
+    QElapsedTimer timer;
+    timer.start();
+    scene.refresh();
+    QCoreApplication::processEvents();  // paints
+    return static_cast<double>(timer.nsecsElapsed()) / 1e9;
+  };
+  const double first = secondsOfPicture();
+  double turning = 0.0;
+  for (int i = 0; i < static_cast<int>(*count); ++i) {
+    scene.view().camera().orbit(2.0 / *count, 0.0);  // the view's height turns by half a turn
+    turning += secondsOfPicture();
+  }
+  std::ofstream file(name, std::ios::app);
+  file << first << " " << *count / turning << " " << secondsOfPicture() << "\n";
+  file.close();
+  return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
+}
+
 }  // namespace
 
 void addWindowCommands(const Workbench& bench) {
@@ -85,6 +110,8 @@ void addWindowCommands(const Workbench& bench) {
   scripts.add("screenshot", 1, [&bench](const Words& words) -> Outcome {
     return outcomeOf(savePicture(pictureOf(bench.window), QString::fromStdString(words[0])));
   });
+  scripts.add("measure-turning", 2,
+              [&bench](const Words& words) { return measureTurning(bench.scene, words[0], words[1]); });
   QElapsedTimer since;
   since.start();
   scripts.add("memory", 1, [since](const Words& words) { return appendMemory(since, words[0]); });

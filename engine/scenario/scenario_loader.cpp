@@ -9,6 +9,7 @@
 #include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/default_colour.h"
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
 #include "engine/scenario/geometry_loader.h"
@@ -20,7 +21,6 @@ namespace glissade {
 namespace {
 
 constexpr std::size_t kMostScenarioBytes = 16U << 20;
-constexpr Colour kStaticColour{0.62, 0.66, 0.72};
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
 
@@ -97,7 +97,7 @@ std::vector<RigidBody> toBodies(const BodyDescription& description, const Loaded
     body.mobility = mobilityOf(description);
     body.mesh = part.mesh;
     body.X_WB = normalized(description.pose) * part.X_BP;
-    const Colour usual = body.mobility == Mobility::Static ? kStaticColour : kMobileColour;
+    const Colour usual = body.mobility == Mobility::Static ? defaultColour(body.name) : kMobileColour;
     body.colour = description.colour ? *description.colour : part.colour.value_or(usual);
     bodies.push_back(std::move(body));
   }

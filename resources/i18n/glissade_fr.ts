@@ -1495,6 +1495,38 @@
         <source>Open the menu of what is selected in the scene or in the table in use</source>
         <translation>Ouvrir le menu de ce qui est sélectionné dans la scène ou dans le tableau en cours</translation>
     </message>
+    <message>
+        <source>&amp;Save this view...</source>
+        <translation>&amp;Enregistrer cette vue...</translation>
+    </message>
+    <message>
+        <source>Give the present camera a name, to come back to it</source>
+        <translation>Donner un nom à la caméra actuelle, pour y revenir</translation>
+    </message>
+    <message>
+        <source>&amp;Manage named views...</source>
+        <translation>&amp;Gérer les vues nommées...</translation>
+    </message>
+    <message>
+        <source>Go to, rename and remove named views</source>
+        <translation>Rappeler, renommer et supprimer des vues nommées</translation>
+    </message>
+    <message>
+        <source>Camera follows the object</source>
+        <translation>La caméra suit l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Keep the object in the middle of the view while the path is played</source>
+        <translation>Garder l&apos;objet au milieu de la vue pendant la lecture du chemin</translation>
+    </message>
+    <message>
+        <source>&amp;Depth shading</source>
+        <translation>Ombrage de &amp;profondeur</translation>
+    </message>
+    <message>
+        <source>Draw corners, holes and gaps darker</source>
+        <translation>Assombrir les coins, les trous et les interstices</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -7442,6 +7474,55 @@
     <message>
         <source>What the program is doing, what keys and devices move, and devices.</source>
         <translation>Ce que fait le programme, ce que déplacent les touches et les périphériques, et les périphériques.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsController</name>
+    <message>
+        <source>Named &amp;views</source>
+        <translation>&amp;Vues nommées</translation>
+    </message>
+    <message>
+        <source>Look from there again</source>
+        <translation>Regarder de nouveau de là</translation>
+    </message>
+    <message>
+        <source>Save this view</source>
+        <translation>Enregistrer cette vue</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Nom de la vue</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsDialog</name>
+    <message>
+        <source>Named views</source>
+        <translation>Vues nommées</translation>
+    </message>
+    <message>
+        <source>&amp;Go to</source>
+        <translation>&amp;Rappeler</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>R&amp;emove</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ViewController</name>
+    <message>
+        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
+        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
     </message>
 </context>
 </TS>

@@ -33,5 +33,29 @@ TEST(CameraController, ACameraThatWasMovedIsLeftAlone) {
   }
 }
 
+TEST(CameraController, PlanesHoldWhatIsEnclosedWhateverShapeTheViewTakes) {
+  CameraController camera;
+  camera.setStandardView(StandardView::Front);
+  camera.fit(kWide);
+  camera.enclose(Box3(Vector3::Constant(-30.0), Vector3::Constant(30.0)));
+  camera.setAspect(0.5);
+  EXPECT_GT(camera.farPlane(), camera.distance() + 30.0);
+  EXPECT_TRUE(camera.isFitted());
+}
+
+TEST(CameraController, APointThatIsFollowedComesToTheMiddle) {
+  CameraController camera;
+  camera.fit(kWide);
+  const double distance = camera.distance();
+  Vector3 point(1.0, 0.0, 0.0);
+  for (int i = 0; i < 100; ++i) {
+    const Vector3 next = point + Vector3(0.0, 0.05, 0.0);
+    camera.follow(point, next);
+    point = next;
+  }
+  EXPECT_LT((camera.focus() - point).norm(), 0.01);
+  EXPECT_EQ(camera.distance(), distance);
+}
+
 }  // namespace
 }  // namespace glissade

@@ -38,8 +38,13 @@ class ActionCatalogue final : public QObject {
   static QKeySequence usualShortcut(const QString& id);
   /// "Ctrl+O  Open a scenario" lines as HTML table rows, for the help page.
   QString shortcutTable() const;
+  /// Actions that are there for a while and in no catalogue, such as the named views of a scenario. They are found by
+  /// their name as the others are.
+  void setPassing(const QList<QAction*>& actions) { passing_ = actions; }
+  const QList<QAction*>& passing() const { return passing_; }
 
  private:
+  QList<QAction*> passing_;
   QHash<QString, QAction*> actions_;
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "engine/environment/rigid_body.h"
+#include "widgets/scene3d/detail_node.h"
 #include "widgets/scene3d/geometry_builder.h"
 #include "widgets/scene3d/osg_convert.h"
 
@@ -39,15 +40,37 @@ osg::ref_ptr<osg::Geode> geodeOf(const osg::ref_ptr<osg::Geometry>& geometry) {
   return geode;
 }
 
+/// The surface in all details, in one colour.
+osg::ref_ptr<osg::Group> surfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
+  osg::ref_ptr<DetailNode> surface = new DetailNode;
+  osg::ref_ptr<osg::Geometry> finest = makeSurface(shape, colour);
+  surface->addDetail(geodeOf(finest), 0.0);
+  for (const ShapeDetail& detail : shape.coarser) {
+    osg::ref_ptr<osg::Geometry> geometry = makeSurface(detail, colour);
+    geometry->setColorArray(finest->getColorArray(), osg::Array::BIND_OVERALL);
+    surface->addDetail(geodeOf(geometry), detail.error);
+  }
+  return surface;
+}
+
 /// Edges lie on the surface: the surface is pushed back so that they are not torn.
-osg::ref_ptr<osg::Geode> surfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
-  osg::ref_ptr<osg::Geode> surface = geodeOf(makeSurface(shape, colour));
+osg::ref_ptr<osg::Group> pushedBackSurfaceOf(const BodyShape& shape, const osg::Vec4& colour) {
+  osg::ref_ptr<osg::Group> surface = surfaceOf(shape, colour);
   surface->getOrCreateStateSet()->setAttributeAndModes(new osg::PolygonOffset(1.0F, 1.0F));
   return surface;
 }
 
-osg::ref_ptr<osg::Geode> edgesOf(const BodyShape& shape, const osg::Vec4& colour, float width) {
-  return geodeOf(makeLines(shape.edges, LineKind::Segments, colour, width));
+osg::ref_ptr<osg::Group> edgesOf(const BodyShape& shape, const osg::Vec4& colour, float width) {
+  osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array(1, &colour);
+  osg::ref_ptr<FadingEdges> edges = new FadingEdges(colours, width);
+  const auto add = [&](const ShapeDetail& detail) {
+    osg::ref_ptr<osg::Geometry> lines = makeLines(detail.edges, LineKind::Segments, colour, width);
+    lines->setColorArray(colours, osg::Array::BIND_OVERALL);
+    edges->addEdges(geodeOf(lines), detail.error, detail.edgeDensity);
+  };
+  add(shape);
+  for (const ShapeDetail& detail : shape.coarser) add(detail);
+  return edges;
 }
 
 /// The edges that a surface hides, dashed.
@@ -64,7 +87,7 @@ osg::ref_ptr<osg::Geode> hiddenEdgesOf(const BodyShape& shape, const ScenePalett
 osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::Vec4& colour,
                                             const ScenePalette& palette) {
   osg::ref_ptr<osg::Group> group = new osg::Group;
-  osg::ref_ptr<osg::Geode> fill = geodeOf(makeSurface(shape, withOpacity(colour, kHiddenFill)));
+  osg::ref_ptr<osg::Group> fill = surfaceOf(shape, withOpacity(colour, kHiddenFill));
   fill->getOrCreateStateSet()->setAttributeAndModes(new osg::CullFace(osg::CullFace::BACK));
   group->addChild(fill);
   group->addChild(edgesOf(shape, withOpacity(palette.lines, kHiddenEdges), palette.pixelScale));
@@ -84,7 +107,7 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
                                             DisplayMode mode, const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
   const float opacity = mode == DisplayMode::SeeThrough ? static_cast<float>(kObstacleOpacity) : 1.0F;
-  osg::ref_ptr<osg::Geode> surface = surfaceOf(shape, withOpacity(colour, opacity));
+  osg::ref_ptr<osg::Group> surface = pushedBackSurfaceOf(shape, withOpacity(colour, opacity));
   if (mode == DisplayMode::SeeThrough) makeTransparent(*surface);
   if (mode == DisplayMode::Wireframe) {
     surface->getOrCreateStateSet()->setAttribute(new osg::ColorMask(false, false, false, false));
@@ -102,7 +125,7 @@ osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose&
   const double shown = kPlainEdges / std::max(kPlainEdges, edges);
   const auto fill = static_cast<float>(std::max(kLeastFilled, shown));
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
-  osg::ref_ptr<osg::Geode> surface = surfaceOf(shape, withOpacity(colour, kGhostFill * fill));
+  osg::ref_ptr<osg::Group> surface = pushedBackSurfaceOf(shape, withOpacity(colour, kGhostFill * fill));
   makeTransparent(*surface);
   transform->addChild(surface);
   const auto opacity = static_cast<float>(std::max(kLeastShown, shown));
@@ -114,7 +137,7 @@ osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const P
                                                  const ScenePalette& palette) {
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
   // Not pushed back: it lies before the body's own surface.
-  osg::ref_ptr<osg::Geode> skin = geodeOf(makeSurface(shape, withOpacity(colour, kHighlightFill)));
+  osg::ref_ptr<osg::Group> skin = surfaceOf(shape, withOpacity(colour, kHighlightFill));
   makeTransparent(*skin);
   transform->addChild(skin);
   transform->addChild(edgesOf(shape, colour, kHighlightEdges * palette.pixelScale));
@@ -131,13 +154,14 @@ osg::ref_ptr<osg::MatrixTransform> makeMovedBody(const BodyShape& shape, const P
 }
 
 void setBodyColour(osg::MatrixTransform& body, const osg::Vec4& colour) {
-  osg::Geometry* surface = body.getChild(0)->asGeode()->getDrawable(0)->asGeometry();
-  auto* colours = static_cast<osg::Vec4Array*>(surface->getColorArray());
+  osg::Group* details = body.getChild(0)->asGroup();
+  const auto geometryOf = [&](unsigned i) { return details->getChild(i)->asGeode()->getDrawable(0)->asGeometry(); };
+  auto* colours = static_cast<osg::Vec4Array*>(geometryOf(0)->getColorArray());
   const osg::Vec4 tint(colour.r(), colour.g(), colour.b(), colours->front().a());
   if (colours->front() == tint) return;
   colours->front() = tint;
   colours->dirty();
-  surface->dirtyGLObjects();
+  for (unsigned i = 0; i < details->getNumChildren(); ++i) geometryOf(i)->dirtyGLObjects();
 }
 
 }  // namespace glissade

@@ -125,7 +125,10 @@ BodyShape makeBodyShape(const TriangleMesh& input) {
   const std::vector<Vector3> normals = faceNormals(mesh);
   const CornersAtVertices at = cornersAtVertices(mesh);
   const std::vector<double> angles = cornerAngles(mesh);
-  BodyShape shape{new osg::Vec3Array, new osg::Vec3Array, featureEdges(mesh, normals, at)};
+  BodyShape shape;
+  shape.corners = new osg::Vec3Array;
+  shape.normals = new osg::Vec3Array;
+  shape.edges = featureEdges(mesh, normals, at);
   for (osg::Vec3Array* array : {shape.corners.get(), shape.normals.get()}) {
     reserveFilled(array->asVector(), 3 * mesh.triangles.size());
     array->resize(3 * mesh.triangles.size());
@@ -137,6 +140,8 @@ BodyShape makeBodyShape(const TriangleMesh& input) {
       (*shape.normals)[3 * t + i] = toOsg(cornerNormal(normals, angles, at, static_cast<std::uint32_t>(t), vertex));
     }
   });
+  shape.edgeDensity = edgeDensity(shape);
+  shape.coarser = coarserDetails(shape);
   return shape;
 }
 

@@ -1,20 +1,18 @@
 #pragma once
 
-#include <osg/Array>
-#include <osg/ref_ptr>
-
 #include <map>
 #include <memory>
+#include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
+#include "widgets/scene3d/shape_detail.h"
 
 namespace glissade {
 
-/// What is uploaded of a mesh: shared by all bodies that have this mesh, whatever their colour and display mode.
-struct BodyShape {
-  osg::ref_ptr<osg::Vec3Array> corners;  ///< three per triangle
-  osg::ref_ptr<osg::Vec3Array> normals;  ///< one per corner, smooth across edges below the feature angle
-  osg::ref_ptr<osg::Vec3Array> edges;    ///< ends of the feature edges, two per edge
+/// What is uploaded of a mesh: shared by all bodies that have this mesh, whatever their colour and display mode. The
+/// arrays of the shape itself are those of the whole mesh.
+struct BodyShape : ShapeDetail {
+  std::vector<ShapeDetail> coarser;  ///< for bodies that are small on the screen, the finest first
 };
 
 BodyShape makeBodyShape(const TriangleMesh& mesh);

@@ -12,6 +12,8 @@ constexpr double kFieldOfView = 35.0 * std::numbers::pi / 180.0;
 constexpr double kCameraTurnPerHeight = std::numbers::pi;
 /// The eye comes no nearer to the focus than this share of the scene's radius.
 constexpr double kNearestShare = 1e-3;
+/// Of the way to a point that is followed, at each picture.
+constexpr double kFollowShare = 0.1;
 
 /// The view frame that looks along -z_V with y_V up.
 Quaternion viewAlong(const Vector3& toEye, const Vector3& up) {
@@ -29,8 +31,12 @@ void CameraController::fit(const Box3& box) {
   fitted_ = box;
   sceneCentre_ = box.center();
   sceneRadius_ = std::max(1e-6, 0.5 * box.diagonal().norm());
-  focus_ = sceneCentre_;
-  distance_ = distanceFor(box);
+  showFitted();
+}
+
+void CameraController::showFitted() {
+  focus_ = fitted_->center();
+  distance_ = distanceFor(*fitted_);
 }
 
 void CameraController::zoomTo(const Box3& box) {
@@ -74,10 +80,18 @@ void CameraController::lookFrom(const Vector3& towardsEye) {
   orientation_ = viewAlong(direction, vertical ? Vector3::UnitY() : Vector3::UnitZ());
 }
 
+void CameraController::setPose(const CameraPose& pose) {
+  fitted_.reset();
+  focus_ = pose.focus;
+  orientation_ = pose.R_WV.normalized();
+  distance_ = pose.distance;
+  orthographic_ = pose.orthographic;
+}
+
 void CameraController::setOrthographic(bool orthographic) {
   if (orthographic == orthographic_) return;
   orthographic_ = orthographic;
-  if (fitted_) fit(Box3(*fitted_));
+  if (fitted_) showFitted();
 }
 
 void CameraController::enclose(const Box3& box) {
@@ -121,10 +135,15 @@ void CameraController::zoom(double factor, double x, double y) {
   focus_ += orientation_ * Vector3(x * moved, -y * moved, 0.0);
 }
 
+void CameraController::follow(const Vector3& from, const Vector3& to) {
+  fitted_.reset();
+  focus_ += (to - from) + kFollowShare * (from - focus_);
+}
+
 void CameraController::setAspect(double widthOverHeight) {
   if (widthOverHeight <= 0.0 || widthOverHeight == aspect_) return;
   aspect_ = widthOverHeight;
-  if (fitted_) fit(Box3(*fitted_));
+  if (fitted_) showFitted();
 }
 
 Quaternion CameraController::R_WV() const { return orientation_; }

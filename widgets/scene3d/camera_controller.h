@@ -9,6 +9,14 @@ namespace glissade {
 /// Standard views, looking along an axis of the world (z up) or from a corner.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 
+/// From where something is looked at.
+struct CameraPose {
+  Vector3 focus = Vector3::Zero();
+  Quaternion R_WV = Quaternion::Identity();
+  double distance = 1.0;  ///< from the eye to the focus
+  bool orthographic = false;
+};
+
 /// A camera that orbits a focus, as CAD users expect: drag left to orbit, middle (or Shift+left) to
 /// pan, wheel to zoom about the pointer. Plain geometry, no OSG, no Qt.
 class CameraController {
@@ -20,6 +28,8 @@ class CameraController {
   void setStandardView(StandardView view);
   /// Looks at the focus from this direction (not zero), the horizon level.
   void lookFrom(const Vector3& towardsEye);
+  CameraPose pose() const { return {focus_, orientation_, distance_, orthographic_}; }
+  void setPose(const CameraPose& pose);
   /// Without perspective: parallel lines stay parallel, lengths across the view are to scale everywhere.
   void setOrthographic(bool orthographic);
   bool isOrthographic() const { return orthographic_; }
@@ -36,6 +46,9 @@ class CameraController {
   void pan(double dx, double dy);
   /// factor > 1 comes nearer; (x, y) is the pointer, in fractions of the height from the centre, y down.
   void zoom(double factor, double x = 0.0, double y = 0.0);
+  /// A point that is looked after went from one place to another: the eye goes with it, and the focus comes nearer to
+  /// it, so that a point at the side is in the middle after some pictures.
+  void follow(const Vector3& from, const Vector3& to);
   void setAspect(double widthOverHeight);
 
   /// Orientation of the view frame V: x right, y up, z from the scene to the eye.
@@ -58,6 +71,7 @@ class CameraController {
   std::optional<Eigen::Vector2d> project(const Vector3& p_W) const;
 
  private:
+  void showFitted();
   double distanceFor(const Box3& box) const;
   double toCentre() const;
 

@@ -38,7 +38,7 @@ osg::ref_ptr<osg::Geometry> makeFlatSurface(const TriangleMesh& mesh, const osg:
   return geometry;
 }
 
-osg::ref_ptr<osg::Geometry> makeSurface(const BodyShape& shape, const osg::Vec4& colour) {
+osg::ref_ptr<osg::Geometry> makeSurface(const ShapeDetail& shape, const osg::Vec4& colour) {
   osg::ref_ptr<osg::Geometry> geometry = new osg::Geometry;
   geometry->setVertexArray(shape.corners);
   geometry->setNormalArray(shape.normals, osg::Array::BIND_PER_VERTEX);

@@ -14,7 +14,7 @@ namespace glissade {
 osg::ref_ptr<osg::Geometry> makeFlatSurface(const TriangleMesh& mesh, const osg::Vec4& colour);
 
 /// The surface of a shape in one colour; its arrays are shared.
-osg::ref_ptr<osg::Geometry> makeSurface(const BodyShape& shape, const osg::Vec4& colour);
+osg::ref_ptr<osg::Geometry> makeSurface(const ShapeDetail& shape, const osg::Vec4& colour);
 
 /// A set of separate line segments, or a polyline.
 enum class LineKind { Segments, Strip };

@@ -1,5 +1,6 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
+#include <QTimer>
 
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/mouse_navigation.h"
@@ -10,6 +11,8 @@ namespace glissade {
 namespace {
 
 constexpr int kSamples = 4;  ///< of a pixel, against jagged edges
+/// Milliseconds without a picture after which the camera is at rest.
+constexpr int kRefineAfter = 150;
 
 class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
  public:
@@ -20,6 +23,8 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     format.setProfile(QSurfaceFormat::CompatibilityProfile);
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
+    refine_.setSingleShot(true);
+    connect(&refine_, &QTimer::timeout, this, [this] { refresh(); });
   }
 
   SceneView& view() override { return view_; }
@@ -29,7 +34,12 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     update();
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
-  QImage picture() override { return grabFramebuffer(); }
+  QImage picture() override {
+    exact_ = true;
+    QImage image = grabFramebuffer();
+    exact_ = false;
+    return image;
+  }
   QImage picture(const QSize& pixels) override {
     const CameraController before = view_.camera();
     makeCurrent();
@@ -55,7 +65,13 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     view_.setPixelScale(devicePixelRatioF());
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
   }
-  void paintGL() override { renderer_.render(defaultFramebufferObject()); }
+  void paintGL() override {
+    if (exact_) {
+      renderer_.render(defaultFramebufferObject());
+    } else if (renderer_.renderInteractively(defaultFramebufferObject(), [] { glFinish(); })) {
+      refine_.start(kRefineAfter);
+    }
+  }
 
   void mousePressEvent(QMouseEvent* event) override { mouse_.press(*event); }
   void mouseMoveEvent(QMouseEvent* event) override { moved(mouse_.move(*event, *this, view_)); }
@@ -72,6 +88,8 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   SceneView view_;
   SceneRenderer renderer_;
   MouseNavigation mouse_;
+  bool exact_ = false;  ///< the next picture is to be in full detail
+  QTimer refine_;
   std::function<void()> cameraMoved_;
 };
 

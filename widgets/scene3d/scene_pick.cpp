@@ -1,6 +1,7 @@
 #include "widgets/scene3d/scene_pick.h"
 
 #include <cmath>
+#include <map>
 
 namespace glissade {
 namespace {
@@ -22,6 +23,33 @@ std::optional<double> hit(const Ray& ray, const Vector3& a, const Vector3& b, co
   return t > 0.0 ? std::optional<double>(t) : std::nullopt;
 }
 
+/// Distance along the ray to a box, 0 from inside; nothing where it misses.
+std::optional<double> hit(const Ray& ray, const Box3& box) {
+  double from = 0.0;
+  double to = HUGE_VAL;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double inverse = 1.0 / ray.direction[axis];
+    const double a = (box.min()[axis] - ray.origin[axis]) * inverse;
+    const double b = (box.max()[axis] - ray.origin[axis]) * inverse;
+    from = std::fmax(from, std::fmin(a, b));  // fmax and fmin ignore 0/0
+    to = std::fmin(to, std::fmax(a, b));
+  }
+  return from <= to ? std::optional<double>(from) : std::nullopt;
+}
+
+/// The boxes of meshes in their own frames, each computed once: many bodies have one mesh.
+class MeshBoxes {
+ public:
+  const Box3& of(const MeshPtr& mesh) {
+    const auto [entry, isNew] = boxes_.try_emplace(mesh.get());
+    if (isNew) entry->second = boundingBox(*mesh);
+    return entry->second;
+  }
+
+ private:
+  std::map<const TriangleMesh*, Box3> boxes_;
+};
+
 }  // namespace
 
 Ray rayThrough(const CameraController& camera, double x, double y) {
@@ -37,10 +65,13 @@ Ray rayThrough(const CameraController& camera, double x, double y) {
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
                                 const std::set<std::string>& hidden) {
   std::optional<BodyHit> nearest;
+  MeshBoxes boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (hidden.count(bodies[i].id) != 0) continue;
     const Pose X_BW = inverse(bodies[i].X_WB);
     const Ray ray_B{X_BW * ray.origin, X_BW.orientation * ray.direction};
+    const auto box = hit(ray_B, boxes.of(bodies[i].mesh));
+    if (!box || (nearest && *box > nearest->distance)) continue;
     const TriangleMesh& mesh = *bodies[i].mesh;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
       const auto& [a, b, c] = mesh.triangles[triangle];

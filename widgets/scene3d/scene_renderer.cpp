@@ -2,6 +2,8 @@
 
 #include <osg/LightSource>
 
+#include <chrono>
+
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/osg_convert.h"
 
@@ -47,7 +49,16 @@ void SceneRenderer::resize(int width, int height) {
   view_.camera().setAspect(static_cast<double>(width) / height);
 }
 
-void SceneRenderer::render(unsigned int target) {
+void SceneRenderer::render(unsigned int target) { draw(target, 0.0); }
+
+bool SceneRenderer::renderInteractively(unsigned int target, const std::function<void()>& finish) {
+  const auto begin = std::chrono::steady_clock::now();
+  draw(target, detail_.begin(view_.camera()) * view_.pixelScale());
+  finish();
+  return detail_.end(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+}
+
+void SceneRenderer::draw(unsigned int target, double tolerance) {
   window_->setDefaultFboId(target);
   const CameraController& controller = view_.camera();
   osg::Camera* camera = viewer_->getCamera();
@@ -61,6 +72,10 @@ void SceneRenderer::render(unsigned int target) {
     camera->setProjectionMatrixAsPerspective(controller.verticalFieldOfView() * 180.0 / std::acos(-1.0),
                                              controller.aspect(), controller.nearPlane(), controller.farPlane());
   }
+  const osg::Viewport& viewport = *camera->getViewport();
+  const bool quick = tolerance > view_.pixelScale();
+  view_.beginPicture(static_cast<int>(viewport.width()), static_cast<int>(viewport.height()), quick);
+  camera->setLODScale(static_cast<float>(tolerance));
   camera->setClearColor(toOsg(view_.background()));
   viewer_->frame();
 }

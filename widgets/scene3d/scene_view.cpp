@@ -29,6 +29,7 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   }
   impl_->root->addChild(impl_->sectionClip.node());
   impl_->root->addChild(impl_->caps);
+  impl_->root->addChild(impl_->depthShading.node());
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
   for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
                               SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region}) {
@@ -51,6 +52,7 @@ void SceneView::setScenario(std::shared_ptr<const LoadedScenario> scenario) {
 }
 
 void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
+  const std::size_t before = impl_->scenario ? impl_->scenario->obstacles.size() : 0;
   impl_->scenario = std::move(scenario);
   impl_->shapes.dropUnused();
   impl_->snapshot.reset();
@@ -65,6 +67,9 @@ void SceneView::rearrange(std::shared_ptr<const LoadedScenario> scenario) {
   impl_->motionLayers->setNodeMask(~0U);
   impl_->roadmap.clear();
   impl_->rebuild();
+  if (!impl_->scenario) return;
+  if (impl_->camera.isFitted() && impl_->scenario->obstacles.size() > before) fit();
+  impl_->camera.enclose(impl_->extent());
 }
 
 void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
@@ -86,7 +91,10 @@ void SceneView::placeStart(const Pose& X_WB) { impl_->place(SceneLayer::StartAnd
 
 void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndGoal, 1, X_WB); }
 
-void SceneView::fit() { impl_->camera.fit(impl_->extent()); }
+void SceneView::fit() {
+  impl_->camera.fit(impl_->extent());
+  if (impl_->scenario) impl_->camera.enclose(impl_->scenario->scenario.workspace);
+}
 
 void SceneView::setSnapshot(SnapshotPtr snapshot) {
   impl_->snapshot = std::move(snapshot);
@@ -119,6 +127,22 @@ void SceneView::setDisplayMode(DisplayMode mode) {
 }
 
 DisplayMode SceneView::displayMode() const { return impl_->mode; }
+
+void SceneView::setDepthShading(bool shaded) {
+  impl_->depthShadingWanted = shaded;
+  impl_->showDepthShading();
+}
+
+bool SceneView::depthShading() const { return impl_->depthShadingWanted; }
+
+void SceneView::beginPicture(int width, int height, bool quick) {
+  impl_->quick = quick;
+  impl_->showDepthShading();
+  const CameraController& camera = impl_->camera;
+  const double across = camera.isOrthographic() ? camera.viewHeight() : camera.viewHeight() / camera.distance();
+  impl_->depthShading.prepare(width, height, camera.nearPlane(), camera.farPlane(), camera.isOrthographic(),
+                              height / across, pixelScale());
+}
 
 void SceneView::setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes) {
   impl_->ownModes = modes;
@@ -238,6 +262,8 @@ void SceneView::setPixelScale(double scale) {
   impl_->roadmap.setPalette(impl_->palette);
   impl_->rebuild();
 }
+
+double SceneView::pixelScale() const { return impl_->palette.pixelScale; }
 
 void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
   if (visible == layerVisible(layer)) return;

@@ -121,8 +121,8 @@ class SceneView {
 
   /// Replaces everything by this scenario (null: an empty scene) and fits the camera.
   void setScenario(std::shared_ptr<const LoadedScenario> scenario);
-  /// The same scenario with its bodies, its object or its ends elsewhere: what is looked at, and from where,
-  /// stays.
+  /// The same scenario with its bodies, its object or its ends elsewhere: what is looked at, and from where, stays. A
+  /// camera that shows the whole fits bodies that are added.
   void rearrange(std::shared_ptr<const LoadedScenario> scenario);
   /// Draws an obstacle elsewhere while it is in somebody's hand: until rearrange(). Index into the scenario's.
   void placeObstacle(std::size_t obstacle, const Pose& X_WB);
@@ -131,7 +131,8 @@ class SceneView {
   /// As placeObstacle() for the ghosts of the object at its start and at its goal, where there are any.
   void placeStart(const Pose& X_WB);
   void placeGoal(const Pose& X_WB);
-  /// Everything in view, direction kept.
+  /// The parts in view, with both ends of the object and the path; direction kept. The workspace does not count: it may
+  /// be much larger.
   void fit();
   /// Shows the session's state; only what is new in the roadmap is uploaded.
   void setSnapshot(SnapshotPtr snapshot);
@@ -144,6 +145,9 @@ class SceneView {
   /// shaded obstacles are see-through.
   void setDisplayMode(DisplayMode mode);
   DisplayMode displayMode() const;
+  /// Corners, holes and gaps are darker; on at first. Not in a wireframe.
+  void setDepthShading(bool shaded);
+  bool depthShading() const;
   /// Obstacles, by id, that have a display mode of their own; none when a scenario is opened.
   void setBodyDisplayModes(const std::map<std::string, DisplayMode>& modes);
   const std::map<std::string, DisplayMode>& bodyDisplayModes() const;
@@ -151,7 +155,7 @@ class SceneView {
   /// object is never cut. None when a scenario is opened; at most kMostSections.
   void setSections(const std::vector<Plane>& sections);
   const std::vector<Plane>& sections() const;
-  /// The box of what is drawn: bodies and both ends of the object. Empty without a scenario.
+  /// The box of what is drawn: bodies, both ends of the object, and the path. Empty without a scenario.
   Box3 extent() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
   void setCoarsePlan(const CoarsePlanPtr& plan);
@@ -191,11 +195,14 @@ class SceneView {
   void setColours(const SceneColours& colours);
   /// Device pixels per pixel, so that lines keep their width on fine displays and when oversampled.
   void setPixelScale(double scale);
+  double pixelScale() const;
   void setLayerVisible(SceneLayer layer, bool visible);
   bool layerVisible(SceneLayer layer) const;
 
   CameraController& camera();
   const CameraController& camera() const;
+  /// Before each picture, of this size in device pixels. A quick one, while the camera moves, has no depth shading.
+  void beginPicture(int width, int height, bool quick);
   /// Root of the scene graph, for the widget that renders it.
   osg::Group* root() const;
   /// Clear colour, sRGB.

@@ -12,6 +12,7 @@
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/contact_layer.h"
+#include "widgets/scene3d/depth_shading.h"
 #include "widgets/scene3d/difficulty_layer.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
@@ -59,6 +60,9 @@ struct SceneView::Impl {
   DisplayMode mode = DisplayMode::ShadedWithEdges;
   std::vector<DisplayMode> drawnModes;          ///< of the obstacles, as they are drawn
   std::map<std::string, DisplayMode> ownModes;  ///< of obstacles, by id
+  DepthShading depthShading;
+  bool depthShadingWanted = true;
+  bool quick = false;  ///< the next picture is one of a camera that moves
   SectionClip sectionClip;
   osg::ref_ptr<osg::Group> caps = new osg::Group;  ///< a group for each section, with a node for each obstacle
   std::vector<Plane> sections;
@@ -201,6 +205,13 @@ struct SceneView::Impl {
       bodies.setChild(static_cast<unsigned>(i), drawn);
       drawnModes[i] = wanted;
     }
+    showDepthShading();
+  }
+
+  /// Surfaces of a wireframe are not seen, but they are in the depth buffer.
+  void showDepthShading() {
+    const bool wires = std::count(drawnModes.begin(), drawnModes.end(), DisplayMode::Wireframe) > 0;
+    depthShading.setEnabled(depthShadingWanted && !quick && mode != DisplayMode::Wireframe && !wires);
   }
 
   osg::ref_ptr<osg::MatrixTransform> drawBody(std::size_t obstacle) {
@@ -217,6 +228,7 @@ struct SceneView::Impl {
       drawnModes.push_back(modeOf(scenario->obstacles[i]));
       place(SceneLayer::Bodies, i, poseOf(i));
     }
+    showDepthShading();
     showHidden();
   }
 
@@ -381,11 +393,15 @@ struct SceneView::Impl {
   Box3 extent() const {
     if (!scenario) return Box3();
     if (!sequence.bodies.empty()) return extentOfSequence();
-    Box3 box = scenario->problem.bounds;
+    Box3 box;
     for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
     box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
     if (const Pose* goal = std::get_if<Pose>(&scenario->problem.goal)) {
       box.extend(boundingBox(*scenario->object.mesh, *goal));
+    }
+    const Vector3 reach = Vector3::Constant(scenario->problem.world->objectRadius());
+    for (const PathPoint& point : drawnPath ? drawnPath->points : std::vector<PathPoint>()) {
+      box.extend(Box3(point.q.position - reach, point.q.position + reach));
     }
     return box;
   }

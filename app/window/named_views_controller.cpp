@@ -1,0 +1,112 @@
+#include "app/window/named_views_controller.h"
+
+#include <QInputDialog>
+
+#include <algorithm>
+
+#include "app/window/named_views_dialog.h"
+#include "app/window/window_memory.h"
+
+namespace glissade {
+
+NamedViewsController::NamedViewsController(const Workbench& bench)
+    : QObject(&bench.window), bench_(bench), menu_(new QMenu(tr("Named &views"), &bench.window)) {
+  bench.onAction("views.save", this, [this] { askForName(); });
+  bench.onAction("views.manage", this, [this] { manage(); });
+  connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
+    if (what & Change::Scenario) load();
+  });
+  fillMenu();
+  addCommands();
+}
+
+void NamedViewsController::setMemory(WindowMemory* memory) {
+  memory_ = memory;
+  load();
+}
+
+void NamedViewsController::load() {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  views_ = memory_ != nullptr && scenario ? memory_->views(QString::fromStdString(scenario->file)) : NamedViews();
+  fillMenu();
+}
+
+void NamedViewsController::setViews(NamedViews views) {
+  views_ = std::move(views);
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (memory_ != nullptr && scenario) memory_->saveViews(QString::fromStdString(scenario->file), views_);
+  fillMenu();
+}
+
+void NamedViewsController::fillMenu() {
+  bench_.actions.setPassing({});
+  qDeleteAll(entries_);
+  entries_.clear();
+  menu_->clear();
+  for (const NamedView& view : views_) {
+    auto* entry = new QAction(QString(view.name).replace(QLatin1Char('&'), QStringLiteral("&&")), this);
+    entry->setStatusTip(tr("Look from there again"));
+    connect(entry, &QAction::triggered, this, [this, view] { goTo(view); });
+    entries_.push_back(entry);
+  }
+  menu_->addActions(entries_);
+  if (!entries_.isEmpty()) menu_->addSeparator();
+  menu_->addAction(bench_.actions["views.save"]);
+  menu_->addAction(bench_.actions["views.manage"]);
+  bench_.actions.setPassing(entries_);
+  bench_.enable("views.save", bench_.document.scenario() != nullptr);
+  bench_.enable("views.manage", !views_.empty());
+}
+
+void NamedViewsController::save(const QString& name) {
+  NamedViews views = views_;
+  putView(views, {name, bench_.scene.view().camera().pose()});
+  setViews(views);
+}
+
+void NamedViewsController::goTo(const NamedView& view) {
+  bench_.scene.view().camera().setPose(view.pose);
+  {
+    const QSignalBlocker block(bench_.actions["view.orthographic"]);
+    bench_.actions["view.orthographic"]->setChecked(view.pose.orthographic);
+  }
+  bench_.scene.refresh();
+  emit cameraMoved();
+}
+
+void NamedViewsController::askForName() {
+  auto* dialog = new QInputDialog(&bench_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Save this view"));
+  dialog->setLabelText(tr("Name of the view"));
+  dialog->setTextValue(tr("View %1").arg(views_.size() + 1));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
+    if (!name.trimmed().isEmpty()) save(name.trimmed());
+  });
+  dialog->open();
+}
+
+void NamedViewsController::manage() {
+  auto* dialog = new NamedViewsDialog(views_, &bench_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &NamedViewsDialog::chosen, this, &NamedViewsController::goTo);
+  connect(dialog, &NamedViewsDialog::edited, this, &NamedViewsController::setViews);
+  dialog->open();
+}
+
+void NamedViewsController::addCommands() {
+  bench_.scripts.add("save-view", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    save(QString::fromStdString(words[0]));
+    return Done{};
+  });
+  bench_.scripts.add("go-to-view", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    const QString name = QString::fromStdString(words[0]);
+    const auto view =
+        std::find_if(views_.begin(), views_.end(), [&](const NamedView& known) { return known.name == name; });
+    if (view == views_.end()) return wrongCommand("there is no view '" + words[0] + "'");
+    goTo(*view);
+    return Done{};
+  });
+}
+
+}  // namespace glissade

@@ -1,0 +1,77 @@
+#include "widgets/scene3d/detail_node.h"
+
+#include <osgUtil/CullVisitor>
+
+#include <algorithm>
+#include <cmath>
+
+namespace glissade {
+namespace {
+
+/// A coarser child is taken when its error is within this share of the tolerance.
+constexpr double kClearlyBetter = 0.75;
+/// Edges that cover more than this share of the faces fade, so that they cover no more.
+constexpr double kMostCovered = 0.15;
+/// Less than this share of its opacity is not worth the time of drawing it.
+constexpr double kLeastOpacity = 0.4;
+
+/// Of the point of the sphere that is nearest to the eye; infinite where the eye is inside.
+double pixelsPerMetreAt(osgUtil::CullVisitor& visitor, const osg::BoundingSphere& sphere) {
+  const osg::Matrixd& projection = *visitor.getProjectionMatrix();
+  const double atDistanceOne = 0.5 * visitor.getViewport()->height() * projection(1, 1);
+  const bool isOrthographic = projection(3, 3) != 0.0;
+  if (isOrthographic) return atDistanceOne;
+  const double distance = (visitor.getEyeLocal() - sphere.center()).length() - sphere.radius();
+  return distance > 0.0 ? atDistanceOne / distance : HUGE_VAL;
+}
+
+}  // namespace
+
+void DetailNode::addDetail(osg::Node* child, double error) {
+  errors_.push_back(error);
+  addChild(child);
+}
+
+/// The children are the same body: the first one holds the others, nearly.
+osg::BoundingSphere DetailNode::computeBound() const {
+  return getNumChildren() == 0 ? osg::BoundingSphere() : getChild(0)->getBound();
+}
+
+void DetailNode::traverse(osg::NodeVisitor& visitor) {
+  osgUtil::CullVisitor* cull = visitor.asCullVisitor();
+  if (cull == nullptr) {
+    osg::Group::traverse(visitor);
+    return;
+  }
+  if (errors_.empty()) return;
+  const double pixelsPerMetre = pixelsPerMetreAt(*cull, getBound());
+  const double tolerance = cull->getLODScale();
+  drawn_ = std::clamp(drawn_, coarsestWithin(kClearlyBetter * tolerance, pixelsPerMetre),
+                      coarsestWithin(tolerance, pixelsPerMetre));
+  if (prepare(drawn_, pixelsPerMetre)) getChild(drawn_)->accept(visitor);
+}
+
+bool DetailNode::prepare(unsigned /*detail*/, double /*pixelsPerMetre*/) { return true; }
+
+unsigned DetailNode::coarsestWithin(double tolerance, double pixelsPerMetre) const {
+  unsigned coarsest = 0;
+  for (unsigned i = 1; i < errors_.size() && errors_[i] * pixelsPerMetre <= tolerance; ++i) coarsest = i;
+  return coarsest;
+}
+
+FadingEdges::FadingEdges(osg::ref_ptr<osg::Vec4Array> colour, double width)
+    : colour_(std::move(colour)), opacity_(colour_->front().a()), width_(width) {}
+
+void FadingEdges::addEdges(osg::Node* lines, double error, double density) {
+  densities_.push_back(density);
+  addDetail(lines, error);
+}
+
+bool FadingEdges::prepare(unsigned detail, double pixelsPerMetre) {
+  const double covered = width_ * densities_[detail] / pixelsPerMetre;
+  const double share = covered > kMostCovered ? kMostCovered / covered : 1.0;
+  colour_->front().a() = opacity_ * static_cast<float>(share);
+  return share >= kLeastOpacity;
+}
+
+}  // namespace glissade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <osg/Array>
+#include <osg/ref_ptr>
+
+#include <vector>
+
+namespace glissade {
+
+/// Arrays that a mesh is drawn with.
+struct ShapeDetail {
+  osg::ref_ptr<osg::Vec3Array> corners;  ///< three per triangle
+  osg::ref_ptr<osg::Vec3Array> normals;  ///< one per corner, smooth across edges below the feature angle
+  osg::ref_ptr<osg::Vec3Array> edges;    ///< ends of the feature edges, two per edge
+  double error = 0.0;                    ///< metres that its surface is off the mesh, about
+  double edgeDensity = 0.0;              ///< metres of feature edges for each square metre of faces
+};
+
+double edgeDensity(const ShapeDetail& detail);
+
+/// Coarser arrays of a mesh, the finest first, each with at most 0.6 of the triangles of the one before. Vertices of a
+/// cell of a grid become one (Rossignac and Borrel 1993): the vertex of the least quadric error (Garland and Heckbert
+/// 1997). Empty for meshes of few triangles. For display only.
+std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest);
+
+}  // namespace glissade
