@@ -64,7 +64,7 @@ void InstructionJob::chooseViews() {
                     return [this, content, checks, toEye] {
                       if (content != content_) return;
                       content->checks = checks;
-          sequence_.noteChecks(content->plan, checks);
+                      sequence_.noteChecks(content->plan, checks);
                       content->toEye = toEye;
                       takePictures();
                     };

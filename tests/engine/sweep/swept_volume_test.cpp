@@ -97,9 +97,9 @@ TEST(SweptVolume, OfStraightMotionsHasNoSlits) {
     double area = 0.0;
     for (const auto& triangle : sweep->surface_W.triangles) {
       const auto& vertices = sweep->surface_W.vertices;
-      area += 0.5 * (vertices[triangle[1]] - vertices[triangle[0]])
-                        .cross(vertices[triangle[2]] - vertices[triangle[0]])
-                        .norm();
+      area +=
+          0.5 *
+          (vertices[triangle[1]] - vertices[triangle[0]]).cross(vertices[triangle[2]] - vertices[triangle[0]]).norm();
     }
     const Vector3 prism = sizes + way + Vector3::Constant(2.0 * bound);
     EXPECT_LE(area, 2.0 * (prism.x() * prism.y() + prism.y() * prism.z() + prism.z() * prism.x())) << i;
