@@ -1,5 +1,6 @@
 #include "app/window/command_palette.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QPixmap>
 #include <QVBoxLayout>

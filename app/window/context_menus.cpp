@@ -1,6 +1,7 @@
 #include "app/window/context_menus.h"
 
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QMouseEvent>
 

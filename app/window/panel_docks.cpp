@@ -1,6 +1,7 @@
 #include "app/window/panel_docks.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolBar>

@@ -4,6 +4,30 @@
 <context>
     <name>Actions</name>
     <message>
+        <source>Forbid</source>
+        <translation>Interdire</translation>
+    </message>
+    <message>
+        <source>Prefer</source>
+        <translation>Préférer</translation>
+    </message>
+    <message>
+        <source>Milestone</source>
+        <translation>Jalon</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Rename...</source>
+        <translation>Renommer...</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
         <source>Section panel</source>
         <translation>Panneau Coupe</translation>
     </message>
@@ -1418,30 +1442,6 @@
     <message>
         <source>Give the object an allowance against the bodies that it overlaps there; results state it</source>
         <translation>Donner à l&apos;objet une tolérance contre les corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
-    </message>
-    <message>
-        <source>Forbid place</source>
-        <translation>Interdire le lieu</translation>
-    </message>
-    <message>
-        <source>Prefer place</source>
-        <translation>Préférer le lieu</translation>
-    </message>
-    <message>
-        <source>Set milestone</source>
-        <translation>Placer le jalon</translation>
-    </message>
-    <message>
-        <source>Reset milestone</source>
-        <translation>Réinitialiser le jalon</translation>
-    </message>
-    <message>
-        <source>Rename attribute...</source>
-        <translation>Renommer l&apos;attribut...</translation>
-    </message>
-    <message>
-        <source>Remove attribute</source>
-        <translation>Supprimer l&apos;attribut</translation>
     </message>
     <message>
         <source>Show all steps one after the other, or pause</source>

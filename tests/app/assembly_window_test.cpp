@@ -80,8 +80,8 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
   expectGood(run(QStringLiteral("teaching"),
                  QStringLiteral("action assembly.arrange\nexpect-arranging yes\nselect body O5\n"
                                 "set-steps 50mm 30deg\naction assembly.snap\n"
-                                "drag-handle x 70 -20\nexpect-place O5 1925,1575,300\n"
-                                "drag-handle rz 40 0\nexpect-place O5 1925,1575,300\n"
+                                "drag-handle x 70 -20\nexpect-place O5 1875,1575,300\n"
+                                "drag-handle rz 40 0\nexpect-place O5 1875,1575,300\n"
                                 "action edit.undo\naction edit.undo\nexpect-place O5 1375,1575,300\n"
                                 // A drag that Esc takes back is no edit, and does not leave the mode.
                                 "hold-handle rz 40 0\nscreenshot %1\nkey tap Esc\nexpect-place O5 1375,1575,300\n"
@@ -93,8 +93,8 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
                                 "drag-handle z 0 -200\nexpect-outside O5\naction assembly.fit-workspace\n"
                                 "expect-outside none\naction edit.undo\naction edit.undo\n"
                                 // Its front onto the front of O3, then the other way round; both are one edit.
-                                "action assembly.align\nexpect-arranging no\nclick 324 228\nclick 444 273\n"
-                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1354.58,775,300\n"
+                                "action assembly.align\nexpect-arranging no\nclick 303 224\nclick 430 278\n"
+                                "expect-arranging yes\naction panel.scene\nexpect-place O5 1393.59,775,300\n"
                                 "action assembly.flip\nexpect-place O5 1375,1025,300\n"
                                 "action edit.undo\nexpect-place O5 1375,1575,300\n"
                                 "key tap Esc\nexpect-arranging no\n"

@@ -85,13 +85,13 @@ TEST_F(DailyWindow, MeasuresWhatIsClicked) {
   // From the front, orthographic: the blocks are 0.4 m apart, 0.2 m wide and 1 m high.
   expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
                                                          "action view.orthographic\naction view.front\n"
-                                                         "action measure.clearance\nclick 240 470\nclick 411 470\n"
+                                                         "action measure.clearance\nclick 217 470\nclick 388 470\n"
                                                          "expect-measure 400\n"
-                                                         "action measure.distance\nclick 215 332\nclick 436 332\n"
+                                                         "action measure.distance\nclick 190 329\nclick 416 329\n"
                                                          "expect-measure 800\n"
-                                                         "action measure.angle\nclick 240 470\nclick 411 470\n"
+                                                         "action measure.angle\nclick 217 470\nclick 388 470\n"
                                                          "expect-measure 0.00\n"
-                                                         "action measure.radius\nclick 240 470\n"
+                                                         "action measure.radius\nclick 217 470\n"
                                                          "expect-measure cylindrical\n")));
 }
 
@@ -99,7 +99,7 @@ TEST_F(DailyWindow, ABodyIsPlacedByAFaceThatIsClicked) {
   expectGood(run(scenarioWithCubeAt(0.0), QStringLiteral("action layer.object\naction layer.ends\n"
                                                          "action view.orthographic\naction view.front\n"
                                                          "expect-placed-by file\naction assembly.pick-frame\n"
-                                                         "click 240 470\nexpect-placed-by Picked\n")));
+                                                         "click 217 470\nexpect-placed-by Picked\n")));
 }
 
 TEST_F(DailyWindow, TheLogTellsRunsAndRefusals) {

@@ -55,7 +55,7 @@ TEST_F(HelpWindow, TheRightButtonOpensTheMenuOfWhatIsThere) {
   expectGood(
       run(QStringLiteral("teaching"), QStringLiteral("action layer.object\naction view.top\n"
                                                      "right-click 10 10\nexpect-menu view.fit\n"
-                                                     "right-click 325 300\nexpect-menu body.hide\n"
+                                                     "right-click 233 324\nexpect-menu body.hide\n"
                                                      "action view.isometric\naction layer.places\n"
                                                      "right-click 475 333\n"
                                                      "expect-menu place.forbid\naction layer.places\nselect body O1\n"

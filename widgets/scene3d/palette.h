@@ -3,6 +3,8 @@
 #include <osg/Vec4>
 #include <osg/Vec4ub>
 
+#include <cmath>
+
 #include "engine/planning/roadmap.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/scene_view.h"
@@ -30,7 +32,7 @@ struct ScenePalette {
 };
 
 inline osg::Vec4ub bytesOf(const osg::Vec4& colour) {
-  const auto byte = [](float share) { return static_cast<unsigned char>(255.0F * share + 0.5F); };
+  const auto byte = [](float share) { return static_cast<unsigned char>(std::lround(255.0F * share)); };
   return {byte(colour.r()), byte(colour.g()), byte(colour.b()), 255};
 }
 
