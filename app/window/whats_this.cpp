@@ -97,9 +97,7 @@ const std::vector<ColumnHelp>& columnHelp() {
         QT_TRANSLATE_NOOP("WhatsThis", "Who says so: computed from geometry, a class of bodies, or you."),
         QT_TRANSLATE_NOOP("WhatsThis", "Takes your value back.")}},
       {"fits-table",
-       {QT_TRANSLATE_NOOP("WhatsThis",
-                          "How the two surfaces meet: planar, cylindrical, thread, press, overlap, "
-                          "contact or clash."),
+       {QT_TRANSLATE_NOOP("WhatsThis", "How they meet: planar, cylindrical, thread, press, overlap, contact or clash."),
         QT_TRANSLATE_NOOP("WhatsThis", "The distance of the surfaces; negative where the bodies overlap."),
         QT_TRANSLATE_NOOP("WhatsThis", "The first body of the pair."),
         QT_TRANSLATE_NOOP("WhatsThis", "The second body of the pair."),

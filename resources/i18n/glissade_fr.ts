@@ -7344,7 +7344,7 @@
         <translation>Retire votre valeur.</translation>
     </message>
     <message>
-        <source>How the two surfaces meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <source>How they meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
         <translation>Comment les deux surfaces se rencontrent : plan, cylindre, filetage, serrage, chevauchement, contact ou collision.</translation>
     </message>
     <message>
