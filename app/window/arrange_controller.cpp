@@ -1,5 +1,7 @@
 #include "app/window/arrange_controller.h"
 
+#include <utility>
+
 #include "app/window/arrange_script.h"
 #include "app/window/arranged_item.h"
 #include "widgets/scene3d/scale_bar.h"
@@ -59,7 +61,8 @@ void ArrangeController::setOn(bool on) {
 }
 
 void ArrangeController::resume() {
-  if (interrupted_ && assembly_.isEditable()) bench_.actions["assembly.arrange"]->setChecked(true);
+  if (std::exchange(interrupted_, false) && assembly_.isEditable())
+    bench_.actions["assembly.arrange"]->setChecked(true);
 }
 
 void ArrangeController::takeSteps() {

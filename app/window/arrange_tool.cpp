@@ -125,7 +125,7 @@ bool ArrangeTool::grip(const QPointF& position) {
 bool ArrangeTool::gripHandle(const QPointF& position) {
   const auto handle = gizmo_->handleAt(position);
   if (!handle || !selected_) return false;
-  const Pose before = *poseOf(document_.scenario()->scenario, selected_->item);
+  const Pose before = *shownPose(selected_->item);
   inHand_ = InHand{selected_->item, before, before, GizmoDrag(*handle, gizmo_->gizmo(), rayThrough(scene_, position))};
   dragHandle(position, false);
   return true;

@@ -29,7 +29,6 @@ class ArrangeTool final : public DragTool {
   ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent);
 
   void setOn(bool on);
-  bool isOn() const { return on_; }
   /// What is selected has the gizmo, and is gripped also behind other bodies.
   void setSelected(const std::optional<ArrangedItem>& selected);
   /// Amounts are rounded to the steps, or where `snapping` is off only while Ctrl is held.

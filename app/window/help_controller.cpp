@@ -31,11 +31,14 @@ void HelpController::findCommand() {
 }
 
 void HelpController::changeShortcuts() {
-  ShortcutsDialog dialog(bench_.actions, &bench_.window);
-  if (dialog.exec() != QDialog::Accepted) return;
-  for (auto entry = dialog.shortcuts().begin(); entry != dialog.shortcuts().end(); ++entry) {
-    bench_.actions.setShortcut(entry.key(), entry.value());
-  }
+  auto* dialog = new ShortcutsDialog(bench_.actions, &bench_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    for (auto entry = dialog->shortcuts().begin(); entry != dialog->shortcuts().end(); ++entry) {
+      bench_.actions.setShortcut(entry.key(), entry.value());
+    }
+  });
+  dialog->open();
 }
 
 }  // namespace glissade

@@ -21,32 +21,36 @@ struct HelpPages {
 }  // namespace
 
 void showShortcuts(const ActionCatalogue& actions, QWidget* parent) {
-  QDialog dialog(parent);
-  dialog.setWindowTitle(HelpPages::tr("Keys and shortcuts"));
-  dialog.resize(640, 640);
-  auto* text = new QTextBrowser(&dialog);
+  auto* dialog = new QDialog(parent);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(HelpPages::tr("Keys and shortcuts"));
+  dialog->resize(640, 640);
+  auto* text = new QTextBrowser(dialog);
   text->setHtml(QStringLiteral("<h3>%1</h3><p>%2</p><table>%3</table><h3>%4</h3><table>%5</table>")
                     .arg(HelpPages::tr("Steering"),
                          HelpPages::tr("While the 3D view has the focus; directions are those of the view."),
                          KeyboardSteering::keyTable(), HelpPages::tr("Shortcuts"), actions.shortcutTable()));
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  auto* layout = new QVBoxLayout(&dialog);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  auto* layout = new QVBoxLayout(dialog);
   layout->addWidget(text);
   layout->addWidget(buttons);
-  dialog.exec();
+  dialog->open();
 }
 
 void showAbout(QWidget* parent) {
-  QMessageBox::about(
-      parent, HelpPages::tr("About Glissade"),
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon, HelpPages::tr("About Glissade"),
       HelpPages::tr(
           "<h3>Glissade %1</h3><p>A workbench for virtual assembly: certified motions, found by a planner and a person "
           "together.</p><p>N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, <i>Tuning Interaction in Motion Planning "
           "with Contact</i>, IEEE RO-MAN 2016.</p><p>S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, "
           "<i>Multi-layer path planning control for the simulation of manipulation tasks</i>, RCIM 57, 2019.</p>"
           "<p>BSD 3-Clause licence.</p>")
-          .arg(QLatin1String(kVersion)));
+          .arg(QLatin1String(kVersion)),
+      QMessageBox::Ok, parent);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
 }
 
 }  // namespace glissade

@@ -24,7 +24,7 @@ class ManualController final : public QObject {
   void openForPanel();
   void addCommands();
 
-  Workbench bench_;
+  const Workbench& bench_;
   QPointer<ManualBrowser> browser_;
 };
 

@@ -94,7 +94,10 @@ MeasureController::MeasureController(const Workbench& bench)
 void MeasureController::connectActions() {
   for (const auto& [id, kind] : kKinds) {
     bench_.enable(id, false);
-    bench_.onAction(id, this, [this, kind = kind](bool on) { setKind(on ? kind : Kind::None); });
+    bench_.onAction(id, this, [this, kind = kind](bool on) {
+      setKind(on ? kind : Kind::None);
+      if (!on && kind == Kind::Align) emit alignmentLeft();
+    });
   }
   connect(bench_.actions["assembly.arrange"], &QAction::toggled, this, [this](bool on) {
     if (!on) return;

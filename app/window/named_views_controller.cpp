@@ -14,7 +14,11 @@ NamedViewsController::NamedViewsController(const Workbench& bench)
   bench.onAction("views.save", this, [this] { askForName(); });
   bench.onAction("views.manage", this, [this] { manage(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Scenario) load();
+    if (what & Change::Scenario) {
+      load();
+    } else if ((what & Change::File) && bench_.document.scenario()->file != file_) {
+      setViews(views_);  // the scenario has another file now
+    }
   });
   fillMenu();
   addCommands();
@@ -27,14 +31,16 @@ void NamedViewsController::setMemory(WindowMemory* memory) {
 
 void NamedViewsController::load() {
   const ScenarioPtr& scenario = bench_.document.scenario();
-  views_ = memory_ != nullptr && scenario ? memory_->views(QString::fromStdString(scenario->file)) : NamedViews();
+  file_ = scenario ? scenario->file : std::string();
+  views_ = memory_ != nullptr && scenario ? memory_->views(QString::fromStdString(file_)) : NamedViews();
   fillMenu();
 }
 
 void NamedViewsController::setViews(NamedViews views) {
   views_ = std::move(views);
   const ScenarioPtr& scenario = bench_.document.scenario();
-  if (memory_ != nullptr && scenario) memory_->saveViews(QString::fromStdString(scenario->file), views_);
+  file_ = scenario ? scenario->file : std::string();
+  if (memory_ != nullptr && scenario) memory_->saveViews(QString::fromStdString(file_), views_);
   fillMenu();
 }
 
@@ -74,12 +80,21 @@ void NamedViewsController::goTo(const NamedView& view) {
   emit cameraMoved();
 }
 
+QString NamedViewsController::freeName() const {
+  for (std::size_t number = views_.size() + 1;; ++number) {
+    const QString name = tr("View %1").arg(number);
+    if (std::none_of(views_.begin(), views_.end(), [&](const NamedView& view) { return view.name == name; })) {
+      return name;
+    }
+  }
+}
+
 void NamedViewsController::askForName() {
   auto* dialog = new QInputDialog(&bench_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Save this view"));
   dialog->setLabelText(tr("Name of the view"));
-  dialog->setTextValue(tr("View %1").arg(views_.size() + 1));
+  dialog->setTextValue(freeName());
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {
     if (!name.trimmed().isEmpty()) save(name.trimmed());
   });

@@ -30,6 +30,7 @@ class NamedViewsController final : public QObject {
   void fillMenu();
   void save(const QString& name);
   void goTo(const NamedView& view);
+  QString freeName() const;
   void askForName();
   void manage();
   void addCommands();
@@ -38,6 +39,7 @@ class NamedViewsController final : public QObject {
   QMenu* menu_;
   WindowMemory* memory_ = nullptr;
   NamedViews views_;
+  std::string file_;         ///< that the views are kept for; empty: none
   QList<QAction*> entries_;  ///< one for each view
 };
 

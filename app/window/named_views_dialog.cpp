@@ -20,6 +20,7 @@ NamedViewsDialog::NamedViewsDialog(NamedViews views, QWidget* parent)
   QPushButton* go = buttons->addButton(tr("&Go to"), QDialogButtonBox::ActionRole);
   QPushButton* rename = buttons->addButton(tr("&Rename"), QDialogButtonBox::ActionRole);
   QPushButton* remove = buttons->addButton(tr("R&emove"), QDialogButtonBox::ActionRole);
+  ofOneView_ = {go, rename, remove};
   remove->setShortcut(QKeySequence::Delete);
   auto* column = new QVBoxLayout(this);
   column->addWidget(list_, 1);
@@ -33,12 +34,7 @@ NamedViewsDialog::NamedViewsDialog(NamedViews views, QWidget* parent)
   connect(remove, &QPushButton::clicked, this, &NamedViewsDialog::removeCurrent);
   connect(list_, &QListWidget::itemDoubleClicked, this, &NamedViewsDialog::goToCurrent);
   connect(list_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) { takeName(*item); });
-  const auto enable = [this, go, rename, remove] {
-    for (QPushButton* button : {go, rename, remove}) button->setEnabled(list_->currentRow() >= 0);
-  };
-  connect(list_, &QListWidget::currentRowChanged, this, enable);
   showViews();
-  enable();
 }
 
 void NamedViewsDialog::showViews() {
@@ -52,6 +48,7 @@ void NamedViewsDialog::showViews() {
     }
   }
   list_->setCurrentRow(std::min(row, list_->count() - 1));
+  for (QPushButton* button : ofOneView_) button->setEnabled(!views_.empty());
 }
 
 void NamedViewsDialog::goToCurrent() {

@@ -2,6 +2,9 @@
 
 #include <QDialog>
 #include <QListWidget>
+#include <QPushButton>
+
+#include <vector>
 
 #include "app/window/named_views.h"
 
@@ -27,6 +30,7 @@ class NamedViewsDialog final : public QDialog {
 
   NamedViews views_;
   QListWidget* list_;
+  std::vector<QPushButton*> ofOneView_;  ///< they need one
 };
 
 }  // namespace glissade

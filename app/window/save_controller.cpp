@@ -69,7 +69,7 @@ bool SaveController::openEdits(const UnsavedEdits& edits) {
 }
 
 void SaveController::openVersion(const QString& versionFile) {
-  constexpr std::size_t kMostBytes = 16U << 20;
+  constexpr std::size_t kMostBytes = 256U << 20;
   if (!host_.mayDiscard()) return;
   const auto text = readFile(versionFile.toStdString(), kMostBytes);
   auto scenario = text ? parseScenario(*text, versionFile.toStdString()) : Result<Scenario>(text.error());

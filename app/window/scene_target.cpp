@@ -14,7 +14,8 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
   const LoadedScenario& scenario = *bench.document.scenario();
   const SceneView& view = bench.scene.view();
   const Ray ray = rayThrough(bench.scene, position);
-  const auto body = pickBody(scenario.obstacles, ray, view.hiddenBodies());
+  const auto body =
+      view.layerVisible(SceneLayer::Bodies) ? pickBody(scenario.obstacles, ray, view.hiddenBodies()) : std::nullopt;
   const double farthest = body ? body->distance : kEndOfRay;
   SceneTarget target;
   RigidBody object = scenario.object;

@@ -154,7 +154,8 @@ void SequenceController::takeGrown(const GrownPlan& grown, bool growing) {
   next.foundAfter.resize(knownSteps_);
   for (const double seconds : grown.foundAfter) next.foundAfter.emplace_back(seconds);
   next.checks.resize(std::min(next.checks.size(), knownSteps_));
-  if (growing && next.plan->steps.empty()) {
+  const bool unfinished = growing || next.plan->end == PlanEnd::Interrupted;
+  if (unfinished && next.plan->steps.empty()) {
     setPlan(next);
   } else {
     keepPlan(next);

@@ -1,7 +1,6 @@
 #include "app/window/tour_controller.h"
 
 #include <QCoreApplication>
-#include <QDir>
 #include <QEvent>
 #include <QMenuBar>
 #include <QToolBar>
@@ -38,11 +37,12 @@ QRect partOfAction(const QMainWindow& window, QAction* action) {
   return {};
 }
 
-ScriptCommands::Words wordsOf(const char* line) {
+/// The words of a command; "{report}" is that file.
+ScriptCommands::Words wordsOf(const char* line, const QString& report) {
   std::istringstream stream(line);
   ScriptCommands::Words words;
   for (std::string word; stream >> word;) {
-    if (word == "{report}") word = QDir::temp().filePath(QStringLiteral("glissade-tour.html")).toStdString();
+    if (word == "{report}") word = report.toStdString();
     words.push_back(word);
   }
   return words;
@@ -128,7 +128,7 @@ void TourController::check() {
 Outcome TourController::doStep() {
   const std::size_t before = *current_;
   for (const char* line : step().commands) {
-    ScriptCommands::Words words = wordsOf(line);
+    ScriptCommands::Words words = wordsOf(line, folder_.filePath(QStringLiteral("report.html")));
     const std::string name = words.front();
     words.erase(words.begin());
     if (const Outcome done = bench_.scripts.carryOut(name, words); !done) return done;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QShortcut>
+#include <QTemporaryDir>
 
 #include <optional>
 
@@ -38,6 +39,7 @@ class TourController final : public QObject {
   QShortcut* escape_;
   std::optional<std::size_t> current_;  ///< none: no tour
   bool isDone_ = false;                 ///< the current step
+  QTemporaryDir folder_;                ///< of what the tour writes
 };
 
 /// The part of the window that stands for an action (its button, or the menu that holds it) or that a widget of this

@@ -46,10 +46,11 @@ const std::vector<TourStep>& tourSteps() {
        {"open-sample teaching/scenario.json"},
        isTeachingOpen},
       {QT_TRANSLATE_NOOP("Tour", "See the places"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Press F8 (View > Layers > Places). The free space is divided into places: green ones are "
-                         "easy, red ones are narrow, yellow ones are cluttered by a mobile body. The blue line is the "
-                         "coarse path: the sequence of places that costs least."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Press F8 (View > Layers > Places). The free space is divided into places: the redder, "
+           "the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the "
+           "coarse path: the sequence of places that costs least."),
        "layer.places",
        {"action layer.places"},
        arePlacesShown},

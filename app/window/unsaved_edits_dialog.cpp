@@ -29,7 +29,7 @@ std::string comparable(Scenario scenario) {
 
 /// What the scenario's file holds now; nothing where it cannot be read.
 std::optional<std::string> contentNow(const UnsavedEdits& edits) {
-  constexpr std::size_t kMostBytes = 16U << 20;
+  constexpr std::size_t kMostBytes = 256U << 20;
   const auto text = edits.file.empty() ? Result<std::string>(Diagnostic()) : readFile(edits.file, kMostBytes);
   return text ? std::optional<std::string>(*text) : std::nullopt;
 }

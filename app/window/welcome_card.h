@@ -24,7 +24,6 @@ class WelcomeCard final : public QAbstractButton {
  public:
   explicit WelcomeCard(const WelcomeEntry& entry, QWidget* parent);
 
-  const WelcomeEntry& entry() const { return entry_; }
   QSize sizeHint() const override;
   bool hasHeightForWidth() const override { return true; }
   int heightForWidth(int width) const override;

@@ -73,7 +73,7 @@ const std::vector<PartHelp>& panelHelp() {
       {"scene", QT_TRANSLATE_NOOP("WhatsThis",
                                   "The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A "
                                   "click selects a body, or a place while places are shown. The right button opens a "
-                                  "menu. Keys move the object (F1 lists them).")},
+                                  "menu. Keys move the object (Ctrl+F1 lists them).")},
       {"welcome", QT_TRANSLATE_NOOP("WhatsThis", "What can be opened: new parts, recent files and samples.")},
   };
   return panels;

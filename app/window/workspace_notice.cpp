@@ -1,6 +1,7 @@
 #include "app/window/workspace_notice.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "app/window/arranged_item.h"
@@ -28,9 +29,11 @@ std::vector<WorkspaceNotice::Outside> WorkspaceNotice::findOutside(const LoadedS
     const auto X_WB = poseOf(scenario.scenario, item);
     if (X_WB && !inside) outside.push_back({item, *X_WB});
   };
+  std::map<std::string, bool> inside;  // of a body of several parts, any of them
   for (const RigidBody& body : scenario.obstacles) {
-    add({AssemblyItem::Kind::Body, bodyIdOf(body.id)}, workspace.intersects(boundingBox(*body.mesh, body.X_WB)));
+    inside[bodyIdOf(body.id)] |= workspace.intersects(boundingBox(*body.mesh, body.X_WB));
   }
+  for (const auto& [id, isInside] : inside) add({AssemblyItem::Kind::Body, id}, isInside);
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   add({AssemblyItem::Kind::Start, {}}, workspace.contains(scenario.problem.start.position));
   add({AssemblyItem::Kind::Goal, {}}, goal == nullptr || workspace.contains(goal->position));

@@ -24,7 +24,7 @@ using Json = JsonCursor::Json;
 constexpr const char* kLockEnding = ".lock";
 constexpr const char* kEditsEnding = ".edits";
 constexpr const char* kEditsFormat = "glissade-unsaved-edits";
-constexpr std::size_t kMostEditsBytes = 64U << 20;
+constexpr std::size_t kMostEditsBytes = 256U << 20;
 
 Diagnostic unusable(const std::string& folder, const std::string& what) {
   return {ErrorKind::Internal, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};

@@ -20,7 +20,7 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostScenarioBytes = 16U << 20;
+constexpr std::size_t kMostScenarioBytes = 256U << 20;
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
 

@@ -232,8 +232,8 @@
         <translation>&amp;Cadrer</translation>
     </message>
     <message>
-        <source>Show everything, direction kept</source>
-        <translation>Tout montrer, direction conservée</translation>
+        <source>Show the bodies, the ends and the path, direction kept</source>
+        <translation>Montrer les corps, les extrémités et le chemin, sans changer de direction</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
@@ -7102,8 +7102,8 @@
         <translation>Voir les lieux</translation>
     </message>
     <message>
-        <source>Press F8 (View &gt; Layers &gt; Places). The free space is divided into places: green ones are easy, red ones are narrow, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
-        <translation>Appuyez sur F8 (Vue &gt; Couches &gt; Lieux). L&apos;espace libre est divisé en lieux : les verts sont faciles, les rouges étroits, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
+        <source>Press F8 (View &gt; Layers &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
+        <translation>Appuyez sur F8 (Vue &gt; Couches &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
     </message>
     <message>
         <source>Plan with topology</source>
@@ -7296,8 +7296,8 @@
         <translation>Le calcul enregistré que l&apos;on relit, pas à pas.</translation>
     </message>
     <message>
-        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (F1 lists them).</source>
-        <translation>La scène. Tirer pour tourner, tirer avec le bouton du milieu pour déplacer, molette pour zoomer, double clic pour cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (F1 les énumère).</translation>
+        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
+        <translation>La scène. Tirer pour tourner, tirer avec le bouton du milieu pour déplacer, molette pour zoomer, double clic pour cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
     </message>
     <message>
         <source>What can be opened: new parts, recent files and samples.</source>

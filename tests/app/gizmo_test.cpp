@@ -35,7 +35,7 @@ struct Sight {
     if (!isUsable(handle, gizmo, camera)) return std::nullopt;
     if (handle.kind == Kind::Arrow) return outline[0] + random.uniform(0.3, 0.9) * (outline[1] - outline[0]);
     if (handle.kind == Kind::Square) return 0.5 * (outline[0] + outline[2]);
-    const Vector3 p_W = outline[static_cast<std::size_t>(random.uniform() * 72.0)];
+    const Vector3& p_W = outline[static_cast<std::size_t>(random.uniform() * 72.0)];
     return isBeforeCentre(p_W, gizmo, camera) ? std::optional(p_W) : std::nullopt;
   }
 };

@@ -303,7 +303,7 @@ const std::vector<ActionSpec>& actionSpecs() {
       {"study.report-pdf", QT_TRANSLATE_NOOP("Actions", "&Report as PDF..."), "",
        QT_TRANSLATE_NOOP("Actions", "Write the report of the study that is open as PDF"), false},
       {"view.fit", QT_TRANSLATE_NOOP("Actions", "&Fit"), "Ctrl+0",
-       QT_TRANSLATE_NOOP("Actions", "Show everything, direction kept"), false},
+       QT_TRANSLATE_NOOP("Actions", "Show the bodies, the ends and the path, direction kept"), false},
       {"view.isometric", QT_TRANSLATE_NOOP("Actions", "&Isometric"), "Ctrl+1",
        QT_TRANSLATE_NOOP("Actions", "Look from a corner"), false},
       {"view.front", QT_TRANSLATE_NOOP("Actions", "Fr&ont"), "Ctrl+2", QT_TRANSLATE_NOOP("Actions", "Look along y"),

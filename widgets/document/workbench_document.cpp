@@ -343,9 +343,7 @@ void WorkbenchDocument::noteSaved(const std::string& file, const Scenario& conte
   });
 }
 
-bool WorkbenchDocument::isModified() const {
-  return hasUnsavedEdits() || (scenario_ && (unkept_ || hasUnsavedPlan()));
-}
+bool WorkbenchDocument::isModified() const { return hasUnsavedEdits() || (scenario_ && (unkept_ || hasUnsavedPlan())); }
 
 bool WorkbenchDocument::hasUnsavedPlan() const { return scenario_ && plan_ != scenario_->scenario.plan; }
 

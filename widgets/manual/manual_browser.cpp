@@ -197,7 +197,10 @@ void ManualBrowser::connectView() {
   // Return goes to the next place; a dialog would press one of its buttons.
   for (QToolButton* button : findChildren<QToolButton*>()) button->setFocusPolicy(Qt::TabFocus);
   connect(wanted_, &QLineEdit::returnPressed, this, [this] { search(true); });
-  connect(wanted_, &QLineEdit::textChanged, wanted_, [this] { wanted_->setStyleSheet(QString()); });
+  connect(wanted_, &QLineEdit::textChanged, wanted_, [this] {
+    wanted_->setStyleSheet(QString());
+    wanted_->setToolTip(QString());
+  });
   connect(contents_, &QTreeWidget::itemActivated, view_,
           [this](QTreeWidgetItem* item) { view_->setSource(item->data(0, Qt::UserRole).toUrl()); });
   connect(contents_, &QTreeWidget::itemClicked, view_,
@@ -221,6 +224,9 @@ void ManualBrowser::setManual(const QString& language, std::vector<ManualPage> p
     }
   }
   view_->setPages(std::move(pages));
+  if (view_->source().isEmpty()) return;
+  view_->reload();
+  showPlaceInContents();
 }
 
 QString ManualBrowser::place() const {

@@ -17,7 +17,7 @@ constexpr double kUsualMillimetres = 1.0;
 constexpr double kUsualDegrees = 15.0;
 constexpr double kMostMillimetres = 1e6;
 constexpr double kMostDegrees = 180.0;
-constexpr double kLeastStep = 1e-3;
+constexpr double kLeastStep = 1e-2;  // the last digit that is shown
 
 QToolButton* actionButton(QAction* action, QWidget* parent) {
   auto* button = new QToolButton(parent);

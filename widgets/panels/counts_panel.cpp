@@ -1,5 +1,6 @@
 #include "widgets/panels/counts_panel.h"
 
+#include <QEvent>
 #include <QLocale>
 
 #include "widgets/commands/length_text.h"
@@ -68,9 +69,22 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].name)
                           : QStringLiteral("–"));
   nearest_->setToolTip(known ? nearest_->text() : QString());
-  distance_->setText(!known                   ? QStringLiteral("–")
-                     : nearest.distance > 0.0 ? lengthText(nearest.distance)
-                                              : tr("in collision"));
+  shownDistance_ = known ? std::optional<double>(nearest.distance) : std::nullopt;
+  showDistance();
+}
+
+void CountsPanel::showDistance() {
+  distance_->setText(!shownDistance_         ? QStringLiteral("–")
+                     : *shownDistance_ > 0.0 ? lengthText(*shownDistance_)
+                                             : tr("in collision"));
+}
+
+/// Another unit of lengths was chosen.
+void CountsPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::LocaleChange) return;
+  showDistance();
+  curves_->update();
 }
 
 }  // namespace glissade

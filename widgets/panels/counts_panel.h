@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QWidget>
 
+#include <optional>
+
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 #include "widgets/panels/author_bar.h"
@@ -20,7 +22,11 @@ class CountsPanel final : public QWidget {
 
   void setSnapshot(const SessionSnapshot& snapshot, const LoadedScenario& scenario);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void showDistance();
   QLabel* addRow(const QString& label, const QString& tip);
 
   QFormLayout* layout_;
@@ -37,6 +43,7 @@ class CountsPanel final : public QWidget {
   QLabel* mode_;
   QLabel* nearest_;
   QLabel* distance_;
+  std::optional<double> shownDistance_;  ///< metres; none: not known
 };
 
 }  // namespace glissade

@@ -14,7 +14,8 @@ constexpr int kShownDecimals = 2;
 
 }  // namespace
 
-QuantityBox::QuantityBox(Quantity quantity, QWidget* parent) : QDoubleSpinBox(parent),
+QuantityBox::QuantityBox(Quantity quantity, QWidget* parent)
+    : QDoubleSpinBox(parent),
       quantity_(quantity),
       unit_(quantity == Quantity::Length ? kMillimetre : kDegree),
       decimals_(kShownDecimals) {

@@ -6,9 +6,9 @@
 
 namespace glissade {
 
-/// A length (at first in millimetres) or an angle in degrees, which people may write in any unit: 25.4 mm, 1 in, 0.1 rad. A number
-/// without a unit is in the unit that is shown. It keeps more digits than it shows. What cannot be read changes nothing
-/// and is announced.
+/// A length (at first in millimetres) or an angle in degrees, which people may write in any unit: 25.4 mm, 1 in, 0.1
+/// rad. A number without a unit is in the unit that is shown. It keeps more digits than it shows. What cannot be read
+/// changes nothing and is announced.
 class QuantityBox final : public QDoubleSpinBox {
   Q_OBJECT
 

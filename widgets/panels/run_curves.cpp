@@ -106,7 +106,13 @@ RunCurves::Curve RunCurves::clearanceCurve() const {
 }
 
 QRectF RunCurves::plotBelow(double top) const {
-  const double left = fontMetrics().horizontalAdvance(lengthText(1.11e-5)) + kLabelGap;
+  int widest = fontMetrics().horizontalAdvance(lengthText(1.11e-5));  // usual ones, so that plots seldom shift
+  for (const Curve& curve : {nodesCurve(), authorityCurve(), clearanceCurve()}) {
+    for (const QString& label : {curve.lowest, curve.highest}) {
+      widest = std::max(widest, fontMetrics().horizontalAdvance(label));
+    }
+  }
+  const double left = widest + kLabelGap;
   return {left, top + fontMetrics().height(), std::max(1.0, width() - left - 1.0), kStripHeight};
 }
 

@@ -141,13 +141,15 @@ BodyShape makeBodyShape(const TriangleMesh& input) {
     }
   });
   shape.edgeDensity = edgeDensity(shape);
-  shape.coarser = coarserDetails(shape);
   return shape;
 }
 
 const BodyShape& BodyShapes::of(const MeshPtr& mesh) {
   const auto [entry, isNew] = shapes_.try_emplace(mesh.get());
-  if (isNew || entry->second.mesh.expired()) entry->second = {mesh, makeBodyShape(*mesh)};
+  if (isNew || entry->second.mesh.expired()) {
+    entry->second = {mesh, makeBodyShape(*mesh)};
+    entry->second.shape.coarser = coarserDetails(entry->second.shape);
+  }
   return entry->second.shape;
 }
 

@@ -54,6 +54,7 @@ void DetailNode::traverse(osg::NodeVisitor& visitor) {
 bool DetailNode::prepare(unsigned /*detail*/, double /*pixelsPerMetre*/) { return true; }
 
 unsigned DetailNode::coarsestWithin(double tolerance, double pixelsPerMetre) const {
+  if (tolerance <= 0.0) return 0;
   unsigned coarsest = 0;
   for (unsigned i = 1; i < errors_.size() && errors_[i] * pixelsPerMetre <= tolerance; ++i) coarsest = i;
   return coarsest;

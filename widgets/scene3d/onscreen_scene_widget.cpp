@@ -46,12 +46,12 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     QOpenGLFramebufferObjectFormat format;
     format.setSamples(kSamples);
     format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    QOpenGLFramebufferObject target(pixels.expandedTo(QSize(1, 1)), format);
+    // Widths of lines and sizes of texts are those of this screen: at another scale the scene would be built anew.
+    QOpenGLFramebufferObject target(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), format);
     target.bind();
-    view_.setPixelScale(1.0);
     renderer_.resize(target.width(), target.height());
     renderer_.render(target.handle());
-    const QImage image = target.toImage();
+    const QImage image = target.toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     view_.camera() = before;
     resizeGL(width(), height());
     doneCurrent();

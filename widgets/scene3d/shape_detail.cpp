@@ -20,6 +20,8 @@ constexpr int kFinestCells = 128;
 constexpr int kCoarsestCells = 4;
 /// A level that has more triangles than this share of the level before is left out.
 constexpr double kWorthwhile = 0.6;
+/// The error is at least this share of a cell.
+constexpr double kLeastError = 0.1;
 /// Of the corners, the share that moved most: a few do not make a level unfit.
 constexpr double kNotCounted = 0.02;
 
@@ -240,7 +242,9 @@ std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest) {
     if (static_cast<double>(shape.triangles.size()) > kWorthwhile * static_cast<double>(triangles)) continue;
     triangles = shape.triangles.size();
     details.push_back(detailOf(shape));
-    details.back().error = errorOf(shape, original);
+    // Where nearly all corners stay where they are, as on planes, small features may be gone all the same.
+    const double least = std::max(kLeastError * side / cells, details.size() > 1 ? details.end()[-2].error : 0.0);
+    details.back().error = std::max(errorOf(shape, original), least);
   }
   return details;
 }
