@@ -188,6 +188,14 @@
         <translation>Arrêter et redémarrer avec la même graine</translation>
     </message>
     <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>New seed</source>
+        <translation>Nouvelle graine</translation>
+    </message>
+    <message>
         <source>Restart with a &amp;new seed</source>
         <translation>Redémarrer, &amp;nouvelle graine</translation>
     </message>
@@ -1053,7 +1061,7 @@
     </message>
     <message>
         <source>Paths panel</source>
-        <translation>Panneau Chemins</translation>
+        <translation>Panneau Conservés</translation>
     </message>
     <message>
         <source>Bring the list of kept paths to the front</source>
@@ -4603,7 +4611,7 @@
     </message>
     <message>
         <source>Paths</source>
-        <translation>Chemins</translation>
+        <translation>Conservés</translation>
     </message>
     <message>
         <source>Log</source>
