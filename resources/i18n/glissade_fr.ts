@@ -1061,7 +1061,7 @@
     </message>
     <message>
         <source>Paths panel</source>
-        <translation>Panneau Conservés</translation>
+        <translation>Panneau Gardés</translation>
     </message>
     <message>
         <source>Bring the list of kept paths to the front</source>
@@ -4611,7 +4611,7 @@
     </message>
     <message>
         <source>Paths</source>
-        <translation>Conservés</translation>
+        <translation>Gardés</translation>
     </message>
     <message>
         <source>Log</source>
