@@ -9,6 +9,30 @@
 namespace glissade {
 namespace {
 
+/// A tool bar whose buttons lose their words where the window is too narrow for them.
+class ToolBar : public QToolBar {
+ public:
+  using QToolBar::QToolBar;
+  void setWorded(std::vector<QToolButton*> buttons) { worded_ = std::move(buttons); }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QToolBar::resizeEvent(event);
+    if (hasWords_) widthOfWords_ = sizeHint().width();
+    const bool isRoomy = width() >= widthOfWords_;
+    if (isRoomy == hasWords_) return;
+    hasWords_ = isRoomy;
+    for (QToolButton* button : worded_) {
+      button->setToolButtonStyle(isRoomy ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    }
+  }
+
+ private:
+  std::vector<QToolButton*> worded_;
+  bool hasWords_ = true;
+  int widthOfWords_ = 0;
+};
+
 class Menus {
   Q_DECLARE_TR_FUNCTIONS(Menus)
 
@@ -36,7 +60,8 @@ class Menus {
   }
 
   void makeToolBar() {
-    QToolBar* bar = window_.addToolBar(tr("Tools"));
+    auto* bar = new ToolBar(tr("Tools"), &window_);
+    window_.addToolBar(bar);
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
     bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -55,6 +80,12 @@ class Menus {
       auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)]));
       button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
+    std::vector<QToolButton*> worded;
+    for (const char* id :
+         {"file.open", "file.save", "file.export", "run.start", "run.pause", "run.stop", "run.restart-new-seed"}) {
+      worded.push_back(qobject_cast<QToolButton*>(bar->widgetForAction(actions_[QLatin1String(id)])));
+    }
+    bar->setWorded(std::move(worded));
     bar->addSeparator();
     addDisplayButton(*bar);
   }

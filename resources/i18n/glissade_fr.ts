@@ -1077,7 +1077,7 @@
     </message>
     <message>
         <source>Paths panel</source>
-        <translation>Panneau Chemins</translation>
+        <translation>Panneau Gardés</translation>
     </message>
     <message>
         <source>Bring the list of kept paths to the front</source>
@@ -1526,6 +1526,14 @@
     <message>
         <source>Draw corners, holes and gaps darker</source>
         <translation>Assombrir les coins, les trous et les interstices</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>New seed</source>
+        <translation>Nouvelle graine</translation>
     </message>
 </context>
 <context>
@@ -4603,7 +4611,7 @@
     </message>
     <message>
         <source>Paths</source>
-        <translation>Chemins</translation>
+        <translation>Gardés</translation>
     </message>
     <message>
         <source>Log</source>

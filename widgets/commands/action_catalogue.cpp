@@ -14,8 +14,10 @@ namespace {
 
 QString translated(const char* text) { return QCoreApplication::translate("Actions", text); }
 
-/// What a button says where its panel tells what it is about; menus and commands have the whole text.
+/// What a button says where its panel or its icon tells what it is about; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
+    {"file.export", QT_TRANSLATE_NOOP("Actions", "Export")},
+    {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "New seed")},
     {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip")},
     {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
     {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},
