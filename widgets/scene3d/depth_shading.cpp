@@ -73,7 +73,7 @@ GLint numberOf(GLenum name) {
 /// Copies the depth of what has been drawn into the texture, then draws.
 class CopyDepthFirst final : public osg::Drawable::DrawCallback {
  public:
-  explicit CopyDepthFirst(osg::ref_ptr<osg::Texture2D> depth) : depth_(std::move(depth)) {}
+  explicit CopyDepthFirst(const osg::ref_ptr<osg::Texture2D>& depth) : depth_(depth) {}
 
   void drawImplementation(osg::RenderInfo& info, const osg::Drawable* drawable) const override {
     osg::State& state = *info.getState();

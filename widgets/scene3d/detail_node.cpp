@@ -60,8 +60,8 @@ unsigned DetailNode::coarsestWithin(double tolerance, double pixelsPerMetre) con
   return coarsest;
 }
 
-FadingEdges::FadingEdges(osg::ref_ptr<osg::Vec4Array> colour, double width)
-    : colour_(std::move(colour)), opacity_(colour_->front().a()), width_(width) {}
+FadingEdges::FadingEdges(const osg::ref_ptr<osg::Vec4Array>& colour, double width)
+    : colour_(colour), opacity_(colour_->front().a()), width_(width) {}
 
 void FadingEdges::addEdges(osg::Node* lines, double error, double density) {
   densities_.push_back(density);

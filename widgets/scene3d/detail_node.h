@@ -33,7 +33,7 @@ class DetailNode : public osg::Group {
 class FadingEdges final : public DetailNode {
  public:
   /// Each child's lines have this colour as a whole. Width in device pixels.
-  FadingEdges(osg::ref_ptr<osg::Vec4Array> colour, double width);
+  FadingEdges(const osg::ref_ptr<osg::Vec4Array>& colour, double width);
   /// `density`: metres of edges for each square metre of faces.
   void addEdges(osg::Node* lines, double error, double density);
 
