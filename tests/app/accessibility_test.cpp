@@ -11,7 +11,6 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTabBar>
@@ -227,9 +226,6 @@ TEST_P(AccessibilityTest, OfTheWindowAndItsPanels) {
     QApplication::processEvents();
     EXPECT_FALSE(dock->windowTitle().isEmpty());
     expectReachedByTab(*dock);
-  }
-  for (const QMenu* menu : window->findChildren<QMenu*>()) {
-    EXPECT_FALSE(menu->title().isEmpty() && menu->objectName().isEmpty());
   }
 }
 
