@@ -20,13 +20,9 @@ QIcon noIcon() {
   return QIcon(pixmap);
 }
 
-QString plainName(const QAction& action) {
-  return QString(action.text()).remove(QLatin1Char('&')).remove(QStringLiteral("..."));
-}
-
 /// 0 is the best; -1: it does not match.
 int rankOf(const QAction& action, const QString& text) {
-  const QString name = plainName(action);
+  const QString name = commandName(action.text());
   const QString all = name + QLatin1Char(' ') + action.statusTip() + QLatin1Char(' ') + action.objectName();
   for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
     if (!all.contains(word, Qt::CaseInsensitive)) return -1;
@@ -78,7 +74,8 @@ void CommandPalette::showMatches() {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     const QAction& action = *shown_[i];
     const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-    auto* item = new QListWidgetItem(action.icon().isNull() ? noIcon() : action.icon(), plainName(action), list_);
+    auto* item =
+        new QListWidgetItem(action.icon().isNull() ? noIcon() : action.icon(), commandName(action.text()), list_);
     item->setSizeHint(QSize(0, kRowHeight));
     if (!keys.isEmpty()) item->setText(item->text() + QStringLiteral("    ") + keys);
     item->setToolTip(action.statusTip());

@@ -11,6 +11,7 @@
 #include "engine/sequence/step_view.h"
 #include "engine/study/plan_graph.h"
 #include "widgets/commands/length_text.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/studies/plan_graph_view.h"

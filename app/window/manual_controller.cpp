@@ -10,15 +10,10 @@
 
 #include "app/window/keyboard_steering.h"
 #include "app/window/panel_docks.h"
+#include "widgets/commands/window_language.h"
 
 namespace glissade {
 namespace {
-
-QString spoken(QString text) {
-  text.remove(QLatin1Char('&'));
-  if (text.endsWith(QStringLiteral("..."))) text.chop(3);
-  return text;
-}
 
 using MenuPaths = QHash<const QAction*, QString>;
 
@@ -28,7 +23,7 @@ void collectMenus(const QList<QAction*>& actions, const QString& path, MenuPaths
       paths.insert(action, path);
       continue;
     }
-    const QString title = spoken(action->menu()->title());
+    const QString title = commandName(action->menu()->title());
     collectMenus(action->menu()->actions(), path.isEmpty() ? title : path + QStringLiteral(" > ") + title, paths);
   }
 }
@@ -62,13 +57,13 @@ const QDockWidget* dockOf(const QWidget* widget) {
 
 ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& actions) {
   ManualFacts facts;
-  facts.language = QLocale().language() == QLocale::French ? QStringLiteral("fr") : QStringLiteral("en");
+  facts.language = windowLanguage() == Language::French ? QStringLiteral("fr") : QStringLiteral("en");
   MenuPaths menus;
   collectMenus(window.menuBar()->actions(), QString(), menus);
   for (const ActionSpec& spec : actionSpecs()) {
     const QAction* action = actions[QLatin1String(spec.id)];
-    facts.actions.push_back(
-        {action->objectName(), spoken(action->text()), menus.value(action), nativeKeys(action), action->statusTip()});
+    facts.actions.push_back({action->objectName(), commandName(action->text()), menus.value(action), nativeKeys(action),
+                             action->statusTip()});
   }
   for (const QDockWidget* dock : docksInOrder(window)) {
     const QAction* action = actions.find(dock->property(kPanelAction).toString());

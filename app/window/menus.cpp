@@ -96,7 +96,7 @@ class Menus {
     auto* button = new QToolButton(&bar);
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setAccessibleName(tr("&Display").remove(QLatin1Char('&')));
+    button->setAccessibleName(withoutMnemonic(tr("&Display")));
     auto* menu = new QMenu(tr("&Display"), button);
     fill(menu, {"display."});
     button->setMenu(menu);

@@ -3,6 +3,7 @@
 #include "app/window/report_file.h"
 #include "engine/study/path_report.h"
 #include "widgets/commands/length_text.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/panels/sequence_panel.h"
 #include "widgets/scene3d/camera_controller.h"
 

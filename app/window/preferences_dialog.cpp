@@ -10,11 +10,7 @@
 #include "widgets/scene3d/navigation_style.h"
 
 namespace glissade {
-namespace {
-
-QString textOf(const QAction& action) { return action.text().remove(QLatin1Char('&')); }
-
-}  // namespace
+namespace {}  // namespace
 
 QString languageOf(const QString& asked, const Preferences& preferences, const QString& desktop) {
   for (const QString& language : {asked, preferences.language, desktop}) {
@@ -79,7 +75,7 @@ void PreferencesDialog::fill(const Preferences& present) {
   theme_->setCurrentIndex(actions_["view.dark"]->isChecked() ? 1 : 0);
   for (const NavigationStyleEntry& entry : kNavigationStyles) {
     const QAction* action = actions_[QLatin1String(entry.action)];
-    navigation_->addItem(textOf(*action), QLatin1String(entry.action));
+    navigation_->addItem(withoutMnemonic(action->text()), QLatin1String(entry.action));
     navigation_->setItemData(navigation_->count() - 1, action->statusTip(), Qt::ToolTipRole);
     if (action->isChecked()) navigation_->setCurrentIndex(navigation_->count() - 1);
   }
@@ -87,7 +83,7 @@ void PreferencesDialog::fill(const Preferences& present) {
 
 void PreferencesDialog::addColours(QFormLayout& form, const SceneColours& present) {
   const auto add = [this, &form](const QString& label, const std::optional<Colour>& colour) {
-    auto* button = new ColourButton(QString(label).remove(QLatin1Char('&')), colour, this);
+    auto* button = new ColourButton(withoutMnemonic(label), colour, this);
     form.addRow(label, button);
     return button;
   };

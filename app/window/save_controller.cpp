@@ -5,6 +5,7 @@
 
 #include "app/window/unsaved_edits_dialog.h"
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/scenario/scenario_file.h"
 
 namespace glissade {
@@ -69,9 +70,8 @@ bool SaveController::openEdits(const UnsavedEdits& edits) {
 }
 
 void SaveController::openVersion(const QString& versionFile) {
-  constexpr std::size_t kMostBytes = 256U << 20;
   if (!host_.mayDiscard()) return;
-  const auto text = readFile(versionFile.toStdString(), kMostBytes);
+  const auto text = readFile(versionFile.toStdString(), limits::kMostScenarioBytes);
   auto scenario = text ? parseScenario(*text, versionFile.toStdString()) : Result<Scenario>(text.error());
   if (!scenario) {
     host_.showError(tr("The earlier version cannot be opened"), scenario.error());

@@ -16,6 +16,7 @@
 #include "engine/sequence/exploded_view.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/study/plan_graph.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/studies/plan_graph_view.h"
 
 namespace glissade {

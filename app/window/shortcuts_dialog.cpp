@@ -91,7 +91,7 @@ void ShortcutsDialog::addRow(const ActionSpec& spec) {
   const QAction& action = *actions_[QLatin1String(spec.id)];
   const int row = table_->rowCount();
   table_->insertRow(row);
-  auto* name = new QTableWidgetItem(action.text().remove(QLatin1Char('&')));
+  auto* name = new QTableWidgetItem(withoutMnemonic(action.text()));
   name->setData(Qt::UserRole, QLatin1String(spec.id));
   name->setToolTip(action.statusTip());
   table_->setItem(row, kCommand, name);
@@ -146,7 +146,7 @@ void ShortcutsDialog::explain() {
   if (plain) {
     note = tr("Keys without Ctrl or Alt steer the object and write text.");
   } else if (!taken.isEmpty() && taken != id) {
-    note = tr("It is taken from \"%1\".").arg(actions_[taken]->text().remove(QLatin1Char('&')));
+    note = tr("It is taken from \"%1\".").arg(withoutMnemonic(actions_[taken]->text()));
   }
   note_->setText(note);
   keys_->setEnabled(!id.isEmpty());

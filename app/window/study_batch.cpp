@@ -12,6 +12,7 @@
 #include "engine/base/file.h"
 #include "engine/study/benchmarks/benchmark_page.h"
 #include "engine/study/cell_value.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/plots/picture_file.h"
 #include "widgets/studies/report_pdf.h"
 #include "widgets/studies/study_browser.h"
@@ -79,7 +80,7 @@ void say(const Warnings& warnings) {
 Result<StudyReport> studyReport(const QString& path, Warnings& warnings) {
   const auto folder = StudyFolder::open(path.toStdString());
   if (!folder) return folder.error();
-  return reportOf(*folder, warnings, studyLanguage());
+  return reportOf(*folder, warnings, windowLanguage());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "app/window/study_script.h"
 #include "engine/base/file.h"
 #include "engine/scenario/scenario_file.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/plots/plot_view.h"
 #include "widgets/studies/report_pdf.h"
 #include "widgets/studies/study_browser.h"
@@ -54,7 +55,7 @@ void StudyController::choosePdf() {
       bench_.dialogs.save(FilePurpose::Report, tr("Write the report"), proposed, tr("Documents (*.pdf)"));
   if (file.isEmpty()) return;
   Warnings warnings;
-  showSaved(writeReportPdf(reportOf(folder, warnings, studyLanguage()), file), tr("The report cannot be written"));
+  showSaved(writeReportPdf(reportOf(folder, warnings, windowLanguage()), file), tr("The report cannot be written"));
 }
 
 void StudyController::choosePlotFile() {

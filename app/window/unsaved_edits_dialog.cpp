@@ -8,6 +8,7 @@
 
 #include "app/window/plain_message_box.h"
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/scenario/scenario_file.h"
 #include "widgets/commands/diagnostic_text.h"
 
@@ -29,8 +30,8 @@ std::string comparable(Scenario scenario) {
 
 /// What the scenario's file holds now; nothing where it cannot be read.
 std::optional<std::string> contentNow(const UnsavedEdits& edits) {
-  constexpr std::size_t kMostBytes = 256U << 20;
-  const auto text = edits.file.empty() ? Result<std::string>(Diagnostic()) : readFile(edits.file, kMostBytes);
+  const auto text =
+      edits.file.empty() ? Result<std::string>(Diagnostic()) : readFile(edits.file, limits::kMostScenarioBytes);
   return text ? std::optional<std::string>(*text) : std::nullopt;
 }
 

@@ -23,6 +23,10 @@ inline constexpr double kLargestRatio = 1e10;
 /// has 1280 triangles: so many spheres take 0.6 GB.
 inline constexpr std::size_t kMostBodies = 20'000;
 
+/// Bytes of a scenario, also of one that was not saved, and of an assembly plan. A plan of a thousand parts has some
+/// megabytes.
+inline constexpr std::size_t kMostScenarioBytes = 256U << 20;
+
 inline bool isCoordinate(double value) { return std::abs(value) <= kLargestLength; }  // false for NaN
 inline bool isSize(double value) { return value >= kSmallestSize && value <= kLargestLength; }
 

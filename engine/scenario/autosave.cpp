@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/base/limits.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/scenario_io.h"
@@ -24,7 +25,6 @@ using Json = JsonCursor::Json;
 constexpr const char* kLockEnding = ".lock";
 constexpr const char* kEditsEnding = ".edits";
 constexpr const char* kEditsFormat = "glissade-unsaved-edits";
-constexpr std::size_t kMostEditsBytes = 256U << 20;
 
 Diagnostic unusable(const std::string& folder, const std::string& what) {
   return {ErrorKind::Internal, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
@@ -79,7 +79,7 @@ void AutosaveSlot::clear() { ::unlink((base_ + kEditsEnding).c_str()); }
 std::string AbandonedEdits::file() const { return base_ + kEditsEnding; }
 
 Result<UnsavedEdits> AbandonedEdits::read() const {
-  const auto text = readFile(file(), kMostEditsBytes);
+  const auto text = readFile(file(), limits::kMostScenarioBytes);
   if (!text) return text.error();
   auto document = parseJson(*text, file());
   if (!document) return document.error();

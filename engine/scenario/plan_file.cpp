@@ -4,6 +4,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
+#include "engine/base/limits.h"
 #include "engine/scenario/json_checksum.h"
 #include "engine/scenario/plan_json.h"
 
@@ -11,8 +12,6 @@ namespace glissade {
 namespace {
 
 using Json = JsonCursor::Json;
-
-constexpr std::size_t kMostBytes = 256U << 20;
 
 }  // namespace
 
@@ -39,13 +38,13 @@ Result<AssemblyPlan> parsePlan(const std::string& text, const std::string& file)
 }
 
 Result<AssemblyPlan> readPlan(const std::string& file) {
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, limits::kMostScenarioBytes);
   if (!text) return text.error();
   return parsePlan(*text, file);
 }
 
 bool isPlanFile(const std::string& file) {
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, limits::kMostScenarioBytes);
   if (!text) return false;
   const std::size_t first = text->find_first_not_of(" \t\r\n");
   if (first == std::string::npos || (*text)[first] != '{') return false;

@@ -3,6 +3,7 @@
 
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
+#include "engine/base/limits.h"
 #include "engine/base/utf8.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/file_content.h"
@@ -20,7 +21,6 @@
 namespace glissade {
 namespace {
 
-constexpr std::size_t kMostScenarioBytes = 256U << 20;
 constexpr Colour kMobileColour{0.80, 0.68, 0.45};
 constexpr Colour kObjectColour{0.93, 0.90, 0.80};
 
@@ -182,7 +182,7 @@ Result<ReadScenario> readScenario(const std::string& file) {
     return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
                       "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
   }
-  const auto text = readFile(file, kMostScenarioBytes);
+  const auto text = readFile(file, limits::kMostScenarioBytes);
   if (!text) return text.error();
   Warnings warnings;
   auto scenario = parseScenario(*text, file, warnings);

@@ -38,8 +38,6 @@ void addActionButtons(QLayout& layout, const ActionCatalogue& actions, const std
   }
 }
 
-QString plain(QString text) { return text.remove(QLatin1Char('&')); }
-
 }  // namespace
 
 ActionCatalogue::ActionCatalogue(QObject* parent) : QObject(parent) {
@@ -61,7 +59,7 @@ void ActionCatalogue::setShortcut(const QString& id, const QKeySequence& keys) {
   if (!keys.isEmpty()) tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
   action->setToolTip(tip);
   action->setWhatsThis(
-      actionHelp(id, plain(action->text()), keys.toString(QKeySequence::NativeText), action->statusTip()));
+      actionHelp(id, withoutMnemonic(action->text()), keys.toString(QKeySequence::NativeText), action->statusTip()));
 }
 
 QKeySequence ActionCatalogue::usualShortcut(const QString& id) {
@@ -76,9 +74,9 @@ QString ActionCatalogue::shortcutTable() const {
   for (const ActionSpec& spec : actionSpecs()) {
     const QAction* action = actions_.value(QLatin1String(spec.id));
     if (action->shortcut().isEmpty()) continue;
-    rows +=
-        QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td><td>&nbsp;&nbsp;%3</td></tr>")
-            .arg(action->shortcut().toString(QKeySequence::NativeText), plain(action->text()), translated(spec.tip));
+    rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td><td>&nbsp;&nbsp;%3</td></tr>")
+                .arg(action->shortcut().toString(QKeySequence::NativeText), withoutMnemonic(action->text()),
+                     translated(spec.tip));
   }
   return rows;
 }

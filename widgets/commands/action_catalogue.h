@@ -5,6 +5,7 @@
 #include <QHash>
 #include <QObject>
 #include <QString>
+#include <utility>
 #include <vector>
 
 namespace glissade {
@@ -17,6 +18,16 @@ struct ActionSpec {
   const char* tip;       ///< what it does, one sentence
   bool checkable;
 };
+
+/// The text of an action without its mnemonic.
+inline QString withoutMnemonic(QString text) { return text.remove(QLatin1Char('&')); }
+
+/// The same without the dots of "opens a dialog": as people name the command.
+inline QString commandName(QString text) {
+  text = withoutMnemonic(std::move(text));
+  if (text.endsWith(QStringLiteral("..."))) text.chop(3);
+  return text;
+}
 
 /// All actions, in the order of the help page.
 const std::vector<ActionSpec>& actionSpecs();

@@ -138,7 +138,7 @@ QWidget* CalibrationDialog::makeButtons() {
   action_->addItem(tr("nothing"), QString());
   for (const ActionSpec& spec : actionSpecs()) {
     const QString id = QLatin1String(spec.id);
-    action_->addItem(actions_[id]->text().remove(QLatin1Char('&')), id);
+    action_->addItem(withoutMnemonic(actions_[id]->text()), id);
   }
   action_->setObjectName(QStringLiteral("button-action"));
   action_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -5,17 +5,14 @@
 #include "engine/base/parameters.h"
 #include "engine/operator/device_registry.h"
 #include "engine/planning/planner.h"
+#include "widgets/commands/action_catalogue.h"
 #include "widgets/manual/manual_tables.h"
 
 namespace glissade {
 namespace {
 
-/// A text of the window as it is read: without mnemonic and without the dots of "opens a dialog".
-QString readText(QString text) {
-  text.remove(QLatin1Char('&'));
-  if (text.endsWith(QStringLiteral("..."))) text.chop(3);
-  return text.toHtmlEscaped();
-}
+/// A text of the window as it is read.
+QString readText(const QString& text) { return commandName(text).toHtmlEscaped(); }
 
 QString uiHtml(const QString& text) { return QStringLiteral("<span class=\"ui\">%1</span>").arg(readText(text)); }
 

@@ -15,6 +15,7 @@
 
 #include "engine/sequence/demand_edits.h"
 #include "widgets/commands/length_text.h"
+#include "widgets/commands/window_language.h"
 
 namespace glissade {
 namespace {
@@ -84,8 +85,6 @@ QString markOf(const StepDemands& demands, const AssemblyStep& step) {
 }
 
 }  // namespace
-
-Language windowLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
 
 PlanWords windowPlanWords() {
   return PlanWords(windowLanguage(), [](double metres) { return lengthText(metres).toStdString(); });

@@ -65,9 +65,6 @@ class StepTable final : public QTreeWidget {
   PlanOrder order_ = PlanOrder::Removal;
 };
 
-/// The language that the window has been opened in.
-Language windowLanguage();
-
 /// What people read of plans in this window.
 PlanWords windowPlanWords();
 

@@ -14,6 +14,7 @@
 #include "engine/study/cell_value.h"
 #include "engine/study/finding_check.h"
 #include "engine/study/study_plots.h"
+#include "widgets/commands/window_language.h"
 #include "widgets/plots/plot_view.h"
 
 namespace glissade {
@@ -66,8 +67,6 @@ QString numberText(const RunResult& result, const char* column) {
 }
 
 }  // namespace
-
-Language studyLanguage() { return QLocale().language() == QLocale::French ? Language::French : Language::English; }
 
 StudyBrowser::StudyBrowser(QWidget* parent)
     : QWidget(parent, Qt::Window),
@@ -134,7 +133,7 @@ void StudyBrowser::show(const StudyFolder& folder, const StudyResults& results) 
   summaries_ = summarise(study, results_);
   setWindowTitle(tr("%1 — study").arg(shownText(study.heading.name)));
   heading_->setText(QStringLiteral("<b>%1</b><br>%2")
-                        .arg(shownText(StudyWords(studyLanguage())(study.heading.title)).toHtmlEscaped(),
+                        .arg(shownText(StudyWords(windowLanguage())(study.heading.title)).toHtmlEscaped(),
                              shownText(study.heading.citation).toHtmlEscaped()));
   fillCells();
   fillPlots();
@@ -146,7 +145,7 @@ void StudyBrowser::show(const StudyFolder& folder, const StudyResults& results) 
 }
 
 void StudyBrowser::fillCells() {
-  const StudyWords words(studyLanguage());
+  const StudyWords words(windowLanguage());
   const Study& study = folder_->plan().study;
   QStringList titles{tr("Row"), tr("Solved"), tr("Success, 95 %")};
   for (const PaperColumn& column : study.heading.paper) {
@@ -175,7 +174,7 @@ void StudyBrowser::fillPlots() {
     plots_->removeTab(0);
     if (page != findings_) delete page;
   }
-  for (const Plot& plot : plotsOf(folder_->plan().study, summaries_, StudyWords(studyLanguage()))) {
+  for (const Plot& plot : plotsOf(folder_->plan().study, summaries_, StudyWords(windowLanguage()))) {
     auto* view = new PlotView(plot, plots_);
     connect(view, &PlotView::cellPicked, this, [this](int cell) { selectCell(cell); });
     connect(view, &PlotView::zoomChanged, this, &StudyBrowser::plotChanged);
@@ -186,7 +185,7 @@ void StudyBrowser::fillPlots() {
 
 void StudyBrowser::fillFindings() {
   const Study& study = folder_->plan().study;
-  const StudyWords words(studyLanguage());
+  const StudyWords words(windowLanguage());
   QString html;
   for (const Finding& finding : study.heading.findings) {
     const CheckedFinding checked = check(finding, study, summaries_, words);
@@ -205,7 +204,7 @@ void StudyBrowser::fillRuns(int cell) {
     if (static_cast<int>(run.cell) != cell) continue;
     const RunResult& result = outcome.result;
     addRow(runs_,
-           {QString::number(run.seed), shownText(StudyWords(studyLanguage())(name(result.status))),
+           {QString::number(run.seed), shownText(StudyWords(windowLanguage())(name(result.status))),
             numberText(result, "virtual_s"), numberText(result, "nodes"), numberText(result, "edges"),
             numberText(result, "random_configurations")},
            2);

@@ -18,9 +18,6 @@ namespace glissade {
 
 class PlotView;
 
-/// What the window speaks.
-Language studyLanguage();
-
 /// A study's results in a window of their own: its cells with the paper's numbers, the plots of the
 /// report, the findings, and the runs of the chosen cell. Asks for a run to be shown when it is
 /// double-clicked.

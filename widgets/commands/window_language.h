@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QLocale>
+
+#include "engine/study/study_words.h"
+
+namespace glissade {
+
+/// The language of the window, for what the engine writes.
+inline Language windowLanguage() {
+  return QLocale().language() == QLocale::French ? Language::French : Language::English;
+}
+
+}  // namespace glissade
