@@ -1,5 +1,4 @@
 // glissade-cli: everything that needs no window. Links no Qt.
-#include <glissade/version.h>
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
@@ -20,6 +19,7 @@
 #include "app/cli/smooth_command.h"
 #include "app/cli/study_command.h"
 #include "app/cli/sweep_command.h"
+#include "app/version_text.h"
 #include "engine/base/guarded.h"
 #include "engine/base/limits.h"
 #include "engine/base/number_text.h"
@@ -313,7 +313,7 @@ CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
 
 int run(int argc, char** argv) {
   CLI::App app{"Glissade: certified motions for virtual assembly"};
-  app.set_version_flag("--version", std::string("glissade-cli ") + kVersion);
+  app.set_version_flag("--version", "glissade-cli " + versionText());
   app.require_subcommand(1);
   PlanOptions plan;
   CheckOptions check;

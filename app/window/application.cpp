@@ -17,9 +17,11 @@
 #include <iostream>
 
 #include "app/script/script_runner.h"
+#include "app/version_text.h"
 #include "app/window/guarded_application.h"
 #include "app/window/main_window.h"
 #include "app/window/manual_controller.h"
+#include "app/window/scenario_pictures.h"
 #include "app/window/study_batch.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
@@ -56,6 +58,8 @@ void addOptions(QCommandLineParser& parser) {
   parser.addOptions({
       {"offscreen", "Run without a display"},
       {"screenshot", "Save a picture of the whole window and leave", "FILE"},
+      {"thumbnail", "Save a small picture of the scene as PNG and leave", "FILE"},
+      {"thumbnail-pixels", "Width and height of the small picture", "PIXELS", "256"},
       {"size", "Size of the window in pixels", "WxH", "1280x720"},
       {"script", "Carry out a script and leave", "FILE"},
       {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
@@ -80,6 +84,12 @@ std::optional<QSize> parseSize(const QString& value) {
   const QSize size(parts[0].toInt(&widthOk), parts[1].toInt(&heightOk));
   const bool sensible = size.width() >= 320 && size.height() >= 240 && size.width() <= 8192 && size.height() <= 8192;
   return widthOk && heightOk && sensible ? std::optional<QSize>(size) : std::nullopt;
+}
+
+std::optional<int> parseThumbnailPixels(const QCommandLineParser& parser) {
+  bool ok = false;
+  const int pixels = parser.value(QStringLiteral("thumbnail-pixels")).toInt(&ok);
+  return ok && pixels >= 16 && pixels <= 2048 ? std::optional<int>(pixels) : std::nullopt;
 }
 
 /// Parameters and seed of the command line, over the scenario's.
@@ -115,8 +125,9 @@ Theme themeNamed(const QString& name) { return name == "dark" ? Theme::Dark : Th
 
 /// Nobody sits before the window.
 bool isBatch(const QCommandLineParser& parser) {
-  return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("offscreen") ||
-         parser.isSet("study-pictures") || parser.isSet("report-pdf") || parser.isSet("write-manual");
+  return parser.isSet("script") || parser.isSet("screenshot") || parser.isSet("thumbnail") ||
+         parser.isSet("offscreen") || parser.isSet("study-pictures") || parser.isSet("report-pdf") ||
+         parser.isSet("write-manual");
 }
 
 int runWindow(const QCommandLineParser& parser, MainWindow& window) {
@@ -162,6 +173,12 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     const SaveResult saved = savePicture(pictureOf(window), file);
     if (!saved) return fail(saved.why);
   }
+  if (parser.isSet("thumbnail")) {
+    const int pixels = *parseThumbnailPixels(parser);
+    const QImage picture = smallScenePicture(window.workbench().scene, QSize(pixels, pixels));
+    const SaveResult saved = savePicture(picture, parser.value("thumbnail"), "PNG");
+    if (!saved) return fail(saved.why);
+  }
   return batch ? 0 : QApplication::exec();
 }
 
@@ -182,7 +199,7 @@ int tell(int argc, char** argv) {
   if (parser.isSet("help")) {
     std::cout << parser.helpText().toStdString();
   } else {
-    std::cout << "glissade " << kVersion << "\n";
+    std::cout << "glissade " << versionText() << "\n";
   }
   return 0;
 }
@@ -214,6 +231,9 @@ int runApplication(int argc, char** argv, const SceneWidgetFactory& makeScene, S
   }
   const auto size = parseSize(parser.value("size"));
   if (!size) return failUsage("--size", "is not WIDTHxHEIGHT", "Give for example 1280x720.");
+  if (!parseThumbnailPixels(parser)) {
+    return failUsage("--thumbnail-pixels", "is not a whole number from 16 to 2048", "Give for example 256.");
+  }
   const QString theme = parser.value("theme");
   if (theme != "light" && theme != "dark") return failUsage("--theme", "is neither light nor dark", "");
   const QString asked = parser.value("language");

@@ -1,7 +1,5 @@
 #include "app/window/help_pages.h"
 
-#include <glissade/version.h>
-
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -9,6 +7,7 @@
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
+#include "app/version_text.h"
 #include "app/window/keyboard_steering.h"
 
 namespace glissade {
@@ -47,7 +46,7 @@ void showAbout(QWidget* parent) {
           "with Contact</i>, IEEE RO-MAN 2016.</p><p>S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, "
           "<i>Multi-layer path planning control for the simulation of manipulation tasks</i>, RCIM 57, 2019.</p>"
           "<p>BSD 3-Clause licence.</p>")
-          .arg(QLatin1String(kVersion)),
+          .arg(QString::fromStdString(versionText())),
       QMessageBox::Ok, parent);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();

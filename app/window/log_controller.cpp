@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QSysInfo>
 
+#include "app/version_text.h"
 #include "app/window/status_text.h"
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/panels/kept_paths_panel.h"
@@ -96,7 +97,7 @@ void LogController::followRun(const SnapshotPtr& snapshot) {
 
 QString LogController::bugReport() const {
   QString text = QStringLiteral("Glissade %1\nBuild: %2\nQt %3, %4, %5\nLanguage: %6\n")
-                     .arg(QLatin1String(kVersion), QLatin1String(kBuild), QLatin1String(qVersion()),
+                     .arg(QString::fromStdString(versionText()), QLatin1String(kBuild), QLatin1String(qVersion()),
                           QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(), QLocale().name());
   text += scenarioLines(bench_.document);
   text += QStringLiteral("Log:\n");

@@ -5,11 +5,12 @@
 
 namespace glissade {
 
-SaveResult savePicture(const QImage& picture, const QString& file) {
+SaveResult savePicture(const QImage& picture, const QString& file, const char* format) {
   const std::string name = file.toStdString();
   QBuffer content;
   content.open(QIODevice::WriteOnly);
-  if (!picture.save(&content, QFileInfo(file).suffix().toLatin1().constData())) {
+  const QByteArray ending = QFileInfo(file).suffix().toLatin1();
+  if (!picture.save(&content, format != nullptr ? format : ending.constData())) {
     return notSaved({ErrorKind::Usage, name, "", "the picture cannot be written in this format",
                      "Choose a name that ends in .png or .jpg."});
   }
