@@ -29,6 +29,7 @@
 #include "engine/base/file.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
+#include "engine/scenario/part_files.h"
 #include "widgets/manual/manual_writer.h"
 #include "widgets/plots/picture_file.h"
 
@@ -53,8 +54,10 @@ QString optionName(const ParameterSpec& spec) { return text(spec.option).mid(2);
 
 void addOptions(QCommandLineParser& parser) {
   parser.setApplicationDescription(QStringLiteral("Glissade: a workbench for virtual assembly"));
-  parser.addPositionalArgument(QStringLiteral("SCENARIO"), QStringLiteral("Scenario file or OMPL.app .cfg"),
-                               QStringLiteral("[SCENARIO]"));
+  parser.addPositionalArgument(
+      QStringLiteral("SCENARIO"),
+      QStringLiteral("Scenario file, OMPL.app .cfg, or on screen a part file (STEP, mesh, URDF)"),
+      QStringLiteral("[SCENARIO]"));
   parser.addOptions({
       {"offscreen", "Run without a display"},
       {"screenshot", "Save a picture of the whole window and leave", "FILE"},
@@ -138,8 +141,10 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
   }
   if (!batch) window.remember(std::make_unique<WindowMemory>(), !parser.isSet("size"));
   if (parser.isSet("theme")) window.setTheme(themeNamed(parser.value("theme")));
-  if (!parser.positionalArguments().isEmpty()) {
-    const auto why = window.openScenario(parser.positionalArguments().front(), batch);
+  const QString file = parser.positionalArguments().value(0);
+  const bool asksForParts = !batch && isPartFile(file.toStdString());
+  if (!file.isEmpty() && !asksForParts) {
+    const auto why = window.openScenario(file, batch);
     if (why && batch) return fail(*why);
     if (!why) {
       if (const auto refused = applyParameters(parser, window)) return fail(*refused);
@@ -152,6 +157,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     window.keepUnsavedEdits(data + QStringLiteral("/unsaved"));
     window.keepJournals(data + QStringLiteral("/recordings"));
   }
+  if (asksForParts) (void)window.workbench().scripts.carryOut("drop", {file.toStdString()});
   if (parser.isSet("script")) {
     const int status = runScriptFile(parser.value("script").toStdString(), window.workbench());
     if (status != 0) return status;
@@ -169,8 +175,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     if (!written) return fail(written.error());
   }
   if (parser.isSet("screenshot")) {
-    const QString file = parser.value("screenshot");
-    const SaveResult saved = savePicture(pictureOf(window), file);
+    const SaveResult saved = savePicture(pictureOf(window), parser.value("screenshot"));
     if (!saved) return fail(saved.why);
   }
   if (parser.isSet("thumbnail")) {

@@ -2,10 +2,12 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QTimer>
 #include <QUrl>
 
 #include "app/window/plain_message_box.h"
 #include "app/window/save_conflict.h"
+#include "engine/scenario/part_files.h"
 #include "engine/scenario/path_reader.h"
 
 namespace glissade {
@@ -25,6 +27,12 @@ FileController::FileController(const Workbench& bench, PartImport& parts, PathCo
   connectActions();
   bench.scripts.add("open", 1, [this](const ScriptCommands::Words& words) {
     return outcomeOf(openScenario(QString::fromStdString(words[0]), true));
+  });
+  bench.scripts.add("drop", 1, [this](const ScriptCommands::Words& words) -> Outcome {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(words[0]))});
+    drop(data);
+    return Done{};
   });
   bench.scripts.add("save", 1, [this](const ScriptCommands::Words& words) -> Outcome {
     if (!bench_.document.scenario()) return wrongCommand("no scenario is open");
@@ -117,14 +125,18 @@ SaveResult FileController::write(const QString& file) {
 
 QString FileController::folder() const {
   const ScenarioPtr& scenario = bench_.document.scenario();
-  if (!scenario || scenario->file.empty()) return {};
-  return QFileInfo(QString::fromStdString(scenario->file)).absolutePath();
+  if (!scenario) return {};
+  const std::vector<Asset>& assets = scenario->scenario.assets;
+  const std::string& ofParts = assets.empty() ? scenario->file : assets.front().path;
+  const std::string& file = scenario->file.empty() ? ofParts : scenario->file;
+  return file.empty() ? QString() : QFileInfo(QString::fromStdString(file)).absolutePath();
 }
 
 void FileController::chooseScenario() {
-  const QString file =
-      bench_.dialogs.open(FilePurpose::Scenario, tr("Open a scenario"), tr("Scenarios (*.json *.cfg);;All files (*)"));
-  if (!file.isEmpty()) openInBackground(file);
+  const QString file = bench_.dialogs.open(FilePurpose::Scenario, tr("Open a scenario or a product"),
+                                           tr("Scenarios and parts (%1 %2);;Scenarios (%1);;Parts (%2);;All files (*)")
+                                               .arg(QStringLiteral("*.json *.cfg"), partFilePatterns()));
+  if (!file.isEmpty()) openAny({file}, PartsDialog::Purpose::NewScenario);
 }
 
 void FileController::save() {
@@ -138,9 +150,12 @@ void FileController::save() {
 
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
-  const std::string proposed = scenario.file.empty() ? scenario.scenario.name + ".json" : scenario.file;
-  const QString file = bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"),
-                                           QString::fromStdString(proposed), tr("Scenarios (*.json)"));
+  // A part of a STEP file names the scenario "assembly/part".
+  const QString name = QString::fromStdString(scenario.scenario.name).section(QLatin1Char('/'), -1);
+  const QString usual = QDir(folder()).filePath(name + QStringLiteral(".json"));
+  const QString proposed = scenario.file.empty() ? usual : QString::fromStdString(scenario.file);
+  const QString file =
+      bench_.dialogs.save(FilePurpose::Scenario, tr("Save the scenario"), proposed, tr("Scenarios (*.json)"));
   if (!file.isEmpty()) trySave(file);
 }
 
@@ -220,18 +235,26 @@ void FileController::fillRecentMenu() {
 }
 
 void FileController::drop(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls()) files << url.toLocalFile();
+  const bool more = bench_.document.scenario() != nullptr;
+  // A dialog would hold up the program that the files were dragged from.
+  QTimer::singleShot(0, this, [this, files, more] {
+    openAny(files, more ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario);
+  });
+}
+
+void FileController::openAny(const QStringList& files, PartsDialog::Purpose ofParts) {
   QStringList partFiles;
-  for (const QUrl& url : data.urls()) {
-    if (isPartFile(url.toLocalFile().toStdString())) partFiles << url.toLocalFile();
+  for (const QString& file : files) {
+    if (isPartFile(file.toStdString())) partFiles << file;
   }
-  const QString first = data.urls().front().toLocalFile();
-  if (isPathFile(first.toStdString())) {
-    path_.openOrShowError(first);
-  } else if (partFiles.isEmpty()) {
-    openInBackground(first);
+  if (!partFiles.isEmpty()) {
+    parts_.ask(ofParts, partFiles);
+  } else if (isPathFile(files.front().toStdString())) {
+    path_.openOrShowError(files.front());
   } else {
-    parts_.ask(bench_.document.scenario() ? PartsDialog::Purpose::AddParts : PartsDialog::Purpose::NewScenario,
-               partFiles);
+    openInBackground(files.front());
   }
 }
 

@@ -33,9 +33,11 @@ class FileController final : public QObject {
   std::optional<Diagnostic> openScenario(const QString& file, bool quiet, FindFits fits = FindFits::Now);
   /// The same without waiting for it: reading STEP files takes its time. Cancelled as all background work.
   void openInBackground(const QString& file);
-  /// Opens, imports or examines what was dropped on the window.
+  /// Opens, imports or examines what was dropped on the window. Parts are added to the scenario that is open.
   void drop(const QMimeData& data);
-  /// Of the scenario that is open; empty where it has none.
+  /// Part files are offered in the dialog of parts; a path file is examined, a scenario is opened. Not empty.
+  void openAny(const QStringList& files, PartsDialog::Purpose ofParts);
+  /// Of the scenario that is open, or of its parts where it was never saved; empty where nothing is open.
   QString folder() const;
   /// Saves the document into the file, which is the document's from then on. Nothing on success.
   std::optional<Diagnostic> saveAs(const QString& file);

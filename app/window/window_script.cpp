@@ -8,6 +8,7 @@
 
 #include <fstream>
 
+#include "app/window/scene_target.h"
 #include "app/window/window_picture.h"
 #include "engine/base/memory_use.h"
 #include "engine/base/number_text.h"
@@ -63,6 +64,20 @@ Outcome pressMouse(QWidget* scene, const Words& pixels) {
   return Done{};
 }
 
+/// The left button on a pixel where the body is seen, the first of a grid over the view.
+Outcome clickBody(const Workbench& bench, const std::string& id) {
+  constexpr int kGrid = 40;
+  if (!bench.document.scenario()) return wrongCommand("no scenario is open");
+  QWidget& widget = *bench.scene.widget();
+  for (int i = 1; i < kGrid * kGrid; ++i) {
+    const QPoint pixel(widget.width() * (i % kGrid) / kGrid, widget.height() * (i / kGrid) / kGrid);
+    const SceneTarget target = targetAt(bench, pixel);
+    const bool isIt = id == "object" ? target.isObject : target.body == QString::fromStdString(id);
+    if (isIt) return pressMouse(&widget, {std::to_string(pixel.x()), std::to_string(pixel.y())});
+  }
+  return wrongCommand("the body '" + id + "' is not seen");
+}
+
 /// Appends a line: seconds since the start, megabytes in main memory, megabytes after free memory was given back.
 Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
   const double seconds = static_cast<double>(since.elapsed()) / 1000.0;
@@ -107,6 +122,7 @@ void addWindowCommands(const Workbench& bench) {
     scripts.add(name, static_cast<std::size_t>(count),
                 [&bench](const Words& words) { return pressMouse(bench.scene.widget(), words); });
   }
+  scripts.add("click-body", 1, [&bench](const Words& words) { return clickBody(bench, words[0]); });
   scripts.add("screenshot", 1, [&bench](const Words& words) -> Outcome {
     return outcomeOf(savePicture(pictureOf(bench.window), QString::fromStdString(words[0])));
   });

@@ -4107,12 +4107,12 @@
         <translation>Le scénario est ouvert, avec un avertissement</translation>
     </message>
     <message>
-        <source>Open a scenario</source>
-        <translation>Ouvrir un scénario</translation>
+        <source>Open a scenario or a product</source>
+        <translation>Ouvrir un scénario ou un produit</translation>
     </message>
     <message>
-        <source>Scenarios (*.json *.cfg);;All files (*)</source>
-        <translation>Scénarios (*.json *.cfg);;Tous les fichiers (*)</translation>
+        <source>Scenarios and parts (%1 %2);;Scenarios (%1);;Parts (%2);;All files (*)</source>
+        <translation>Scénarios et pièces (%1 %2);;Scénarios (%1);;Pièces (%2);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Save the scenario</source>
@@ -4971,8 +4971,8 @@
         <translation>Sélectionnez plusieurs lignes pour choisir ensemble leur rôle, leur unité ou leur axe.</translation>
     </message>
     <message>
-        <source>Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)</source>
-        <translation>Pièces (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;Tous les fichiers (*)</translation>
+        <source>Parts (%1);;All files (*)</source>
+        <translation>Pièces (%1);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Close planar &amp;holes</source>

@@ -232,12 +232,15 @@ QComboBox* PartsDialog::makeUp(const QString& name) {
   return up;
 }
 
+QString partFilePatterns() {
+  return QStringLiteral("*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf");
+}
+
 void PartsDialog::chooseFiles() {
   const QString folder =
       rows_.empty() ? folder_ : QFileInfo(QString::fromStdString(rows_.back().part.path)).absolutePath();
-  addFiles(QFileDialog::getOpenFileNames(
-      this, tr("Add the files of parts"), folder,
-      tr("Parts (*.step *.stp *.STEP *.STP *.stl *.obj *.ply *.dae *.gltf *.glb *.urdf);;All files (*)")));
+  addFiles(QFileDialog::getOpenFileNames(this, tr("Add the files of parts"), folder,
+                                         tr("Parts (%1);;All files (*)").arg(partFilePatterns())));
 }
 
 void PartsDialog::removeSelected() {

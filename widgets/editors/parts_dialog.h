@@ -15,6 +15,9 @@
 
 namespace glissade {
 
+/// Names of part files, as file dialogs want them.
+QString partFilePatterns();
+
 /// Asks how the files of a product's parts are to be taken, and which part moves. Files are measured in
 /// the background, so that a wrong unit is seen at once; the parts of a STEP file become rows of their own.
 class PartsDialog final : public QDialog {
