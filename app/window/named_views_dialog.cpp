@@ -1,6 +1,5 @@
 #include "app/window/named_views_dialog.h"
 
-#include <QAction>
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QSignalBlocker>

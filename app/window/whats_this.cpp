@@ -2,11 +2,7 @@
 
 #include <QAbstractButton>
 #include <QCoreApplication>
-#include <QDockWidget>
-#include <QMenuBar>
-#include <QStatusBar>
 #include <QTabBar>
-#include <QToolBar>
 #include <QTreeWidget>
 
 #include <vector>

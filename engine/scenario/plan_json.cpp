@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "engine/base/limits.h"
-#include "engine/base/tolerances.h"
 #include "engine/product/contact_report.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/sequence_json.h"
