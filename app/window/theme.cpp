@@ -56,6 +56,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"
              "QToolButton:focus { border: 1px solid %4; }"
+             "QMenu::separator { height: 1px; background: %2; margin: 3px 6px; }"
              "QStatusBar { border-top: 1px solid %2; }"
              "QStatusBar::item { border: none; }"
              "QStatusBar QToolButton { padding: 0px 6px; }"
