@@ -2588,7 +2588,7 @@
     </message>
     <message>
         <source>&amp;Study</source>
-        <translation>É&amp;tude</translation>
+        <translation>Ét&amp;ude</translation>
     </message>
     <message>
         <source>&amp;Operator</source>
@@ -3135,6 +3135,89 @@
     <message>
         <source>Flight</source>
         <translation>Vol</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Méta</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée (pavé)</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv.</translation>
     </message>
 </context>
 <context>
@@ -6298,7 +6381,7 @@
     </message>
     <message>
         <source>E&amp;xplode</source>
-        <translation>É&amp;claté</translation>
+        <translation>Éc&amp;laté</translation>
     </message>
     <message>
         <source>No product is open.</source>
@@ -6354,7 +6437,7 @@
     </message>
     <message>
         <source>&amp;Cost</source>
-        <translation>&amp;Coût</translation>
+        <translation>Coû&amp;t</translation>
     </message>
     <message>
         <source>What a step costs</source>

@@ -1,8 +1,10 @@
 // The menus of the window, in English and in French.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
 #include <QDirIterator>
 #include <QFile>
+#include <QLabel>
 #include <QMenuBar>
 #include <QRegularExpression>
 
@@ -64,6 +66,21 @@ TEST_P(MenusTest, MnemonicsAreUniqueAndNoMenuIsTooLong) {
     if (widget->contextMenuPolicy() != Qt::ActionsContextMenu) continue;
     expectUniqueMnemonics(widget->actions(), widget->objectName().toStdString());
   }
+}
+
+/// Alt and a letter does nothing where a menu and a label have it.
+TEST_P(MenusTest, NoLabelOfAPanelHasTheMnemonicOfAMenu) {
+  const auto window = makeWindow();
+  QString letters;
+  for (const QAction* title : window->menuBar()->actions()) letters += mnemonicOf(title->text());
+  const auto expectFree = [&letters](const QString& text) {
+    const QChar letter = mnemonicOf(text);
+    EXPECT_TRUE(letter.isNull() || !letters.contains(letter)) << text.toStdString();
+  };
+  for (const QLabel* label : window->findChildren<QLabel*>()) {
+    if (label->buddy() != nullptr) expectFree(label->text());
+  }
+  for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) expectFree(button->text());
 }
 
 TEST_P(MenusTest, MnemonicsOfTheMenuOfTheSceneAreUnique) {
