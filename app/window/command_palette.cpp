@@ -1,14 +1,19 @@
 #include "app/window/command_palette.h"
 
 #include <QApplication>
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QPixmap>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "app/window/menu_path.h"
+
 namespace glissade {
 namespace {
+
+enum PaletteColumn { kFoundCommand, kFoundMenu, kFoundKeys, kFoundColumns };
 
 constexpr int kIconSize = 16;
 constexpr int kRowHeight = 24;
@@ -49,7 +54,7 @@ std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QStr
 }
 
 CommandPalette::CommandPalette(const ActionCatalogue& actions, QWidget* parent)
-    : QDialog(parent), actions_(actions), field_(new QLineEdit(this)), list_(new QListWidget(this)) {
+    : QDialog(parent), actions_(actions), field_(new QLineEdit(this)), list_(new QTreeWidget(this)) {
   setWindowTitle(tr("Find a command"));
   setObjectName(QStringLiteral("command-palette"));
   field_->setPlaceholderText(tr("Part of a command's name"));
@@ -58,36 +63,46 @@ CommandPalette::CommandPalette(const ActionCatalogue& actions, QWidget* parent)
   field_->installEventFilter(this);
   list_->setAccessibleName(tr("Commands"));
   list_->setIconSize(QSize(kIconSize, kIconSize));
+  list_->setColumnCount(kFoundColumns);
+  list_->setRootIsDecorated(false);
+  list_->setAllColumnsShowFocus(true);
+  list_->setUniformRowHeights(true);
+  list_->header()->hide();
+  list_->header()->setStretchLastSection(false);
+  list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(kFoundCommand, QHeaderView::Stretch);
   auto* column = new QVBoxLayout(this);
   column->addWidget(field_);
   column->addWidget(list_, 1);
-  resize(560, 420);
+  resize(640, 420);
   connect(field_, &QLineEdit::textChanged, this, &CommandPalette::showMatches);
-  connect(list_, &QListWidget::itemActivated, this, &CommandPalette::triggerCurrent);
+  connect(list_, &QTreeWidget::itemActivated, this, &CommandPalette::triggerCurrent);
   showMatches();
 }
 
 void CommandPalette::showMatches() {
   list_->clear();
   shown_ = matchingActions(actions_, field_->text());
-  int firstEnabled = -1;
-  for (std::size_t i = 0; i < shown_.size(); ++i) {
-    const QAction& action = *shown_[i];
-    const QString keys = action.shortcut().toString(QKeySequence::NativeText);
-    auto* item =
-        new QListWidgetItem(action.icon().isNull() ? noIcon() : action.icon(), commandName(action.text()), list_);
-    item->setSizeHint(QSize(0, kRowHeight));
-    if (!keys.isEmpty()) item->setText(item->text() + QStringLiteral("    ") + keys);
-    item->setToolTip(action.statusTip());
-    if (action.isCheckable() && action.isChecked()) item->setText(QStringLiteral("✓ ") + item->text());
-    if (!action.isEnabled()) item->setFlags(Qt::NoItemFlags);
-    if (action.isEnabled() && firstEnabled < 0) firstEnabled = static_cast<int>(i);
-  }
-  list_->setCurrentRow(firstEnabled);
+  for (const QAction* action : shown_) addRow(*action);
+  const auto first =
+      std::find_if(shown_.begin(), shown_.end(), [](const QAction* action) { return action->isEnabled(); });
+  if (first != shown_.end()) list_->setCurrentItem(list_->topLevelItem(static_cast<int>(first - shown_.begin())));
+}
+
+void CommandPalette::addRow(const QAction& action) {
+  const QString check = action.isCheckable() && action.isChecked() ? QStringLiteral("✓ ") : QString();
+  const QStringList texts{check + commandName(action.text()), menuPath(action),
+                          action.shortcut().toString(QKeySequence::NativeText)};
+  auto* row = new QTreeWidgetItem(list_, texts);
+  row->setIcon(kFoundCommand, action.icon().isNull() ? noIcon() : action.icon());
+  row->setSizeHint(kFoundCommand, QSize(0, kRowHeight));
+  row->setForeground(kFoundMenu, palette().placeholderText());
+  for (int column = 0; column < kFoundColumns; ++column) row->setToolTip(column, action.statusTip());
+  if (!action.isEnabled()) row->setFlags(Qt::NoItemFlags);
 }
 
 void CommandPalette::triggerCurrent() {
-  const int row = list_->currentRow();
+  const int row = list_->indexOfTopLevelItem(list_->currentItem());
   if (row < 0) return;
   QAction* action = shown_[static_cast<std::size_t>(row)];
   accept();

@@ -2,7 +2,7 @@
 
 #include <QDialog>
 #include <QLineEdit>
-#include <QListWidget>
+#include <QTreeWidget>
 
 #include "widgets/commands/action_catalogue.h"
 
@@ -13,7 +13,7 @@ namespace glissade {
 std::vector<QAction*> matchingActions(const ActionCatalogue& actions, const QString& text);
 
 /// Finds an action by a part of its name and triggers it. Up and Down choose while one types, Enter triggers, Esc
-/// leaves. What cannot be done now is grey.
+/// leaves. A row says in which menu the action is and what its shortcut is. What cannot be done now is grey.
 class CommandPalette final : public QDialog {
   Q_OBJECT
 
@@ -21,18 +21,19 @@ class CommandPalette final : public QDialog {
   CommandPalette(const ActionCatalogue& actions, QWidget* parent);
 
   QLineEdit& field() const { return *field_; }
-  const QListWidget& list() const { return *list_; }
+  const QTreeWidget& list() const { return *list_; }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showMatches();
+  void addRow(const QAction& action);
   void triggerCurrent();
 
   const ActionCatalogue& actions_;
   QLineEdit* field_;
-  QListWidget* list_;
+  QTreeWidget* list_;
   std::vector<QAction*> shown_;  ///< by row
 };
 

@@ -9,7 +9,7 @@ namespace glissade {
 
 EarlierVersionsMenu::EarlierVersionsMenu(std::function<QString()> openFile, QWidget* parent)
     : QMenu(tr("Earlier &versions"), parent), openFile_(std::move(openFile)) {
-  setObjectName(QStringLiteral("earlier-versions"));
+  setObjectName(QStringLiteral("menu.versions"));
   connect(this, &QMenu::aboutToShow, this, &EarlierVersionsMenu::fill);
 }
 

@@ -298,6 +298,7 @@ void EnvironmentController::enableActions() {
   const auto step = plan_->currentStep();
   const bool border = step && shownPlan_ && shownPlan_->steps[*step].border >= 0;
   enable("environment.build", open);
+  for (const char* id : {"view.finer-cells", "view.coarser-cells"}) enable(id, open);
   enable("attribute.add", open);
   enable("place.forbid", places);
   enable("place.prefer", places);

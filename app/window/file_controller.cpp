@@ -19,12 +19,14 @@ FileController::FileController(const Workbench& bench, PartImport& parts, PathCo
       path_(path),
       recent_(new QMenu(tr("Open re&cent"), &bench.window)),
       saves_(makeSaves()) {
+  recent_->setObjectName(QStringLiteral("menu.recent"));
   connect(recent_, &QMenu::aboutToShow, this, &FileController::fillRecentMenu);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this] { showTitle(); });
   connect(&parts_, &PartImport::scenarioMade, this, [this](const ScenarioPtr& scenario) {
     if (mayDiscard()) bench_.document.open(scenario);
   });
   connectActions();
+  fillRecentMenu();
   bench.scripts.add("open", 1, [this](const ScriptCommands::Words& words) {
     return outcomeOf(openScenario(QString::fromStdString(words[0]), true));
   });

@@ -55,6 +55,14 @@ void cube(QPainter& painter, const QPolygonF& face) {
   painter.drawLine(QPointF(8, 7.5), QPointF(8, 14.5));
 }
 
+/// The same seen from inside: for the faces that are hidden otherwise.
+void openCube(QPainter& painter, const QPolygonF& face) {
+  fill(painter, face);
+  painter.drawPolygon(QPolygonF({{8, 1.5}, {14, 4.5}, {14, 11.5}, {8, 14.5}, {2, 11.5}, {2, 4.5}}));
+  painter.drawPolyline(QPolygonF({{2, 11.5}, {8, 8.5}, {14, 11.5}}));
+  painter.drawLine(QPointF(8, 1.5), QPointF(8, 8.5));
+}
+
 /// A disc in the colour of the pen.
 void ball(QPainter& painter, double opacity) {
   QPainterPath disc;
@@ -278,15 +286,27 @@ std::vector<std::pair<const char*, Drawing>> drawings() {
        }},
       {"view.front",
        [](QPainter& p) {
-         cube(p, QPolygonF({{2, 4.5}, {8, 7.5}, {8, 14.5}, {2, 11.5}}));
+         cube(p, QPolygonF({{14, 4.5}, {8, 7.5}, {8, 14.5}, {14, 11.5}}));
        }},
       {"view.left",
        [](QPainter& p) {
-         cube(p, QPolygonF({{14, 4.5}, {8, 7.5}, {8, 14.5}, {14, 11.5}}));
+         cube(p, QPolygonF({{2, 4.5}, {8, 7.5}, {8, 14.5}, {2, 11.5}}));
        }},
       {"view.top",
        [](QPainter& p) {
          cube(p, QPolygonF({{8, 1.5}, {14, 4.5}, {8, 7.5}, {2, 4.5}}));
+       }},
+      {"view.back",
+       [](QPainter& p) {
+         openCube(p, QPolygonF({{8, 1.5}, {2, 4.5}, {2, 11.5}, {8, 8.5}}));
+       }},
+      {"view.right",
+       [](QPainter& p) {
+         openCube(p, QPolygonF({{8, 1.5}, {14, 4.5}, {14, 11.5}, {8, 8.5}}));
+       }},
+      {"view.bottom",
+       [](QPainter& p) {
+         openCube(p, QPolygonF({{2, 11.5}, {8, 8.5}, {14, 11.5}, {8, 14.5}}));
        }},
       {"display.shaded-edges",
        [](QPainter& p) {

@@ -135,7 +135,7 @@ void MainWindow::addParts() {
   docks_.orderTabStops();
   resize(kUsualSize);  // the docks share the width that the window has now
   docks_.arrange();
-  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu()}, views_->menu());
+  makeMenus(*this, actions_, {files_->recentMenu(), files_->saves().versionsMenu(), views_->menu()});
   new ContextMenus(bench_);
   new HelpController(bench_);
   new TourController(bench_);

@@ -4,29 +4,14 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QLocale>
-#include <QMenuBar>
-
-#include <algorithm>
 
 #include "app/window/keyboard_steering.h"
+#include "app/window/menu_path.h"
 #include "app/window/panel_docks.h"
 #include "widgets/commands/window_language.h"
 
 namespace glissade {
 namespace {
-
-using MenuPaths = QHash<const QAction*, QString>;
-
-void collectMenus(const QList<QAction*>& actions, const QString& path, MenuPaths& paths) {
-  for (QAction* action : actions) {
-    if (action->menu() == nullptr) {
-      paths.insert(action, path);
-      continue;
-    }
-    const QString title = commandName(action->menu()->title());
-    collectMenus(action->menu()->actions(), path.isEmpty() ? title : path + QStringLiteral(" > ") + title, paths);
-  }
-}
 
 QString nativeKeys(const QAction* action) { return action->shortcut().toString(QKeySequence::NativeText); }
 
@@ -36,14 +21,6 @@ QString manualFolder() {
   const QString built = programs.absoluteFilePath(QStringLiteral("../manual"));
   return QDir::cleanPath(QDir(built).exists() ? built
                                               : programs.absoluteFilePath(QStringLiteral(GLISSADE_MANUAL_FOLDER)));
-}
-
-QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
-  QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
-  std::sort(docks.begin(), docks.end(), [](const QDockWidget* a, const QDockWidget* b) {
-    return a->property(kPanelNumber).toInt() < b->property(kPanelNumber).toInt();
-  });
-  return docks;
 }
 
 const QDockWidget* dockOf(const QWidget* widget) {
@@ -58,11 +35,9 @@ const QDockWidget* dockOf(const QWidget* widget) {
 ManualFacts manualFacts(const QMainWindow& window, const ActionCatalogue& actions) {
   ManualFacts facts;
   facts.language = windowLanguage() == Language::French ? QStringLiteral("fr") : QStringLiteral("en");
-  MenuPaths menus;
-  collectMenus(window.menuBar()->actions(), QString(), menus);
   for (const ActionSpec& spec : actionSpecs()) {
     const QAction* action = actions[QLatin1String(spec.id)];
-    facts.actions.push_back({action->objectName(), commandName(action->text()), menus.value(action), nativeKeys(action),
+    facts.actions.push_back({action->objectName(), commandName(action->text()), menuPath(*action), nativeKeys(action),
                              action->statusTip()});
   }
   for (const QDockWidget* dock : docksInOrder(window)) {

@@ -6,8 +6,15 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/window/menu_mnemonics.h"
+#include "app/window/menu_table.h"
+#include "app/window/panel_docks.h"
+
 namespace glissade {
 namespace {
+
+constexpr const char* kDisplayModes[] = {"display.shaded-edges", "display.shaded", "display.see-through",
+                                         "display.wireframe", "display.depth-shading"};
 
 /// A tool bar whose buttons lose their words where the window is too narrow for them.
 class ToolBar : public QToolBar {
@@ -39,24 +46,17 @@ class Menus {
  public:
   Menus(QMainWindow& window, const ActionCatalogue& actions) : window_(window), actions_(actions) {}
 
-  void makeMenuBar(const std::vector<QMenu*>& fileMenus, QMenu* namedViews) {
-    QMenu* file = add(tr("&File"), {"file."});
-    for (QMenu* menu : fileMenus) file->insertMenu(actions_["file.save"], menu);
-    add(tr("&Edit"), {"edit.", "", "environment.", "place.", "milestone.", "", "attribute."});
-    add(tr("&Assembly"), {"assembly.", "", "fits.", "", "refusal.", "", "sequence."});
-    add(tr("&Run"),
-        {"run.", "work.", "strategy.", "", "replay.", "", "object.", "path.", "", "paths.", "", "difficulty."});
-    add(tr("&Study"), {"study."});
-    add(tr("&Operator"), {"operator."});
-    QMenu* view = add(tr("&View"), {"view.", "", "body.", "", "measure."});
-    fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
-    view->addMenu(namedViews);
-    fill(view->addMenu(tr("Lay&ers")), {"layer."});
-    fill(view->addMenu(tr("&Navigation")), {"navigation."});
-    QMenu* panels = view->addMenu(tr("&Panels"));
-    fill(panels, {"panel.", ""});
-    for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) panels->addAction(dock->toggleViewAction());
-    add(tr("&Help"), {"help.", "", "log."});
+  void makeMenuBar(const std::vector<QMenu*>& filledMenus) {
+    QHash<QString, QMenu*> menus;
+    for (QMenu* menu : filledMenus) menus.insert(menu->objectName(), menu);
+    for (const MenuSpec& spec : menuTable()) {
+      auto* menu = new QMenu(tr(spec.title), &window_);
+      menu->setObjectName(QLatin1String(spec.id));
+      menus.insert(menu->objectName(), menu);
+    }
+    for (const MenuSpec& spec : menuTable()) fill(*menus[QLatin1String(spec.id)], spec.entries, menus);
+    addPanels(*menus[QStringLiteral("menu.panels")]);
+    for (const char* id : menuBarTable()) window_.menuBar()->addMenu(menus[QLatin1String(id)]);
   }
 
   void makeToolBar() {
@@ -98,7 +98,7 @@ class Menus {
     button->setPopupMode(QToolButton::InstantPopup);
     button->setAccessibleName(withoutMnemonic(tr("&Display")));
     auto* menu = new QMenu(tr("&Display"), button);
-    fill(menu, {"display."});
+    for (const char* id : kDisplayModes) menu->addAction(actions_[QLatin1String(id)]);
     button->setMenu(menu);
     for (QAction* action : menu->actions()) {
       // The icon changes with the mode and with the theme.
@@ -114,24 +114,28 @@ class Menus {
     bar.addWidget(button);
   }
 
-  /// `prefixes` of action ids; an empty one is a separator.
-  QMenu* add(const QString& title, std::initializer_list<const char*> prefixes) {
-    QMenu* menu = window_.menuBar()->addMenu(title);
-    fill(menu, prefixes);
-    return menu;
-  }
-
-  void fill(QMenu* menu, std::initializer_list<const char*> prefixes) {
-    for (const char* prefix : prefixes) {
-      if (prefix[0] == '\0') {
-        menu->addSeparator();
-        continue;
-      }
-      for (const ActionSpec& spec : actionSpecs()) {
-        const QLatin1String id(spec.id);
-        if (id.startsWith(QLatin1String(prefix))) menu->addAction(actions_[id]);
+  void fill(QMenu& menu, const std::vector<const char*>& entries, const QHash<QString, QMenu*>& menus) {
+    for (const char* entry : entries) {
+      const QLatin1String id(entry);
+      if (id.isEmpty()) {
+        menu.addSeparator();
+      } else if (QMenu* submenu = menus.value(id)) {
+        menu.addMenu(submenu);
+      } else {
+        menu.addAction(actions_[id]);
       }
     }
+  }
+
+  /// A check mark for each panel, above what the table has.
+  void addPanels(QMenu& menu) {
+    QAction* below = menu.insertSeparator(menu.actions().value(0));
+    for (const QDockWidget* dock : docksInOrder(window_)) {
+      QAction* toggle = dock->toggleViewAction();
+      toggle->setStatusTip(tr("Show or hide the panel"));
+      menu.insertAction(below, toggle);
+    }
+    addMnemonics(menu);
   }
 
   QMainWindow& window_;
@@ -140,10 +144,9 @@ class Menus {
 
 }  // namespace
 
-void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& fileMenus,
-               QMenu* namedViews) {
+void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& filledMenus) {
   Menus menus(window, actions);
-  menus.makeMenuBar(fileMenus, namedViews);
+  menus.makeMenuBar(filledMenus);
   menus.makeToolBar();
 }
 

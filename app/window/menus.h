@@ -8,9 +8,8 @@
 
 namespace glissade {
 
-/// Fills the menu bar and adds the tool bar, from the action catalogue. `fileMenus` join the File menu,
-/// `namedViews` the View menu. The docks are there already: the menu Panels lists them.
-void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& fileMenus,
-               QMenu* namedViews);
+/// Fills the menu bar from the menu table and adds the tool bar. `filledMenus` are those that controllers fill, by
+/// their object names. The docks are there already: the menu Panels lists them.
+void makeMenus(QMainWindow& window, const ActionCatalogue& actions, const std::vector<QMenu*>& filledMenus);
 
 }  // namespace glissade

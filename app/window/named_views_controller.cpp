@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/window/menu_mnemonics.h"
 #include "app/window/named_views_dialog.h"
 #include "app/window/window_memory.h"
 
@@ -11,6 +12,7 @@ namespace glissade {
 
 NamedViewsController::NamedViewsController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), menu_(new QMenu(tr("Named &views"), &bench.window)) {
+  menu_->setObjectName(QStringLiteral("menu.named-views"));
   bench.onAction("views.save", this, [this] { askForName(); });
   bench.onAction("views.manage", this, [this] { manage(); });
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
@@ -59,6 +61,7 @@ void NamedViewsController::fillMenu() {
   if (!entries_.isEmpty()) menu_->addSeparator();
   menu_->addAction(bench_.actions["views.save"]);
   menu_->addAction(bench_.actions["views.manage"]);
+  addMnemonics(*menu_);
   bench_.actions.setPassing(entries_);
   bench_.enable("views.save", bench_.document.scenario() != nullptr);
   bench_.enable("views.manage", !views_.empty());

@@ -63,6 +63,14 @@ std::vector<QWidget*> tabStopsOf(QDockWidget& dock) {
 
 }  // namespace
 
+QList<QDockWidget*> docksInOrder(const QMainWindow& window) {
+  QList<QDockWidget*> docks = window.findChildren<QDockWidget*>();
+  std::sort(docks.begin(), docks.end(), [](const QDockWidget* a, const QDockWidget* b) {
+    return a->property(kPanelNumber).toInt() < b->property(kPanelNumber).toInt();
+  });
+  return docks;
+}
+
 void PanelDocks::add(const Panel& panel) {
   auto* dock = new QDockWidget(panel.title, &window_);
   dock->setObjectName(QLatin1String(panel.id));

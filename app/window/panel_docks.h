@@ -13,6 +13,9 @@ inline constexpr const char* kPanelAction = "action";
 /// Another one: which of the panels it is, in the order in which they were added.
 inline constexpr const char* kPanelNumber = "number";
 
+/// The docks in the order in which they were added.
+QList<QDockWidget*> docksInOrder(const QMainWindow& window);
+
 /// Where a panel is at first. Panels of one place share it as tabs, in the order in which they were added.
 enum class DockPlace { Left, UpperRight, LowerRight };
 

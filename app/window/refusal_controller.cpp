@@ -42,6 +42,8 @@ void accept(FitSettings& fits, const std::string& object, const std::string& bod
 RefusalController::RefusalController(const Workbench& bench)
     : QObject(&bench.window), bench_(bench), bar_(new NoticeBar(bench.actions, bench.scene.widget(), kCubeRoom)) {
   connect(bar_, &NoticeBar::closed, this, &RefusalController::close);
+  bar_->installEventFilter(this);
+  bench.enable("refusal.close", false);
   connect(&examination_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.run, &ShownRun::changed, this, &RefusalController::followRun);
   connect(&bench.document, &WorkbenchDocument::changed, this, &RefusalController::followDocument);
@@ -57,6 +59,14 @@ void RefusalController::connectActions() {
     bar_->hide();
     close();
   });
+}
+
+/// The message can be closed while it is there.
+bool RefusalController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) {
+    bench_.enable("refusal.close", !bar_->isHidden());
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void RefusalController::followDocument(Changes what) {

@@ -19,6 +19,9 @@ class RefusalController final : public QObject {
   /// What is marked in the scene; null: nothing.
   const std::shared_ptr<const EndConflicts>& conflicts() const { return conflicts_; }
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void connectActions();
   void followRun(const SnapshotPtr& snapshot);

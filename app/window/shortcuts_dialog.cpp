@@ -5,10 +5,12 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "app/window/menu_path.h"
+
 namespace glissade {
 namespace {
 
-enum Column { kCommand, kShortcut, kColumns };
+enum ShortcutColumn { kCommand, kMenu, kShortcut, kColumns };
 
 constexpr int kRowSpace = 8;
 
@@ -37,11 +39,12 @@ ShortcutsDialog::ShortcutsDialog(const ActionCatalogue& actions, QWidget* parent
       note_(new QLabel(this)) {
   setWindowTitle(tr("Keyboard shortcuts"));
   setObjectName(QStringLiteral("shortcuts"));
-  filter_->setPlaceholderText(tr("Part of a command or of a shortcut"));
+  filter_->setPlaceholderText(tr("Part of a command, a menu or a shortcut"));
   filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(true);
   table_->setAccessibleName(tr("Commands"));
-  table_->setHorizontalHeaderLabels({tr("Command"), tr("Shortcut")});
+  table_->setHorizontalHeaderLabels({tr("Command"), tr("Menu"), tr("Shortcut")});
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(kCommand, QHeaderView::Stretch);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
@@ -59,7 +62,7 @@ ShortcutsDialog::ShortcutsDialog(const ActionCatalogue& actions, QWidget* parent
   column->addLayout(makeEditor());
   column->addWidget(note_);
   column->addWidget(buttons);
-  resize(640, 520);
+  resize(720, 520);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(filter_, &QLineEdit::textChanged, this, &ShortcutsDialog::filter);
@@ -95,6 +98,7 @@ void ShortcutsDialog::addRow(const ActionSpec& spec) {
   name->setData(Qt::UserRole, QLatin1String(spec.id));
   name->setToolTip(action.statusTip());
   table_->setItem(row, kCommand, name);
+  table_->setItem(row, kMenu, new QTableWidgetItem(menuPath(action)));
   table_->setItem(row, kShortcut, new QTableWidgetItem);
   shortcuts_.insert(QLatin1String(spec.id), action.shortcut());
 }
@@ -112,8 +116,10 @@ void ShortcutsDialog::showKeys() {
 
 void ShortcutsDialog::filter(const QString& text) {
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const bool fits = table_->item(row, kCommand)->text().contains(text, Qt::CaseInsensitive) ||
-                      table_->item(row, kShortcut)->text().contains(text, Qt::CaseInsensitive);
+    bool fits = false;
+    for (int column = 0; column < kColumns; ++column) {
+      fits = fits || table_->item(row, column)->text().contains(text, Qt::CaseInsensitive);
+    }
     table_->setRowHidden(row, !fits);
   }
 }

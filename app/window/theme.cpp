@@ -2,8 +2,11 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QMenu>
+#include <QPainter>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace glissade {
 namespace {
@@ -56,6 +59,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QToolButton:hover { background: %3; border: 1px solid %2; }"
              "QToolButton:checked { background: %4; color: white; }"
              "QToolButton:focus { border: 1px solid %4; }"
+             "QMenu::separator { height: 1px; background: %2; margin: 3px 6px; }"
              "QStatusBar { border-top: 1px solid %2; }"
              "QStatusBar::item { border: none; }"
              "QStatusBar QToolButton { padding: 0px 6px; }"
@@ -85,6 +89,23 @@ QString styleSheetFrom(const Tones& tones) {
       .arg(tones.window.name(), tones.border.name(), tones.button.name(), tones.highlight.name(), tones.faint.name());
 }
 
+/// Fusion draws the outlines of menus and of their check boxes darker than the ground: in the dark they are not seen.
+class WorkbenchStyle final : public QProxyStyle {
+ public:
+  WorkbenchStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool isCheckBox = element == PE_IndicatorCheckBox && qobject_cast<const QMenu*>(widget) != nullptr;
+    if (!isCheckBox && element != PE_PanelMenu) return;
+    painter->save();
+    painter->setPen(option->palette.color(QPalette::Disabled, QPalette::Text));
+    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->restore();
+  }
+};
+
 }  // namespace
 
 void setFontPoints(double points) {
@@ -95,7 +116,7 @@ void setFontPoints(double points) {
 
 void applyTheme(Theme theme) {
   const Tones tones = tonesOf(theme);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new WorkbenchStyle);
   QApplication::setPalette(paletteFrom(tones));
   qApp->setStyleSheet(styleSheetFrom(tones));
 }

@@ -48,7 +48,7 @@ const std::vector<TourStep>& tourSteps() {
       {QT_TRANSLATE_NOOP("Tour", "See the places"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Press F8 (View > Layers > Places). The free space is divided into places: the redder, "
+           "Press F8 (View > Layers of places > Places). The free space is divided into places: the redder, "
            "the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the "
            "coarse path: the sequence of places that costs least."),
        "layer.places",
@@ -108,10 +108,11 @@ const std::vector<TourStep>& tourSteps() {
        {"action sequence.plan"},
        hasSequence},
       {QT_TRANSLATE_NOOP("Tour", "Write the report"),
-       QT_TRANSLATE_NOOP("Tour",
-                         "Choose Assembly > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a "
-                         "work instruction with a picture of each step. Run > Report of the path does the same for one "
-                         "motion. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Choose Assembly > Sequence > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a "
+           "work instruction with a picture of each step. Run > Path > Report of the path does the same for one "
+           "motion. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
        "sequence.export",
        {"export-sequence {report}"},
        nullptr},

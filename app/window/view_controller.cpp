@@ -6,6 +6,14 @@
 #include "widgets/scene3d/view_cube.h"
 
 namespace glissade {
+namespace {
+
+/// They need something to look at.
+constexpr const char* kCameraActions[] = {"view.fit",   "view.zoom-selection", "view.isometric", "view.front",
+                                          "view.back",  "view.left",           "view.right",     "view.top",
+                                          "view.bottom"};
+
+}  // namespace
 
 ViewController::ViewController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   QWidget* widget = bench.scene.widget();
@@ -20,6 +28,7 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
     bench_.scene.refresh();
   });
   connectActions();
+  for (const char* id : kCameraActions) bench.enable(id, false);
 }
 
 /// Shown once there is something to look at.
@@ -60,6 +69,7 @@ void ViewController::updateView(Changes what) {
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (what & Change::Scenario) {
     bench_.scene.view().setScenario(scenario);
+    for (const char* id : kCameraActions) bench_.enable(id, true);
     bench_.scene.widget()->setFocus();
   } else if (what & Change::Arrangement) {
     bench_.scene.view().rearrange(scenario);

@@ -28,10 +28,6 @@
         <translation>Supprimer</translation>
     </message>
     <message>
-        <source>Section panel</source>
-        <translation>Panneau Coupe</translation>
-    </message>
-    <message>
         <source>Bring the section planes to the front</source>
         <translation>Mettre les plans de coupe au premier plan</translation>
     </message>
@@ -42,10 +38,6 @@
     <message>
         <source>Play the path from its goal to its start</source>
         <translation>Jouer le chemin du but vers le départ</translation>
-    </message>
-    <message>
-        <source>Tigh&amp;test place</source>
-        <translation>Passage le plus &amp;étroit</translation>
     </message>
     <message>
         <source>Show the object at the place of the smallest clearance</source>
@@ -132,48 +124,24 @@
         <translation>Ne dessiner que les arêtes des corps ; les arêtes cachées sont en tirets</translation>
     </message>
     <message>
-        <source>Selected: shaded with edges</source>
-        <translation>Sélection : ombrée avec arêtes</translation>
-    </message>
-    <message>
         <source>Draw the selected bodies opaque, with their edges</source>
         <translation>Dessiner les corps sélectionnés opaques, avec leurs arêtes</translation>
-    </message>
-    <message>
-        <source>Selected: shaded</source>
-        <translation>Sélection : ombrée</translation>
     </message>
     <message>
         <source>Draw the selected bodies opaque, without edges</source>
         <translation>Dessiner les corps sélectionnés opaques, sans arêtes</translation>
     </message>
     <message>
-        <source>Selected: see-through</source>
-        <translation>Sélection : transparente</translation>
-    </message>
-    <message>
         <source>Draw the selected bodies transparent, with all their edges</source>
         <translation>Dessiner les corps sélectionnés transparents, avec toutes leurs arêtes</translation>
-    </message>
-    <message>
-        <source>Selected: wireframe</source>
-        <translation>Sélection : fil de fer</translation>
     </message>
     <message>
         <source>Draw only the edges of the selected bodies</source>
         <translation>Ne dessiner que les arêtes des corps sélectionnés</translation>
     </message>
     <message>
-        <source>Selected: as the view</source>
-        <translation>Sélection : comme la vue</translation>
-    </message>
-    <message>
         <source>Draw the selected bodies in the display mode of the view again</source>
         <translation>Redonner aux corps sélectionnés le mode d&apos;affichage de la vue</translation>
-    </message>
-    <message>
-        <source>&amp;Open...</source>
-        <translation>&amp;Ouvrir...</translation>
     </message>
     <message>
         <source>Open a scenario or an OMPL.app problem</source>
@@ -181,31 +149,15 @@
     </message>
     <message>
         <source>&amp;Export path...</source>
-        <translation>&amp;Exporter le chemin...</translation>
+        <translation>Exporter le &amp;chemin...</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
     </message>
     <message>
-        <source>&amp;Start</source>
-        <translation>&amp;Démarrer</translation>
-    </message>
-    <message>
         <source>Plan with a fresh roadmap and the current seed</source>
         <translation>Planifier avec un nouveau graphe et la graine courante</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Restart</source>
-        <translation>&amp;Redémarrer</translation>
     </message>
     <message>
         <source>Stop and start again with the same seed</source>
@@ -213,135 +165,67 @@
     </message>
     <message>
         <source>Restart with a &amp;new seed</source>
-        <translation>Redémarrer, &amp;nouvelle graine</translation>
+        <translation>Redémarrer avec une &amp;nouvelle graine</translation>
     </message>
     <message>
         <source>Stop and start again with the next seed</source>
         <translation>Arrêter et redémarrer avec la graine suivante</translation>
     </message>
     <message>
-        <source>&amp;Object to the start</source>
-        <translation>&amp;Objet au départ</translation>
-    </message>
-    <message>
         <source>&amp;Play the path</source>
         <translation>&amp;Jouer le chemin</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>&amp;Cadrer</translation>
     </message>
     <message>
         <source>Show the bodies, the ends and the path, direction kept</source>
         <translation>Montrer les corps, les extrémités et le chemin, sans changer de direction</translation>
     </message>
     <message>
-        <source>&amp;Isometric</source>
-        <translation>&amp;Isométrique</translation>
-    </message>
-    <message>
         <source>Look from a corner</source>
         <translation>Regarder depuis un coin</translation>
-    </message>
-    <message>
-        <source>Fr&amp;ont</source>
-        <translation>&amp;Avant</translation>
     </message>
     <message>
         <source>Look along y</source>
         <translation>Regarder selon y</translation>
     </message>
     <message>
-        <source>&amp;Back</source>
-        <translation>A&amp;rrière</translation>
-    </message>
-    <message>
         <source>Look against y</source>
         <translation>Regarder contre y</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Gauche</translation>
     </message>
     <message>
         <source>Look along x</source>
         <translation>Regarder selon x</translation>
     </message>
     <message>
-        <source>&amp;Right</source>
-        <translation>&amp;Droite</translation>
-    </message>
-    <message>
         <source>Look against x</source>
         <translation>Regarder contre x</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>Dess&amp;us</translation>
     </message>
     <message>
         <source>Look down</source>
         <translation>Regarder vers le bas</translation>
     </message>
     <message>
-        <source>Botto&amp;m</source>
-        <translation>Dess&amp;ous</translation>
-    </message>
-    <message>
         <source>Look up</source>
         <translation>Regarder vers le haut</translation>
-    </message>
-    <message>
-        <source>&amp;Dark theme</source>
-        <translation>Thème &amp;sombre</translation>
-    </message>
-    <message>
-        <source>Obstacles</source>
-        <translation>Obstacles</translation>
     </message>
     <message>
         <source>Show the obstacles</source>
         <translation>Montrer les obstacles</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objet</translation>
-    </message>
-    <message>
-        <source>Start and goal</source>
-        <translation>Départ et but</translation>
-    </message>
-    <message>
         <source>Show start and goal as ghosts</source>
         <translation>Montrer départ et but en transparence</translation>
-    </message>
-    <message>
-        <source>Workspace</source>
-        <translation>Espace de travail</translation>
     </message>
     <message>
         <source>Show the bounds of the reference point</source>
         <translation>Montrer les bornes du point de référence</translation>
     </message>
     <message>
-        <source>Roadmap</source>
-        <translation>Graphe</translation>
-    </message>
-    <message>
         <source>Show the trees</source>
         <translation>Montrer les arbres</translation>
     </message>
     <message>
-        <source>Path</source>
-        <translation>Chemin</translation>
-    </message>
-    <message>
         <source>Show the path</source>
         <translation>Montrer le chemin</translation>
-    </message>
-    <message>
-        <source>Contact</source>
-        <translation>Contact</translation>
     </message>
     <message>
         <source>Show the nearest obstacle and the tangent plane</source>
@@ -372,16 +256,8 @@
         <translation>Version, licence et articles</translation>
     </message>
     <message>
-        <source>&amp;Save</source>
-        <translation>Enregi&amp;strer</translation>
-    </message>
-    <message>
         <source>Save the scenario with its attributes, strategy and parameters</source>
         <translation>Enregistrer le scénario avec ses attributs, sa stratégie et ses paramètres</translation>
-    </message>
-    <message>
-        <source>Save &amp;as...</source>
-        <translation>Enregistrer &amp;sous...</translation>
     </message>
     <message>
         <source>Save the scenario under another name</source>
@@ -389,7 +265,7 @@
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>Ann&amp;uler</translation>
+        <translation>&amp;Annuler</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
@@ -424,124 +300,60 @@
         <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
     </message>
     <message>
-        <source>Free cells</source>
-        <translation>Cellules libres</translation>
-    </message>
-    <message>
         <source>Show the octree&apos;s free cells, the coarsest first</source>
         <translation>Montrer les cellules libres de l&apos;octree, les plus grandes d&apos;abord</translation>
-    </message>
-    <message>
-        <source>Cells with mobile bodies</source>
-        <translation>Cellules à corps mobiles</translation>
     </message>
     <message>
         <source>Show the cells that only mobile bodies clutter</source>
         <translation>Montrer les cellules que seuls des corps mobiles encombrent</translation>
     </message>
     <message>
-        <source>Cells with static bodies</source>
-        <translation>Cellules à corps statiques</translation>
-    </message>
-    <message>
         <source>Show the cells that static bodies clutter</source>
         <translation>Montrer les cellules que des corps statiques encombrent</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Lieux</translation>
     </message>
     <message>
         <source>Show the places, coloured by complexity; click to select</source>
         <translation>Montrer les lieux, colorés selon leur complexité ; cliquer pour choisir</translation>
     </message>
     <message>
-        <source>Borders</source>
-        <translation>Frontières</translation>
-    </message>
-    <message>
         <source>Show where places meet</source>
         <translation>Montrer où les lieux se touchent</translation>
-    </message>
-    <message>
-        <source>Topological graph</source>
-        <translation>Graphe topologique</translation>
     </message>
     <message>
         <source>Show the topological graph with its costs</source>
         <translation>Montrer le graphe topologique avec ses coûts</translation>
     </message>
     <message>
-        <source>Coarse path</source>
-        <translation>Chemin grossier</translation>
-    </message>
-    <message>
         <source>Show the cheapest way through the graph</source>
         <translation>Montrer le chemin le moins coûteux dans le graphe</translation>
-    </message>
-    <message>
-        <source>Milestones</source>
-        <translation>Jalons</translation>
-    </message>
-    <message>
-        <source>Region of a step</source>
-        <translation>Région d&apos;une étape</translation>
     </message>
     <message>
         <source>Show where the local planner of the chosen step searches</source>
         <translation>Montrer où cherche le planificateur local de l&apos;étape choisie</translation>
     </message>
     <message>
-        <source>Scene panel</source>
-        <translation>Panneau Scène</translation>
-    </message>
-    <message>
         <source>Bring the list of bodies to the front</source>
         <translation>Mettre la liste des corps au premier plan</translation>
-    </message>
-    <message>
-        <source>Semantics panel</source>
-        <translation>Panneau Sémantique</translation>
     </message>
     <message>
         <source>Bring the editor of semantic attributes to the front</source>
         <translation>Mettre l&apos;éditeur des attributs sémantiques au premier plan</translation>
     </message>
     <message>
-        <source>Run panel</source>
-        <translation>Panneau Calcul</translation>
-    </message>
-    <message>
         <source>Bring the figures of the run to the front</source>
         <translation>Mettre les chiffres du calcul au premier plan</translation>
-    </message>
-    <message>
-        <source>Plan panel</source>
-        <translation>Panneau Plan</translation>
     </message>
     <message>
         <source>Bring the topological steps to the front</source>
         <translation>Mettre les étapes topologiques au premier plan</translation>
     </message>
     <message>
-        <source>Path panel</source>
-        <translation>Panneau Chemin</translation>
-    </message>
-    <message>
         <source>Bring the path and its certificate to the front</source>
         <translation>Mettre le chemin et son certificat au premier plan</translation>
     </message>
     <message>
-        <source>Fi&amp;ner cells</source>
-        <translation>Cellules plus fi&amp;nes</translation>
-    </message>
-    <message>
         <source>Show the octree&apos;s cells one level deeper</source>
         <translation>Montrer les cellules de l&apos;octree un niveau plus bas</translation>
-    </message>
-    <message>
-        <source>&amp;Coarser cells</source>
-        <translation>Cellules plus &amp;grosses</translation>
     </message>
     <message>
         <source>Show the octree&apos;s cells one level less deep</source>
@@ -560,24 +372,16 @@
         <translation>Clavier, souris 6D et manette déplacent la caméra, ou de nouveau l&apos;objet</translation>
     </message>
     <message>
-        <source>&amp;Devices...</source>
-        <translation>&amp;Périphériques...</translation>
-    </message>
-    <message>
         <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
         <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
     </message>
     <message>
         <source>Save &amp;recording...</source>
-        <translation>Sauvegarder l&apos;en&amp;registrement...</translation>
+        <translation>Enregis&amp;trer l&apos;enregistrement...</translation>
     </message>
     <message>
         <source>Save what was done in the last run, to replay it bit by bit</source>
         <translation>Enregistrer ce qui a été fait au dernier calcul, pour le rejouer au bit près</translation>
-    </message>
-    <message>
-        <source>Open re&amp;cording...</source>
-        <translation>Ouvrir un en&amp;registrement...</translation>
     </message>
     <message>
         <source>Replay a recorded run</source>
@@ -585,59 +389,31 @@
     </message>
     <message>
         <source>Replay the &amp;last run</source>
-        <translation>Re&amp;jouer le dernier calcul</translation>
+        <translation>Rejouer le dernier &amp;calcul</translation>
     </message>
     <message>
         <source>Run the last run, or the recording opened last, again bit by bit</source>
         <translation>Refaire au bit près le dernier calcul, ou le dernier enregistrement ouvert</translation>
     </message>
     <message>
-        <source>Replay with &amp;current parameters</source>
-        <translation>Rejouer avec les &amp;paramètres courants</translation>
-    </message>
-    <message>
         <source>What the same operator would have led to with the sliders as they are set</source>
         <translation>Ce que le même opérateur aurait donné avec les curseurs tels qu&apos;ils sont</translation>
-    </message>
-    <message>
-        <source>Play the r&amp;eplay</source>
-        <translation>&amp;Lancer la relecture</translation>
-    </message>
-    <message>
-        <source>Step &amp;forward</source>
-        <translation>Pas en a&amp;vant</translation>
     </message>
     <message>
         <source>Show the next step of the replay</source>
         <translation>Montrer le pas suivant de la relecture</translation>
     </message>
     <message>
-        <source>Step &amp;back</source>
-        <translation>Pas en a&amp;rrière</translation>
-    </message>
-    <message>
         <source>Show the step before</source>
         <translation>Montrer le pas précédent</translation>
-    </message>
-    <message>
-        <source>To the be&amp;ginning</source>
-        <translation>Au dé&amp;but</translation>
     </message>
     <message>
         <source>Show the replay from its beginning</source>
         <translation>Montrer la relecture depuis son début</translation>
     </message>
     <message>
-        <source>Close the repla&amp;y</source>
-        <translation>&amp;Fermer la relecture</translation>
-    </message>
-    <message>
         <source>Go back to the session; its run and parameters are as they were left</source>
         <translation>Revenir à la session ; son calcul et ses paramètres sont tels qu&apos;on les a laissés</translation>
-    </message>
-    <message>
-        <source>Path by &amp;author</source>
-        <translation>Chemin par &amp;auteur</translation>
     </message>
     <message>
         <source>Colour the path by who made each segment: computer, operator, contact</source>
@@ -652,28 +428,12 @@
         <translation>Parcourir les tableaux et les courbes d&apos;une étude, et revoir ses essais</translation>
     </message>
     <message>
-        <source>&amp;Report as PDF...</source>
-        <translation>&amp;Rapport en PDF...</translation>
-    </message>
-    <message>
         <source>Write the report of the study that is open as PDF</source>
         <translation>Écrire en PDF le rapport de l&apos;étude ouverte</translation>
     </message>
     <message>
-        <source>S&amp;mooth the path</source>
-        <translation>&amp;Lisser le chemin</translation>
-    </message>
-    <message>
-        <source>Guidance force</source>
-        <translation>Force de guidage</translation>
-    </message>
-    <message>
         <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
         <translation>Montrer ce qui guide la main : la force par une flèche, son intensité par une teinte</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic tuning</source>
-        <translation>Réglage &amp;automatique</translation>
     </message>
     <message>
         <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
@@ -684,16 +444,8 @@
         <translation>Vider la liste des derniers fichiers ouverts</translation>
     </message>
     <message>
-        <source>&amp;Cancel</source>
-        <translation>&amp;Annuler</translation>
-    </message>
-    <message>
         <source>End what is being done in the background: reading, smoothing, looking for reasons</source>
         <translation>Arrêter ce qui se fait en arrière-plan : lecture, lissage, recherche des raisons</translation>
-    </message>
-    <message>
-        <source>The camera &amp;rolls</source>
-        <translation>Le &amp;roulis de la caméra</translation>
     </message>
     <message>
         <source>Turning about the line of sight rolls the camera, or the horizon stays level</source>
@@ -712,16 +464,12 @@
         <translation>Jouer le chemin de &amp;moindre pénétration</translation>
     </message>
     <message>
-        <source>Whole &amp;plot</source>
-        <translation>&amp;Courbe entière</translation>
-    </message>
-    <message>
         <source>Show all of the study&apos;s plot again after a rubber band or the wheel has enlarged a part</source>
         <translation>Montrer de nouveau toute la courbe de l&apos;étude, après un agrandissement au rectangle ou à la molette</translation>
     </message>
     <message>
         <source>&amp;Copy plot</source>
-        <translation>Co&amp;pier la courbe</translation>
+        <translation>&amp;Copier la courbe</translation>
     </message>
     <message>
         <source>Put the study&apos;s plot into the clipboard as it is seen</source>
@@ -756,24 +504,12 @@
         <translation>Dessiner de nouveau tous les obstacles</translation>
     </message>
     <message>
-        <source>Reset la&amp;yout</source>
-        <translation>Disposition d&apos;&amp;origine</translation>
-    </message>
-    <message>
         <source>Put all panels where they were at first</source>
         <translation>Remettre tous les panneaux à leur place d&apos;origine</translation>
     </message>
     <message>
-        <source>What stands in the way</source>
-        <translation>Ce qui fait obstacle</translation>
-    </message>
-    <message>
         <source>Show why no path was found: blocking body, gap, way of least penetration</source>
         <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé : corps bloquant, lacune, chemin de moindre pénétration</translation>
-    </message>
-    <message>
-        <source>Difficulty panel</source>
-        <translation>Panneau Difficulté</translation>
     </message>
     <message>
         <source>Bring the reasons why no path was found to the front</source>
@@ -796,20 +532,8 @@
         <translation>Le corps sélectionné devient l&apos;objet, de là où il est vers « dehors » ; ce qui bougeait reste à son départ</translation>
     </message>
     <message>
-        <source>Arrange &amp;with the mouse</source>
-        <translation>Disposer à la so&amp;uris</translation>
-    </message>
-    <message>
-        <source>Place by a face or a&amp;xis</source>
-        <translation>Placer par une face ou un a&amp;xe</translation>
-    </message>
-    <message>
         <source>Click a plane or a cylinder: the numbers of the placement are those of its frame</source>
         <translation>Cliquer un plan ou un cylindre : les nombres du placement sont ceux de son repère</translation>
-    </message>
-    <message>
-        <source>&amp;Start here</source>
-        <translation>&amp;Départ ici</translation>
     </message>
     <message>
         <source>&amp;Goal here</source>
@@ -820,28 +544,20 @@
         <translation>But : de&amp;hors</translation>
     </message>
     <message>
-        <source>Move the ends &amp;clear</source>
-        <translation>Dé&amp;gager les extrémités</translation>
-    </message>
-    <message>
         <source>Where the object touches or overlaps a body at its start or goal, move it clear by the least that is found</source>
         <translation>Là où l&apos;objet touche ou pénètre un corps à son départ ou à son but, l&apos;écarter du moins possible</translation>
     </message>
     <message>
         <source>S&amp;wap start and goal</source>
-        <translation>É&amp;changer départ et but</translation>
+        <translation>Écha&amp;nger départ et but</translation>
     </message>
     <message>
         <source>&amp;Fit the workspace</source>
-        <translation>A&amp;juster l&apos;espace de travail</translation>
+        <translation>Ajuster l&apos;&amp;espace de travail</translation>
     </message>
     <message>
         <source>A workspace about all bodies, with room for the object to get out</source>
         <translation>Un espace de travail autour de tous les corps, où l&apos;objet a la place de sortir</translation>
-    </message>
-    <message>
-        <source>R&amp;ules of the strategy...</source>
-        <translation>Rè&amp;gles de la stratégie...</translation>
     </message>
     <message>
         <source>Read how the strategy weighs places and chooses planners, and change it</source>
@@ -852,20 +568,8 @@
         <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
     </message>
     <message>
-        <source>Open pa&amp;th...</source>
-        <translation>Ouvrir un c&amp;hemin...</translation>
-    </message>
-    <message>
         <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
         <translation>Lire un chemin de ce scénario, prouver qu&apos;il tient ou voir où il est bloqué</translation>
-    </message>
-    <message>
-        <source>Remove edits with&amp;out effect</source>
-        <translation>Supprimer les m&amp;odifications sans effet</translation>
-    </message>
-    <message>
-        <source>Pre&amp;ferences...</source>
-        <translation>&amp;Préférences...</translation>
     </message>
     <message>
         <source>&amp;Film of the path...</source>
@@ -884,40 +588,20 @@
         <translation>Écrire le problème, le certificat, le jeu et des images du chemin en HTML ou en PDF</translation>
     </message>
     <message>
-        <source>S&amp;wept volume</source>
-        <translation>&amp;Volume balayé</translation>
-    </message>
-    <message>
         <source>Show all that the object covers along the path, never less</source>
         <translation>Afficher tout ce que l&apos;objet couvre le long du chemin, jamais moins</translation>
-    </message>
-    <message>
-        <source>E&amp;xport the swept volume...</source>
-        <translation>E&amp;xporter le volume balayé...</translation>
     </message>
     <message>
         <source>Write the swept volume as triangles: STL or GLB</source>
         <translation>Écrire le volume balayé en triangles : STL ou GLB</translation>
     </message>
     <message>
-        <source>Where is it &amp;blocked?</source>
-        <translation>Où est-il &amp;bloqué ?</translation>
-    </message>
-    <message>
         <source>Show the object at the first place where the path is blocked</source>
         <translation>Montrer l&apos;objet au premier endroit où le chemin est bloqué</translation>
     </message>
     <message>
-        <source>Find f&amp;its</source>
-        <translation>Chercher les a&amp;justements</translation>
-    </message>
-    <message>
         <source>List the pairs of bodies that touch or overlap, with their kind and allowance</source>
         <translation>Lister les paires de corps qui se touchent ou se recouvrent, avec leur type et leur tolérance</translation>
-    </message>
-    <message>
-        <source>Is&amp;olate the pair</source>
-        <translation>&amp;Isoler la paire</translation>
     </message>
     <message>
         <source>Draw the two bodies of the chosen fit and no other obstacles</source>
@@ -932,36 +616,12 @@
         <translation>Tolérer le recouvrement de la paire choisie ; les résultats l&apos;indiquent</translation>
     </message>
     <message>
-        <source>Is a t&amp;hread</source>
-        <translation>Est un &amp;filetage</translation>
-    </message>
-    <message>
         <source>The chosen pair is a thread that is drawn as cylinders</source>
         <translation>La paire choisie est un filetage dessiné en cylindres</translation>
     </message>
     <message>
-        <source>Require c&amp;learance</source>
-        <translation>Exiger un &amp;jeu</translation>
-    </message>
-    <message>
-        <source>As m&amp;easured</source>
-        <translation>Comme &amp;mesuré</translation>
-    </message>
-    <message>
-        <source>Fits panel</source>
-        <translation>Panneau Ajustements</translation>
-    </message>
-    <message>
         <source>Bring the table of fits to the front</source>
         <translation>Mettre le tableau des ajustements au premier plan</translation>
-    </message>
-    <message>
-        <source>Show the o&amp;verlap</source>
-        <translation>Montrer le &amp;recouvrement</translation>
-    </message>
-    <message>
-        <source>Allow as f&amp;its</source>
-        <translation>Admettre comme a&amp;justements</translation>
     </message>
     <message>
         <source>Close the &amp;message</source>
@@ -980,40 +640,20 @@
         <translation>Conserver dans le scénario le chemin trouvé</translation>
     </message>
     <message>
-        <source>Make it the c&amp;urrent path</source>
-        <translation>En faire le chemin co&amp;urant</translation>
-    </message>
-    <message>
         <source>Play, smooth or export the selected kept path</source>
         <translation>Jouer, lisser ou exporter le chemin conservé sélectionné</translation>
-    </message>
-    <message>
-        <source>Com&amp;pare paths</source>
-        <translation>Com&amp;parer les chemins</translation>
     </message>
     <message>
         <source>Show the figures and curves of the selected paths side by side; of all where fewer than two are selected</source>
         <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés ; de tous si moins de deux sont sélectionnés</translation>
     </message>
     <message>
-        <source>Rena&amp;me the path</source>
-        <translation>Reno&amp;mmer le chemin</translation>
-    </message>
-    <message>
         <source>Give the selected kept path another name</source>
         <translation>Donner un autre nom au chemin conservé sélectionné</translation>
     </message>
     <message>
-        <source>P&amp;in the path</source>
-        <translation>Ép&amp;ingler le chemin</translation>
-    </message>
-    <message>
         <source>Let the selected kept paths stay at the top of the list, or no longer</source>
         <translation>Garder les chemins sélectionnés en tête de la liste, ou ne plus les y garder</translation>
-    </message>
-    <message>
-        <source>Remove the ke&amp;pt path</source>
-        <translation>Su&amp;pprimer le chemin conservé</translation>
     </message>
     <message>
         <source>Remove the selected paths from the scenario; Undo brings them back</source>
@@ -1026,10 +666,6 @@
     <message>
         <source>Bring the selected bodies near, direction kept</source>
         <translation>Rapprocher la vue des corps sélectionnés sans changer de direction</translation>
-    </message>
-    <message>
-        <source>Ort&amp;hographic</source>
-        <translation>Ort&amp;hographique</translation>
     </message>
     <message>
         <source>Draw without perspective, so that lengths across the view are to scale</source>
@@ -1069,31 +705,19 @@
     </message>
     <message>
         <source>Remove the mea&amp;surement</source>
-        <translation>Effacer la me&amp;sure</translation>
+        <translation>&amp;Effacer la mesure</translation>
     </message>
     <message>
         <source>Hide what was measured</source>
         <translation>Masquer ce qui a été mesuré</translation>
     </message>
     <message>
-        <source>Paths panel</source>
-        <translation>Panneau Gardés</translation>
-    </message>
-    <message>
         <source>Bring the list of kept paths to the front</source>
         <translation>Mettre la liste des chemins conservés au premier plan</translation>
     </message>
     <message>
-        <source>Log panel</source>
-        <translation>Panneau Journal</translation>
-    </message>
-    <message>
         <source>Bring the log of messages to the front</source>
         <translation>Mettre le journal des messages au premier plan</translation>
-    </message>
-    <message>
-        <source>Fin&amp;d a command...</source>
-        <translation>Trouver une comman&amp;de...</translation>
     </message>
     <message>
         <source>Type a part of its name to find any command and carry it out</source>
@@ -1101,7 +725,7 @@
     </message>
     <message>
         <source>Copy for a &amp;bug report</source>
-        <translation>Copier pour un rapport d&apos;&amp;anomalie</translation>
+        <translation>&amp;Copier pour un rapport d&apos;anomalie</translation>
     </message>
     <message>
         <source>Put versions, scenario, settings and the log into the clipboard</source>
@@ -1116,36 +740,8 @@
         <translation>Re&amp;nommer l&apos;attribut...</translation>
     </message>
     <message>
-        <source>Re&amp;move the attribute</source>
-        <translation>Suppri&amp;mer l&apos;attribut</translation>
-    </message>
-    <message>
         <source>&amp;Forbid the place</source>
         <translation>&amp;Interdire le lieu</translation>
-    </message>
-    <message>
-        <source>&amp;Prefer the place</source>
-        <translation>&amp;Préférer le lieu</translation>
-    </message>
-    <message>
-        <source>Set the &amp;milestone</source>
-        <translation>Placer le &amp;jalon</translation>
-    </message>
-    <message>
-        <source>R&amp;eset the milestone</source>
-        <translation>Réinitialis&amp;er le jalon</translation>
-    </message>
-    <message>
-        <source>&amp;Remove the bodies</source>
-        <translation>&amp;Retirer les corps</translation>
-    </message>
-    <message>
-        <source>Play in a &amp;loop</source>
-        <translation>Jouer en &amp;boucle</translation>
-    </message>
-    <message>
-        <source>Play back&amp;wards</source>
-        <translation>Jouer à re&amp;bours</translation>
     </message>
     <message>
         <source>Plan the se&amp;quence</source>
@@ -1164,56 +760,24 @@
         <translation>Continuer la séquence là où la planification a été arrêtée</translation>
     </message>
     <message>
-        <source>Selected bodies sta&amp;y</source>
-        <translation>Les corps sélectionnés &amp;restent</translation>
-    </message>
-    <message>
         <source>Keep the selected bodies in the product when the sequence is planned, or not</source>
         <translation>Garder les corps sélectionnés dans le produit quand la séquence est planifiée, ou non</translation>
-    </message>
-    <message>
-        <source>Open a sequence...</source>
-        <translation>Ouvrir une séquence...</translation>
     </message>
     <message>
         <source>Read an assembly plan of this product, and prove each step again</source>
         <translation>Lire un plan d&apos;assemblage de ce produit, et prouver de nouveau chaque étape</translation>
     </message>
     <message>
-        <source>Save the sequence...</source>
-        <translation>Enregistrer la séquence...</translation>
-    </message>
-    <message>
         <source>Save the plan, its work instruction, its table of steps or its animation</source>
         <translation>Enregistrer le plan, sa gamme de montage, sa table d&apos;étapes ou son animation</translation>
-    </message>
-    <message>
-        <source>Play the sequence</source>
-        <translation>Jouer la séquence</translation>
-    </message>
-    <message>
-        <source>Order of assembly</source>
-        <translation>Ordre du montage</translation>
     </message>
     <message>
         <source>Show the steps as they are assembled, or as they are removed</source>
         <translation>Montrer les étapes dans l&apos;ordre du montage, ou dans celui du démontage</translation>
     </message>
     <message>
-        <source>Removed parts stand aside</source>
-        <translation>Pièces sorties à côté</translation>
-    </message>
-    <message>
-        <source>Show the whole product</source>
-        <translation>Montrer tout le produit</translation>
-    </message>
-    <message>
         <source>Draw all parts where they are assembled</source>
         <translation>Dessiner toutes les pièces là où elles sont assemblées</translation>
-    </message>
-    <message>
-        <source>Sequence panel</source>
-        <translation>Panneau Séquence</translation>
     </message>
     <message>
         <source>Bring the assembly plan to the front</source>
@@ -1228,40 +792,20 @@
         <translation>Montrer quelle étape fait place à quelle autre, et ce qui bloque les pièces bloquées</translation>
     </message>
     <message>
-        <source>Move the step up</source>
-        <translation>Monter l&apos;étape</translation>
-    </message>
-    <message>
         <source>Move the chosen step of the sequence one row up; the rest is planned anew</source>
         <translation>Monter l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
-    </message>
-    <message>
-        <source>Move the step down</source>
-        <translation>Descendre l&apos;étape</translation>
     </message>
     <message>
         <source>Move the chosen step of the sequence one row down; the rest is planned anew</source>
         <translation>Descendre l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
     </message>
     <message>
-        <source>Loc&amp;k the step</source>
-        <translation>&amp;Verrouiller l&apos;étape</translation>
-    </message>
-    <message>
         <source>The chosen steps keep their places and motions, or not any more</source>
         <translation>Les étapes choisies gardent leurs places et leurs mouvements, ou ne les gardent plus</translation>
     </message>
     <message>
-        <source>Keep the order of the chosen steps</source>
-        <translation>Garder l&apos;ordre des étapes choisies</translation>
-    </message>
-    <message>
         <source>Of several chosen steps, each is to leave before the next one</source>
         <translation>De plusieurs étapes choisies, chacune doit précéder la suivante</translation>
-    </message>
-    <message>
-        <source>Move &amp;by hand</source>
-        <translation>Déplacer à la &amp;main</translation>
     </message>
     <message>
         <source>&amp;Take the path as the step</source>
@@ -1270,10 +814,6 @@
     <message>
         <source>Go back to the sequence with the certified path of the part that was moved by hand</source>
         <translation>Revenir à la séquence avec le chemin certifié de la pièce déplacée à la main</translation>
-    </message>
-    <message>
-        <source>Back to the sequence</source>
-        <translation>Retour à la séquence</translation>
     </message>
     <message>
         <source>Go back to the sequence without a path</source>
@@ -1288,24 +828,16 @@
         <translation>Déplacer et tourner les corps, le départ et le but dans la vue : par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
     </message>
     <message>
-        <source>Al&amp;ign...</source>
-        <translation>Al&amp;igner...</translation>
-    </message>
-    <message>
         <source>Put an axis onto an axis, or a face onto a face: click that of what moves, then that of another body</source>
         <translation>Mettre un axe sur un axe, ou une face sur une face : cliquer celle de ce qui bouge, puis celle d&apos;un autre corps</translation>
     </message>
     <message>
         <source>Flip the ali&amp;gnment</source>
-        <translation>Retourner l&apos;ali&amp;gnement</translation>
+        <translation>&amp;Retourner l&apos;alignement</translation>
     </message>
     <message>
         <source>Turn what was aligned last round: the axis, or the face, looks the other way</source>
         <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Par &amp;pas</translation>
     </message>
     <message>
         <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
@@ -1321,7 +853,7 @@
     </message>
     <message>
         <source>Help on this &amp;panel</source>
-        <translation>Aide sur ce &amp;panneau</translation>
+        <translation>&amp;Aide sur ce panneau</translation>
     </message>
     <message>
         <source>Open the manual at the panel that has the focus</source>
@@ -1453,15 +985,11 @@
     </message>
     <message>
         <source>Forbid this &amp;direction of removal</source>
-        <translation>Interdire cette &amp;direction de sortie</translation>
+        <translation>&amp;Interdire cette direction de sortie</translation>
     </message>
     <message>
         <source>Do not let the parts of the chosen step leave in its direction</source>
         <translation>Les pièces de l&apos;étape choisie ne doivent pas sortir dans sa direction</translation>
-    </message>
-    <message>
-        <source>Remove the demands on the step</source>
-        <translation>Retirer les exigences sur l&apos;étape</translation>
     </message>
     <message>
         <source>Remove the demands on the chosen parts: places, motions, directions, order</source>
@@ -1488,10 +1016,6 @@
         <translation>Cliquer un élément de la fenêtre pour lire à quoi il sert</translation>
     </message>
     <message>
-        <source>Context &amp;menu</source>
-        <translation>&amp;Menu contextuel</translation>
-    </message>
-    <message>
         <source>Open the menu of what is selected in the scene or in the table in use</source>
         <translation>Ouvrir le menu de ce qui est sélectionné dans la scène ou dans le tableau en cours</translation>
     </message>
@@ -1512,10 +1036,6 @@
         <translation>Rappeler, renommer et supprimer des vues nommées</translation>
     </message>
     <message>
-        <source>Camera follows the object</source>
-        <translation>La caméra suit l&apos;objet</translation>
-    </message>
-    <message>
         <source>Keep the object in the middle of the view while the path is played</source>
         <translation>Garder l&apos;objet au milieu de la vue pendant la lecture du chemin</translation>
     </message>
@@ -1534,6 +1054,534 @@
     <message>
         <source>New seed</source>
         <translation>Nouvelle graine</translation>
+    </message>
+    <message>
+        <source>&amp;Section panel</source>
+        <translation>Pann&amp;eau Coupe</translation>
+    </message>
+    <message>
+        <source>Show the &amp;tightest place</source>
+        <translation>Montrer le &amp;passage le plus étroit</translation>
+    </message>
+    <message>
+        <source>Sele&amp;cted: shaded with edges</source>
+        <translation>Séle&amp;ction : ombrée avec arêtes</translation>
+    </message>
+    <message>
+        <source>Selected: s&amp;haded</source>
+        <translation>Sélection : o&amp;mbrée</translation>
+    </message>
+    <message>
+        <source>Selected: see-th&amp;rough</source>
+        <translation>&amp;Sélection : transparente</translation>
+    </message>
+    <message>
+        <source>Selected: wire&amp;frame</source>
+        <translation>Sélectio&amp;n : fil de fer</translation>
+    </message>
+    <message>
+        <source>Selected: as the &amp;view</source>
+        <translation>Sélection : comme la &amp;vue</translation>
+    </message>
+    <message>
+        <source>&amp;Open scenario...</source>
+        <translation>&amp;Ouvrir un scénario...</translation>
+    </message>
+    <message>
+        <source>&amp;Start the run</source>
+        <translation>&amp;Démarrer le calcul</translation>
+    </message>
+    <message>
+        <source>Pa&amp;use the run</source>
+        <translation>&amp;Suspendre le calcul</translation>
+    </message>
+    <message>
+        <source>S&amp;top the run</source>
+        <translation>&amp;Arrêter le calcul</translation>
+    </message>
+    <message>
+        <source>&amp;Restart the run</source>
+        <translation>&amp;Redémarrer le calcul</translation>
+    </message>
+    <message>
+        <source>&amp;Move the object to the start</source>
+        <translation>Ramener l&apos;&amp;objet au départ</translation>
+    </message>
+    <message>
+        <source>&amp;Fit all</source>
+        <translation>Tout cad&amp;rer</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric view</source>
+        <translation>Vue &amp;isométrique</translation>
+    </message>
+    <message>
+        <source>Fro&amp;nt view</source>
+        <translation>Vue de &amp;face</translation>
+    </message>
+    <message>
+        <source>&amp;Back view</source>
+        <translation>Vue &amp;arrière</translation>
+    </message>
+    <message>
+        <source>&amp;Left view</source>
+        <translation>Vue de ga&amp;uche</translation>
+    </message>
+    <message>
+        <source>&amp;Right view</source>
+        <translation>Vue de &amp;droite</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>Vue de de&amp;ssus</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m view</source>
+        <translation>Vue de dess&amp;ous</translation>
+    </message>
+    <message>
+        <source>Dark &amp;theme</source>
+        <translation>Thème &amp;sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Obstacles</source>
+        <translation>&amp;Obstacles</translation>
+    </message>
+    <message>
+        <source>O&amp;bject</source>
+        <translation>O&amp;bjet</translation>
+    </message>
+    <message>
+        <source>Start and &amp;goal</source>
+        <translation>&amp;Départ et but</translation>
+    </message>
+    <message>
+        <source>&amp;Workspace</source>
+        <translation>&amp;Espace de travail</translation>
+    </message>
+    <message>
+        <source>&amp;Roadmap</source>
+        <translation>G&amp;raphe</translation>
+    </message>
+    <message>
+        <source>&amp;Path</source>
+        <translation>C&amp;hemin</translation>
+    </message>
+    <message>
+        <source>&amp;Contact</source>
+        <translation>&amp;Contact</translation>
+    </message>
+    <message>
+        <source>&amp;Save scenario</source>
+        <translation>&amp;Enregistrer le scénario</translation>
+    </message>
+    <message>
+        <source>Save scenario &amp;as...</source>
+        <translation>Enregistrer le scénario &amp;sous...</translation>
+    </message>
+    <message>
+        <source>&amp;Free cells</source>
+        <translation>&amp;Cellules libres</translation>
+    </message>
+    <message>
+        <source>&amp;Cells with mobile bodies</source>
+        <translation>Cellules à corps &amp;mobiles</translation>
+    </message>
+    <message>
+        <source>Cells with s&amp;tatic bodies</source>
+        <translation>Cellules à corps &amp;statiques</translation>
+    </message>
+    <message>
+        <source>&amp;Places</source>
+        <translation>&amp;Lieux</translation>
+    </message>
+    <message>
+        <source>&amp;Borders</source>
+        <translation>&amp;Frontières</translation>
+    </message>
+    <message>
+        <source>Topological &amp;graph</source>
+        <translation>&amp;Graphe topologique</translation>
+    </message>
+    <message>
+        <source>Coarse pat&amp;h</source>
+        <translation>C&amp;hemin grossier</translation>
+    </message>
+    <message>
+        <source>&amp;Milestones</source>
+        <translation>&amp;Jalons</translation>
+    </message>
+    <message>
+        <source>&amp;Region of a step</source>
+        <translation>&amp;Région d&apos;une étape</translation>
+    </message>
+    <message>
+        <source>S&amp;cene panel</source>
+        <translation>Pa&amp;nneau Scène</translation>
+    </message>
+    <message>
+        <source>Se&amp;mantics panel</source>
+        <translation>Panneau Sé&amp;mantique</translation>
+    </message>
+    <message>
+        <source>&amp;Run panel</source>
+        <translation>Panneau &amp;Calcul</translation>
+    </message>
+    <message>
+        <source>&amp;Plan panel</source>
+        <translation>&amp;Panneau Plan</translation>
+    </message>
+    <message>
+        <source>Pa&amp;th panel</source>
+        <translation>Panneau C&amp;hemin</translation>
+    </message>
+    <message>
+        <source>Show fi&amp;ner cells</source>
+        <translation>Mo&amp;ntrer des cellules plus fines</translation>
+    </message>
+    <message>
+        <source>&amp;Show coarser cells</source>
+        <translation>Montrer des cellules &amp;plus grosses</translation>
+    </message>
+    <message>
+        <source>Calibrate the &amp;devices...</source>
+        <translation>Étalonner les &amp;périphériques...</translation>
+    </message>
+    <message>
+        <source>Open recor&amp;ding...</source>
+        <translation>Ouv&amp;rir un enregistrement...</translation>
+    </message>
+    <message>
+        <source>&amp;Replay with current parameters</source>
+        <translation>Rejouer avec les &amp;paramètres courants</translation>
+    </message>
+    <message>
+        <source>&amp;Play the replay</source>
+        <translation>&amp;Lancer la relecture</translation>
+    </message>
+    <message>
+        <source>Step the replay &amp;forward</source>
+        <translation>&amp;Avancer la relecture d&apos;un pas</translation>
+    </message>
+    <message>
+        <source>Step the replay &amp;back</source>
+        <translation>&amp;Reculer la relecture d&apos;un pas</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the beginning of the replay</source>
+        <translation>Aller au &amp;début de la relecture</translation>
+    </message>
+    <message>
+        <source>&amp;Close the replay</source>
+        <translation>&amp;Fermer la relecture</translation>
+    </message>
+    <message>
+        <source>Colour the path by &amp;author</source>
+        <translation>Colorer le chemin par &amp;auteur</translation>
+    </message>
+    <message>
+        <source>Save the &amp;report as PDF...</source>
+        <translation>Enregistrer le &amp;rapport en PDF...</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth the path</source>
+        <translation>&amp;Lisser le chemin</translation>
+    </message>
+    <message>
+        <source>Guidance &amp;force</source>
+        <translation>&amp;Force de guidage</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic tuning of α, N and d</source>
+        <translation>Réglage a&amp;utomatique de α, N et d</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel the work in progress</source>
+        <translation>Annuler le &amp;travail en cours</translation>
+    </message>
+    <message>
+        <source>Let the camera &amp;roll</source>
+        <translation>Autoriser le &amp;roulis de la caméra</translation>
+    </message>
+    <message>
+        <source>Show the whole &amp;plot</source>
+        <translation>&amp;Montrer la courbe entière</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>&amp;Rétablir la disposition</translation>
+    </message>
+    <message>
+        <source>What &amp;stands in the way</source>
+        <translation>Ce &amp;qui fait obstacle</translation>
+    </message>
+    <message>
+        <source>&amp;Difficulty panel</source>
+        <translation>Panneau &amp;Difficulté</translation>
+    </message>
+    <message>
+        <source>Arra&amp;nge with the mouse</source>
+        <translation>Disposer à la so&amp;uris</translation>
+    </message>
+    <message>
+        <source>&amp;Place by a face or axis</source>
+        <translation>&amp;Placer par une face ou un axe</translation>
+    </message>
+    <message>
+        <source>Start &amp;here</source>
+        <translation>Départ &amp;ici</translation>
+    </message>
+    <message>
+        <source>Move the &amp;ends clear</source>
+        <translation>Dégager les &amp;extrémités</translation>
+    </message>
+    <message>
+        <source>Rules of the strate&amp;gy...</source>
+        <translation>Rè&amp;gles de la stratégie...</translation>
+    </message>
+    <message>
+        <source>Open &amp;path...</source>
+        <translation>Ouvrir un c&amp;hemin...</translation>
+    </message>
+    <message>
+        <source>Remove &amp;edits without effect</source>
+        <translation>Supprimer les &amp;modifications sans effet</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation>&amp;Préférences...</translation>
+    </message>
+    <message>
+        <source>Swept &amp;volume</source>
+        <translation>&amp;Volume balayé</translation>
+    </message>
+    <message>
+        <source>&amp;Export the swept volume...</source>
+        <translation>&amp;Exporter le volume balayé...</translation>
+    </message>
+    <message>
+        <source>Show where the path is &amp;blocked</source>
+        <translation>Montrer où le chemin est blo&amp;qué</translation>
+    </message>
+    <message>
+        <source>&amp;Find fits</source>
+        <translation>Chercher les a&amp;justements</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate the pair</source>
+        <translation>&amp;Isoler la paire</translation>
+    </message>
+    <message>
+        <source>&amp;Mark as a thread</source>
+        <translation>Marquer comme &amp;filetage</translation>
+    </message>
+    <message>
+        <source>&amp;Require clearance</source>
+        <translation>Exiger un &amp;jeu</translation>
+    </message>
+    <message>
+        <source>&amp;Take the fit as measured</source>
+        <translation>Prendre l&apos;ajustement &amp;mesuré</translation>
+    </message>
+    <message>
+        <source>&amp;Fits panel</source>
+        <translation>Panneau &amp;Ajustements</translation>
+    </message>
+    <message>
+        <source>&amp;Show the overlap</source>
+        <translation>Montrer le &amp;recouvrement</translation>
+    </message>
+    <message>
+        <source>&amp;Allow the overlap as fits</source>
+        <translation>&amp;Admettre comme ajustements</translation>
+    </message>
+    <message>
+        <source>&amp;Make the kept path current</source>
+        <translation>&amp;Rendre courant le chemin conservé</translation>
+    </message>
+    <message>
+        <source>&amp;Compare paths</source>
+        <translation>&amp;Comparer les chemins</translation>
+    </message>
+    <message>
+        <source>&amp;Rename the kept path</source>
+        <translation>Reno&amp;mmer le chemin conservé</translation>
+    </message>
+    <message>
+        <source>Pin the &amp;kept path</source>
+        <translation>Épi&amp;ngler le chemin conservé</translation>
+    </message>
+    <message>
+        <source>Remove the kept &amp;path</source>
+        <translation>&amp;Supprimer le chemin conservé</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic projection</source>
+        <translation>Projection &amp;orthographique</translation>
+    </message>
+    <message>
+        <source>Pat&amp;hs panel</source>
+        <translation>Panneau &amp;Gardés</translation>
+    </message>
+    <message>
+        <source>&amp;Log panel</source>
+        <translation>Panneau &amp;Journal</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command...</source>
+        <translation>Trouver une comman&amp;de...</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the attribute</source>
+        <translation>&amp;Supprimer l&apos;attribut</translation>
+    </message>
+    <message>
+        <source>Prefer the pla&amp;ce</source>
+        <translation>&amp;Préférer le lieu</translation>
+    </message>
+    <message>
+        <source>&amp;Set the milestone</source>
+        <translation>Placer le &amp;jalon</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;milestone</source>
+        <translation>&amp;Réinitialiser le jalon</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the selected bodies</source>
+        <translation>&amp;Retirer les corps sélectionnés</translation>
+    </message>
+    <message>
+        <source>Play the path in a &amp;loop</source>
+        <translation>Jouer le chemin en &amp;boucle</translation>
+    </message>
+    <message>
+        <source>&amp;Play the path backwards</source>
+        <translation>&amp;Jouer le chemin à rebours</translation>
+    </message>
+    <message>
+        <source>Selected &amp;bodies stay</source>
+        <translation>&amp;Les corps sélectionnés restent</translation>
+    </message>
+    <message>
+        <source>&amp;Open a sequence...</source>
+        <translation>Ouvrir une &amp;séquence...</translation>
+    </message>
+    <message>
+        <source>&amp;Save the sequence...</source>
+        <translation>&amp;Enregistrer la séquence...</translation>
+    </message>
+    <message>
+        <source>&amp;Play the sequence</source>
+        <translation>&amp;Jouer la séquence</translation>
+    </message>
+    <message>
+        <source>Order of &amp;assembly</source>
+        <translation>&amp;Ordre du montage</translation>
+    </message>
+    <message>
+        <source>&amp;Removed parts stand aside</source>
+        <translation>&amp;Pièces sorties à côté</translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole product</source>
+        <translation>Montrer &amp;tout le produit</translation>
+    </message>
+    <message>
+        <source>Seque&amp;nce panel</source>
+        <translation>Panneau &amp;Séquence</translation>
+    </message>
+    <message>
+        <source>Move the step &amp;up</source>
+        <translation>Mo&amp;nter l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Move the step d&amp;own</source>
+        <translation>&amp;Descendre l&apos;étape</translation>
+    </message>
+    <message>
+        <source>&amp;Lock the step</source>
+        <translation>&amp;Verrouiller l&apos;étape</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the order of the chosen steps</source>
+        <translation>&amp;Garder l&apos;ordre des étapes choisies</translation>
+    </message>
+    <message>
+        <source>Move the &amp;part by hand</source>
+        <translation>Déplacer la pièce à la &amp;main</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the sequence</source>
+        <translation>Retour à la &amp;séquence</translation>
+    </message>
+    <message>
+        <source>&amp;Align faces or axes...</source>
+        <translation>&amp;Aligner des faces ou des axes...</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to steps</source>
+        <translation>&amp;Déplacer par pas</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the demands on the step</source>
+        <translation>&amp;Retirer les exigences sur l&apos;étape</translation>
+    </message>
+    <message>
+        <source>Open the context &amp;menu</source>
+        <translation>Ouvrir le &amp;menu contextuel</translation>
+    </message>
+    <message>
+        <source>&amp;Camera follows the object</source>
+        <translation>La &amp;caméra suit l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Aligner</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Par pas</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Path by author</source>
+        <translation>Chemin par auteur</translation>
+    </message>
+    <message>
+        <source>Allow as fits</source>
+        <translation>Admettre comme ajustements</translation>
+    </message>
+    <message>
+        <source>Whole plot</source>
+        <translation>Courbe entière</translation>
+    </message>
+    <message>
+        <source>Where is it blocked?</source>
+        <translation>Où est-il bloqué ?</translation>
     </message>
 </context>
 <context>
@@ -2520,7 +2568,7 @@
     <name>Menus</name>
     <message>
         <source>&amp;Display</source>
-        <translation>&amp;Affichage</translation>
+        <translation>A&amp;ffichage</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2540,7 +2588,7 @@
     </message>
     <message>
         <source>&amp;Study</source>
-        <translation>É&amp;tude</translation>
+        <translation>Ét&amp;ude</translation>
     </message>
     <message>
         <source>&amp;Operator</source>
@@ -2555,20 +2603,76 @@
         <translation>&amp;Navigation</translation>
     </message>
     <message>
-        <source>Lay&amp;ers</source>
-        <translation>&amp;Couches</translation>
-    </message>
-    <message>
         <source>&amp;Panels</source>
         <translation>&amp;Panneaux</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
+        <translation>A&amp;ide</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Standard vie&amp;ws</source>
+        <translation>Vues stan&amp;dard</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>&amp;Couches</translation>
+    </message>
+    <message>
+        <source>La&amp;yers of places</source>
+        <translation>Couches des &amp;lieux</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>&amp;Go to panel</source>
+        <translation>&amp;Aller au panneau</translation>
+    </message>
+    <message>
+        <source>&amp;Placement</source>
+        <translation>&amp;Placement</translation>
+    </message>
+    <message>
+        <source>S&amp;tart and goal</source>
+        <translation>&amp;Départ et but</translation>
+    </message>
+    <message>
+        <source>&amp;Chosen fit</source>
+        <translation>Ajuste&amp;ment choisi</translation>
+    </message>
+    <message>
+        <source>S&amp;equence</source>
+        <translation>&amp;Séquence</translation>
+    </message>
+    <message>
+        <source>&amp;Step of the sequence</source>
+        <translation>É&amp;tape de la séquence</translation>
+    </message>
+    <message>
+        <source>Se&amp;mantics</source>
+        <translation>&amp;Sémantique</translation>
+    </message>
+    <message>
+        <source>Pat&amp;h</source>
+        <translation>C&amp;hemin</translation>
+    </message>
+    <message>
+        <source>K&amp;ept paths</source>
+        <translation>Chemins conser&amp;vés</translation>
+    </message>
+    <message>
+        <source>Repla&amp;y</source>
+        <translation>R&amp;electure</translation>
+    </message>
+    <message>
+        <source>Show or hide the panel</source>
+        <translation>Montrer ou masquer le panneau</translation>
     </message>
 </context>
 <context>
@@ -4092,7 +4196,7 @@
     </message>
     <message>
         <source>Open re&amp;cent</source>
-        <translation>Fichiers ré&amp;cents</translation>
+        <translation>&amp;Fichiers récents</translation>
     </message>
     <message>
         <source>Opening the scenario</source>
@@ -6194,7 +6298,7 @@
     </message>
     <message>
         <source>E&amp;xplode</source>
-        <translation>É&amp;claté</translation>
+        <translation>Éc&amp;laté</translation>
     </message>
     <message>
         <source>No product is open.</source>
@@ -6237,10 +6341,6 @@
         <translation>&amp;Exigences</translation>
     </message>
     <message>
-        <source>Forbid a &amp;direction</source>
-        <translation>Interdire une &amp;direction</translation>
-    </message>
-    <message>
         <source>Ste&amp;p</source>
         <translation>Éta&amp;pe</translation>
     </message>
@@ -6250,7 +6350,7 @@
     </message>
     <message>
         <source>&amp;Cost</source>
-        <translation>&amp;Coût</translation>
+        <translation>Coû&amp;t</translation>
     </message>
     <message>
         <source>What a step costs</source>
@@ -6271,6 +6371,10 @@
     <message>
         <source>The time limit was reached.</source>
         <translation>La limite de temps a été atteinte.</translation>
+    </message>
+    <message>
+        <source>&amp;Forbid a direction</source>
+        <translation>&amp;Interdire une direction</translation>
     </message>
 </context>
 <context>
@@ -6566,10 +6670,6 @@
         <translation>Raccourcis clavier</translation>
     </message>
     <message>
-        <source>Part of a command or of a shortcut</source>
-        <translation>Partie d&apos;une commande ou d&apos;un raccourci</translation>
-    </message>
-    <message>
         <source>Commands</source>
         <translation>Commandes</translation>
     </message>
@@ -6604,6 +6704,14 @@
     <message>
         <source>It is taken from &quot;%1&quot;.</source>
         <translation>Il est retiré à « %1 ».</translation>
+    </message>
+    <message>
+        <source>Part of a command, a menu or a shortcut</source>
+        <translation>Partie d&apos;une commande, d&apos;un menu ou d&apos;un raccourci</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
     </message>
 </context>
 <context>
@@ -7110,10 +7218,6 @@
         <translation>Voir les lieux</translation>
     </message>
     <message>
-        <source>Press F8 (View &gt; Layers &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
-        <translation>Appuyez sur F8 (Vue &gt; Couches &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
-    </message>
-    <message>
         <source>Plan with topology</source>
         <translation>Planifier avec la topologie</translation>
     </message>
@@ -7174,8 +7278,12 @@
         <translation>Écrire le rapport</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Run &gt; Report of the path does the same for one motion. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Calcul &gt; Rapport du chemin fait de même pour un mouvement. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
+        <source>Press F8 (View &gt; Layers of places &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
+        <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Run &gt; Path &gt; Report of the path does the same for one motion. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Calcul &gt; Chemin &gt; Rapport du chemin fait de même pour un mouvement. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -7531,6 +7639,89 @@
     <message>
         <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Méta</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée (pavé)</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv.</translation>
     </message>
 </context>
 </TS>

@@ -17,7 +17,6 @@
 #include <QTemporaryDir>
 #include <QTextEdit>
 #include <QToolBar>
-#include <QTranslator>
 #include <QtTest>
 
 #include <cmath>
@@ -25,13 +24,10 @@
 #include <set>
 
 #include "app/window/command_palette.h"
-#include "app/window/main_window.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
-#include "app/window/theme.h"
 #include "engine/scenario/scenario_io.h"
-#include "tests/app/unseen_scene.h"
-#include "tests/engine/support/directories.h"
+#include "tests/app/whole_window.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/editors/attribute_dialog.h"
 #include "widgets/editors/parts_dialog.h"
@@ -122,41 +118,7 @@ void expectReachedByTab(QWidget& root) {
   }
 }
 
-class AccessibilityTest : public testing::TestWithParam<const char*> {
- protected:
-  AccessibilityTest() {
-    if (QLatin1String(GetParam()) == QLatin1String("fr")) {
-      EXPECT_TRUE(
-          french_.load(QString::fromStdString(test::programDirectory()) + QStringLiteral("/../app/glissade_fr.qm")));
-      QApplication::installTranslator(&french_);
-    }
-    usual_ = QApplication::palette();
-  }
-  ~AccessibilityTest() override {
-    QApplication::removeTranslator(&french_);
-    qApp->setStyleSheet(QString());
-    QApplication::setPalette(usual_);
-  }
-
-  std::unique_ptr<MainWindow> makeWindow() {
-    setFontPoints(Preferences{}.fontPoints);
-    auto window = std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<test::UnseenScene>(); },
-                                               SessionClock::Lockstep);
-    window->setBatch(true);
-    window->setTheme(Theme::Light);
-    window->resize(1280, 720);
-    return window;
-  }
-
- private:
-  QTranslator french_;
-  QPalette usual_;
-};
-
-QString sample(const char* name) {
-  return QString::fromStdString(test::sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(name) +
-         QStringLiteral("/scenario.json");
-}
+using AccessibilityTest = test::WholeWindowTest;
 
 double luminance(const QColor& colour) {
   const auto linear = [](double share) {

@@ -137,7 +137,7 @@ TEST(CommandPalette, DoesNotTriggerWhatCannotBeDone) {
   actions["view.top"]->setEnabled(false);
   CommandPalette palette(actions, nullptr);
   QTest::keyClicks(&palette.field(), QStringLiteral("view.top"));
-  EXPECT_EQ(palette.list().currentRow(), -1);
+  EXPECT_EQ(palette.list().currentItem(), nullptr);
   QTest::keyClick(&palette.field(), Qt::Key_Return);
   EXPECT_NE(palette.result(), QDialog::Accepted);
 }

@@ -34,6 +34,18 @@ TEST(Translation, QtsOwnButtonsAreInFrench) {
   EXPECT_TRUE(context.contains(QStringLiteral("<translation>Annuler</translation>")));
 }
 
+/// "Shift+F1" stood in French menus, and "Maj+F1" in French texts.
+TEST(Translation, NamesOfKeysAreInFrench) {
+  QFile file(QString::fromStdString(test::sourceDirectory() + "/resources/i18n/glissade_fr.ts"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(file.readAll());
+  const QString context = text.mid(text.indexOf(QStringLiteral("<name>QShortcut</name>")));
+  for (const char* key : kKeyTexts) {
+    EXPECT_TRUE(context.contains(QStringLiteral("<source>%1</source>").arg(QLatin1String(key)))) << key;
+  }
+  EXPECT_TRUE(context.contains(QStringLiteral("<translation>Maj</translation>")));
+}
+
 TEST(Translation, EveryTextOfTheEngineThatTheWindowShowsIsOnTheTranslatorsList) {
   const auto listed = [](const std::string& text) {
     for (const char* entry : kEngineTexts) {

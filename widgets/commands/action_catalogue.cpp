@@ -16,8 +16,20 @@ QString translated(const char* text) { return QCoreApplication::translate("Actio
 
 /// What a button says where its panel or its icon tells what it is about; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
+    {"file.open", QT_TRANSLATE_NOOP("Actions", "Open")},
+    {"file.save", QT_TRANSLATE_NOOP("Actions", "Save")},
     {"file.export", QT_TRANSLATE_NOOP("Actions", "Export")},
+    {"run.start", QT_TRANSLATE_NOOP("Actions", "Start")},
+    {"run.pause", QT_TRANSLATE_NOOP("Actions", "Pause")},
+    {"run.stop", QT_TRANSLATE_NOOP("Actions", "Stop")},
     {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "New seed")},
+    {"work.cancel", QT_TRANSLATE_NOOP("Actions", "Cancel")},
+    {"path.first-blocked", QT_TRANSLATE_NOOP("Actions", "Where is it blocked?")},
+    {"view.path-authors", QT_TRANSLATE_NOOP("Actions", "Path by author")},
+    {"study.zoom-out", QT_TRANSLATE_NOOP("Actions", "Whole plot")},
+    {"refusal.allow", QT_TRANSLATE_NOOP("Actions", "Allow as fits")},
+    {"assembly.align", QT_TRANSLATE_NOOP("Actions", "Align")},
+    {"assembly.snap", QT_TRANSLATE_NOOP("Actions", "Snap")},
     {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip")},
     {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid")},
     {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer")},

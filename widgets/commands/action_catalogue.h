@@ -19,8 +19,13 @@ struct ActionSpec {
   bool checkable;
 };
 
-/// The text of an action without its mnemonic.
-inline QString withoutMnemonic(QString text) { return text.remove(QLatin1Char('&')); }
+/// The text of an action without its mnemonic; "&&" stands for a '&'.
+inline QString withoutMnemonic(QString text) {
+  for (int at = text.indexOf(QLatin1Char('&')); at >= 0; at = text.indexOf(QLatin1Char('&'), at + 1)) {
+    text.remove(at, 1);
+  }
+  return text;
+}
 
 /// The same without the dots of "opens a dialog": as people name the command.
 inline QString commandName(QString text) {

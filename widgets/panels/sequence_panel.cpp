@@ -75,7 +75,7 @@ SequencePanel::SequencePanel(const ActionCatalogue& actions, QWidget* parent)
 
 /// What a person can do to a step: the menu of the table, and of a button.
 void SequencePanel::addEditing(const ActionCatalogue& actions) {
-  auto* forbid = new QMenu(tr("Forbid a &direction"), this);
+  auto* forbid = new QMenu(tr("&Forbid a direction"), this);
   forbid->addAction(actions["sequence.forbid-way"]);
   for (const char* axis : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
     const QString id = QLatin1String(axis);

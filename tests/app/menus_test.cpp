@@ -1,0 +1,188 @@
+// The menus of the window, in English and in French.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QDirIterator>
+#include <QFile>
+#include <QLabel>
+#include <QMenuBar>
+#include <QRegularExpression>
+
+#include "app/window/manual_controller.h"
+#include "app/window/menu_mnemonics.h"
+#include "app/window/menu_path.h"
+#include "app/window/menu_table.h"
+#include "tests/app/whole_window.h"
+#include "widgets/manual/manual_pages.h"
+
+namespace glissade {
+namespace {
+
+constexpr int kMostEntries = 18;
+/// Of a screen of 1920 x 1080 pixels at 200 %.
+constexpr int kLeastScreenHeight = 540;
+
+using MenusTest = test::WholeWindowTest;
+
+/// Without separators, notes ("No file yet"), and texts that have no word, such as "+X".
+std::vector<QAction*> commandsOf(const QList<QAction*>& actions) {
+  std::vector<QAction*> commands;
+  for (QAction* action : actions) {
+    const bool isNote = !action->isEnabled() && action->objectName().isEmpty() && !action->isCheckable();
+    if (!action->isSeparator() && !isNote && withoutMnemonic(action->text()).size() > 2) commands.push_back(action);
+  }
+  return commands;
+}
+
+void expectUniqueMnemonics(const QList<QAction*>& actions, const std::string& where) {
+  QHash<QChar, QString> owners;
+  for (const QAction* command : commandsOf(actions)) {
+    const QChar letter = mnemonicOf(command->text());
+    EXPECT_FALSE(letter.isNull()) << where << ": no mnemonic: " << command->text().toStdString();
+    EXPECT_FALSE(owners.contains(letter))
+        << where << ": " << command->text().toStdString() << ", " << owners.value(letter).toStdString();
+    owners[letter] = command->text();
+  }
+}
+
+void carryOut(MainWindow& window, const std::string& name, const std::vector<std::string>& words) {
+  const Outcome done = window.workbench().scripts.carryOut(name, words);
+  EXPECT_TRUE(done) << name << ": " << toString(done.error());
+}
+
+TEST_P(MenusTest, MnemonicsAreUniqueAndNoMenuIsTooLong) {
+  const auto window = makeWindow();
+  ASSERT_EQ(window->openScenario(sample("teaching"), true), std::nullopt);
+  for (const char* view : {"Above", "A & B", "Side"}) carryOut(*window, "save-view", {view});
+  expectUniqueMnemonics(window->menuBar()->actions(), "menu bar");
+  for (QMenu* menu : window->findChildren<QMenu*>()) {
+    emit menu->aboutToShow();
+    const std::string name = menu->objectName().toStdString() + " " + menu->title().toStdString();
+    expectUniqueMnemonics(menu->actions(), name);
+    EXPECT_LE(commandsOf(menu->actions()).size(), kMostEntries) << name;
+    EXPECT_LE(menu->sizeHint().height(), kLeastScreenHeight) << name;
+  }
+  for (const QWidget* widget : window->findChildren<QWidget*>()) {
+    if (widget->contextMenuPolicy() != Qt::ActionsContextMenu) continue;
+    expectUniqueMnemonics(widget->actions(), widget->objectName().toStdString());
+  }
+}
+
+/// Alt and a letter does nothing where a menu and a label have it.
+TEST_P(MenusTest, NoLabelOfAPanelHasTheMnemonicOfAMenu) {
+  const auto window = makeWindow();
+  QString letters;
+  for (const QAction* title : window->menuBar()->actions()) letters += mnemonicOf(title->text());
+  const auto expectFree = [&letters](const QString& text) {
+    const QChar letter = mnemonicOf(text);
+    EXPECT_TRUE(letter.isNull() || !letters.contains(letter)) << text.toStdString();
+  };
+  for (const QLabel* label : window->findChildren<QLabel*>()) {
+    if (label->buddy() != nullptr) expectFree(label->text());
+  }
+  for (const QAbstractButton* button : window->findChildren<QAbstractButton*>()) expectFree(button->text());
+}
+
+TEST_P(MenusTest, MnemonicsOfTheMenuOfTheSceneAreUnique) {
+  const auto window = makeWindow();
+  ASSERT_EQ(window->openScenario(sample("teaching"), true), std::nullopt);
+  window->show();
+  window->workbench().scene.widget()->setFocus();
+  carryOut(*window, "action", {"environment.build"});
+  const std::vector<std::vector<std::string>> selections{{}, {"body", "O1"}, {"place", "P1"}};
+  for (const auto& selection : selections) {
+    if (!selection.empty()) carryOut(*window, "select", selection);
+    carryOut(*window, "action", {"edit.context-menu"});
+    auto* menu = window->findChild<QMenu*>(QStringLiteral("context-menu"));
+    ASSERT_NE(menu, nullptr);
+    expectUniqueMnemonics(menu->actions(), selection.empty() ? "scene" : selection[0]);
+    menu->close();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+TEST_P(MenusTest, EveryActionIsInOneMenuAndSubmenusAreNoDeeperThanOne) {
+  const auto window = makeWindow();
+  QHash<QString, int> count;
+  for (const MenuSpec& menu : menuTable()) {
+    for (const char* entry : menu.entries) ++count[QLatin1String(entry)];
+  }
+  for (const ActionSpec& spec : actionSpecs()) {
+    const QString path = menuPath(*window->workbench().actions[QLatin1String(spec.id)]);
+    EXPECT_FALSE(path.isEmpty()) << spec.id << " is in no menu (app/window/menu_table.cpp)";
+    EXPECT_LE(path.count(QLatin1Char('>')), 1) << spec.id;
+    EXPECT_LE(count.value(QLatin1String(spec.id)), 1) << spec.id;
+  }
+}
+
+/// "View > Layers > Path" of every action and "View > Layers" of every submenu.
+QStringList pathsOf(MainWindow& window) {
+  QStringList paths;
+  for (const QMenu* menu : window.menuBar()->findChildren<QMenu*>() + window.findChildren<QMenu*>()) {
+    for (const QAction* entry : menu->actions()) {
+      const QString path = menuPath(*entry);
+      if (!path.isEmpty()) paths << path + QStringLiteral(" > ") + commandName(entry->text());
+    }
+  }
+  return paths;
+}
+
+/// Of text that begins with "View > ": null where a path of the window is there, else its beginning.
+QString unknownPath(const QString& text, const QStringList& paths) {
+  for (const QString& path : paths) {
+    if (text.startsWith(path) && !text.mid(path.size()).startsWith(QStringLiteral(" > "))) return {};
+  }
+  return text.left(70);
+}
+
+int expectKnownPaths(MainWindow& window, const QString& text, const std::string& where) {
+  QStringList titles;
+  for (const QAction* title : window.menuBar()->actions()) titles << withoutMnemonic(title->text());
+  const QStringList paths = pathsOf(window);
+  const QRegularExpression pattern(QStringLiteral("\\b(?:%1) > ").arg(titles.join(QLatin1Char('|'))),
+                                   QRegularExpression::UseUnicodePropertiesOption);
+  int found = 0;
+  for (auto matches = pattern.globalMatch(text); matches.hasNext(); ++found) {
+    const QString unknown = unknownPath(text.mid(matches.next().capturedStart()), paths);
+    EXPECT_TRUE(unknown.isNull()) << where << " names no menu path: " << unknown.toStdString();
+  }
+  return found;
+}
+
+QString plainText(QString html) {
+  html.remove(QRegularExpression(QStringLiteral("<[^>]*>")));
+  return html.replace(QStringLiteral("&gt;"), QStringLiteral(">"))
+      .replace(QStringLiteral("&apos;"), QStringLiteral("'"));
+}
+
+QString textOf(const QString& name) {
+  QFile file(name);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << name.toStdString();
+  return QString::fromUtf8(file.readAll());
+}
+
+TEST_P(MenusTest, MenuPathsThatDocumentsNameExist) {
+  const auto window = makeWindow();
+  const QString root = QString::fromStdString(test::sourceDirectory()) + QLatin1Char('/');
+  int found = expectKnownPaths(*window, plainText(textOf(root + "resources/i18n/glissade_fr.ts")), "a text");
+  EXPECT_GT(found, 5);
+  const auto pages = manualPages(manualFacts(*window, window->workbench().actions));
+  ASSERT_TRUE(pages);
+  for (const auto& page : *pages)
+    found += expectKnownPaths(*window, plainText(page.content.html), page.name.toStdString());
+  EXPECT_GT(found, 50);
+  if (QLatin1String(GetParam()) != QLatin1String("en")) return;
+  QStringList documents{root + "README.md", root + "CHANGELOG.md", root + "widgets/README.md"};
+  for (QDirIterator samples(root + "samples", {"*.md"}, QDir::Files, QDirIterator::Subdirectories);
+       samples.hasNext();) {
+    documents << samples.next();
+  }
+  int inDocuments = 0;
+  for (const QString& file : documents) inDocuments += expectKnownPaths(*window, textOf(file), file.toStdString());
+  EXPECT_GT(inDocuments, 15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, MenusTest, testing::Values("en", "fr"));
+
+}  // namespace
+}  // namespace glissade

@@ -1,0 +1,53 @@
+// The whole window in this process, in a language, drawn by nobody.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTranslator>
+#include <memory>
+
+#include "app/window/main_window.h"
+#include "app/window/theme.h"
+#include "tests/app/unseen_scene.h"
+#include "tests/engine/support/directories.h"
+
+namespace glissade::test {
+
+/// The parameter is the language: "en" or "fr".
+class WholeWindowTest : public testing::TestWithParam<const char*> {
+ protected:
+  WholeWindowTest() {
+    if (QLatin1String(GetParam()) == QLatin1String("fr")) {
+      EXPECT_TRUE(french_.load(QString::fromStdString(programDirectory()) + QStringLiteral("/../app/glissade_fr.qm")));
+      QApplication::installTranslator(&french_);
+    }
+    usual_ = QApplication::palette();
+  }
+  ~WholeWindowTest() override {
+    QApplication::removeTranslator(&french_);
+    qApp->setStyleSheet(QString());
+    QApplication::setPalette(usual_);
+  }
+
+  std::unique_ptr<MainWindow> makeWindow() {
+    setFontPoints(Preferences{}.fontPoints);
+    auto window =
+        std::make_unique<MainWindow>([](QWidget*) { return std::make_unique<UnseenScene>(); }, SessionClock::Lockstep);
+    window->setBatch(true);
+    window->setTheme(Theme::Light);
+    window->resize(1280, 720);
+    return window;
+  }
+
+  static QString sample(const char* name) {
+    return QString::fromStdString(sourceDirectory()) + QStringLiteral("/samples/") + QLatin1String(name) +
+           QStringLiteral("/scenario.json");
+  }
+
+ private:
+  QTranslator french_;
+  QPalette usual_;
+};
+
+}  // namespace glissade::test
