@@ -85,7 +85,6 @@ void MainWindow::addParts() {
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
-  auto* sections = new SectionController(bench_);
   auto* fits = new FitsController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
@@ -110,6 +109,7 @@ void MainWindow::addParts() {
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
+  auto* sections = new SectionController(bench_, *measure);
   new WorkspaceNotice(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);

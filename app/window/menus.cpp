@@ -50,6 +50,7 @@ class Menus {
     add(tr("&Operator"), {"operator."});
     QMenu* view = add(tr("&View"), {"view.", "", "body.", "", "measure."});
     fill(view->addMenu(tr("&Display")), {"display.", "", "display-selected."});
+    fill(view->addMenu(tr("Secti&on")), {"section."});
     view->addMenu(namedViews);
     fill(view->addMenu(tr("Lay&ers")), {"layer."});
     fill(view->addMenu(tr("&Navigation")), {"navigation."});

@@ -15,7 +15,7 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
   const SceneView& view = bench.scene.view();
   const Ray ray = rayThrough(bench.scene, position);
   const auto body =
-      view.layerVisible(SceneLayer::Bodies) ? pickBody(scenario.obstacles, ray, view.hiddenBodies()) : std::nullopt;
+      view.layerVisible(SceneLayer::Bodies) ? pickBody(scenario.obstacles, ray, view.hiddenBodies(), view.sections()) : std::nullopt;
   const double farthest = body ? body->distance : kEndOfRay;
   SceneTarget target;
   RigidBody object = scenario.object;

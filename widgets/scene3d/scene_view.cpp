@@ -28,11 +28,12 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
     parent.addChild(&impl_->layer(which));
   }
   impl_->root->addChild(impl_->sectionClip.node());
-  impl_->root->addChild(impl_->caps);
+  impl_->root->addChild(impl_->caps.node());
   impl_->root->addChild(impl_->depthShading.node());
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
   for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
-                              SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region}) {
+                              SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region,
+                              SceneLayer::Grid}) {
     impl_->layer(id).setNodeMask(0U);
   }
   impl_->camera.setStandardView(StandardView::Isometric);
@@ -76,7 +77,7 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
   impl_->place(SceneLayer::Bodies, obstacle, X_WB);
   if (!impl_->inHand.insert(obstacle).second) return;
   impl_->showSelection();
-  impl_->dropCaps(obstacle);
+  impl_->showSections();
 }
 
 void SceneView::putBackObstacles() {
@@ -94,6 +95,7 @@ void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndG
 void SceneView::fit() {
   impl_->camera.fit(impl_->extent());
   if (impl_->scenario) impl_->camera.enclose(impl_->scenario->scenario.workspace);
+  if (impl_->grid) impl_->camera.enclose(Impl::boxOf(*impl_->grid));
 }
 
 void SceneView::setSnapshot(SnapshotPtr snapshot) {
@@ -155,6 +157,10 @@ void SceneView::setSections(const std::vector<Plane>& sections) {
   impl_->sections = sections;
   impl_->showSections();
 }
+
+void SceneView::onCapsLeft(std::function<void()> callback) { impl_->capsLeft = std::move(callback); }
+
+std::function<std::function<void()>(const WorkWatch&)> SceneView::capsWork() { return impl_->caps.work(); }
 
 const std::vector<Plane>& SceneView::sections() const { return impl_->sections; }
 
@@ -224,6 +230,18 @@ void SceneView::setPathProfile(std::shared_ptr<const ClearanceProfile> profile) 
   impl_->showSnapshot();
 }
 
+void SceneView::setGhosts(const PathSpacing& spacing) {
+  if (spacing == impl_->ghosts) return;
+  impl_->ghosts = spacing;
+  impl_->drawnPath.reset();
+  impl_->showSnapshot();
+}
+
+void SceneView::setGridUnit(double metres) {
+  impl_->gridUnit = metres;
+  impl_->showGrid();
+}
+
 void SceneView::setPathByAuthor(bool byAuthor) {
   impl_->pathByAuthor = byAuthor;
   impl_->drawnPath.reset();
@@ -269,7 +287,9 @@ void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
   if (visible == layerVisible(layer)) return;
   impl_->layer(layer).setNodeMask(visible ? ~0U : 0U);
   if (layer == SceneLayer::Bodies) impl_->showSections();
-  if (layer >= SceneLayer::Graph) {
+  if (layer == SceneLayer::Grid) {
+    impl_->showGrid();
+  } else if (layer >= SceneLayer::Graph) {
     if (impl_->scenario) impl_->showPlan();
   } else if (layer >= SceneLayer::FreeCells) {
     impl_->showEnvironment();
