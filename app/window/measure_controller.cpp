@@ -158,14 +158,12 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& position) const {
-  const ScenarioPtr& scenario = bench_.document.scenario();
-  SceneView& view = bench_.scene.view();
+  const SceneView& view = bench_.scene.view();
   const Ray ray = rayThrough(bench_.scene, position);
-  std::vector<RigidBody> bodies = scenario->obstacles;
-  std::optional<BodyHit> hit;
-  if (view.layerVisible(SceneLayer::Bodies)) hit = pickBody(bodies, ray, view.hiddenBodies(), view.sections());
-  if (view.layerVisible(SceneLayer::Object)) {
-    RigidBody object = scenario->object;
+  std::vector<RigidBody> bodies = view.drawnObstacles();
+  std::optional<BodyHit> hit = pickBody(bodies, ray, {}, view.sections());
+  if (view.layerVisible(SceneLayer::Object) && !view.showsSequence()) {
+    RigidBody object = bench_.document.scenario()->object;
     object.X_WB = view.objectPose();
     const auto onObject = pickBody({object}, ray);
     if (onObject && (!hit || onObject->distance < hit->distance)) {

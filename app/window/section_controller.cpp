@@ -79,8 +79,7 @@ void SectionController::addAcross(int axis) {
   const double size = range.greatest - range.least;
   const auto isFree = [&](double share) {
     return std::none_of(sections.begin(), sections.end(), [&](const SectionPlane& section) {
-      return isAcross(section, direction) &&
-             std::abs(section.place - range.least - share * size) < kSamePlace * size;
+      return isAcross(section, direction) && std::abs(section.place - range.least - share * size) < kSamePlace * size;
     });
   };
   const auto* share = std::find_if(kNewPlaces.begin(), kNewPlaces.end(), isFree);

@@ -65,9 +65,8 @@ QString SectionPanel::freeName(const Vector3& direction) const {
   }
   QString name = kind;
   const auto isTaken = [&] {
-    return std::any_of(rows_.begin(), rows_.end(), [&](const SectionRow* row) {
-      return row->property("section-name").toString() == name;
-    });
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [&](const SectionRow* row) { return row->property("section-name").toString() == name; });
   };
   for (int i = 2; isTaken(); ++i) name = QStringLiteral("%1 %2").arg(kind).arg(i);
   return name;

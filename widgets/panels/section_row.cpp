@@ -50,7 +50,6 @@ SectionRow::SectionRow(const QString& name, const QString& id, const SectionPlan
   length_->setAccessibleName(tr("Place of section %1 as a length").arg(name));
   length_->setToolTip(tr("Place of section %1, in any unit: 25.4 mm, 1 in").arg(name));
   length_->setFixedWidth(length_->fontMetrics().horizontalAdvance(QStringLiteral("-0000.00 mm ")) + 12);
-  otherSide_->setCheckable(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
@@ -82,8 +81,8 @@ void SectionRow::connectWidgets() {
     emit changed();
   });
   connect(length_, &QuantityBox::refused, this, &SectionRow::refused);
-  connect(otherSide_, &QToolButton::toggled, this, [this](bool otherSide) {
-    section_.otherSide = otherSide;
+  connect(otherSide_, &QToolButton::clicked, this, [this] {
+    section_.otherSide = !section_.otherSide;
     emit changed();
   });
   connect(remove_, &QToolButton::clicked, this, &SectionRow::removed);
@@ -120,15 +119,13 @@ void SectionRow::showSection() {
   const QSignalBlocker blockOn(on_);
   const QSignalBlocker blockPlace(place_);
   const QSignalBlocker blockLength(length_);
-  const QSignalBlocker blockSide(otherSide_);
   on_->setChecked(section_.on);
   const double size = range_.greatest - range_.least;
   const double share = size > 0.0 ? (section_.place - range_.least) / size : 0.5;
   place_->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kPlaces)));
   length_->setValue(perMetre_ * section_.place);
-  otherSide_->setChecked(section_.otherSide);
-  for (QWidget* part : {static_cast<QWidget*>(place_), static_cast<QWidget*>(length_),
-                        static_cast<QWidget*>(otherSide_)}) {
+  for (QWidget* part :
+       {static_cast<QWidget*>(place_), static_cast<QWidget*>(length_), static_cast<QWidget*>(otherSide_)}) {
     part->setEnabled(section_.on);
   }
 }

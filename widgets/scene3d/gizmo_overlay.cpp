@@ -121,7 +121,8 @@ void GizmoOverlay::paintRing(QPainter& painter, const GizmoHandle& handle) const
   painter.setPen(QPen(colourOf(handle.axis, kFaint), 1.5));
   painter.drawPolyline(back);
   for (const QPolygonF& part : front) {
-    if (part.size() > 1) HandlePainter(painter, palette()).line(part, colourOf(handle.axis), isMarked(handle) ? kMarkedWidth : kLineWidth);
+    if (part.size() > 1)
+      HandlePainter(painter, palette()).line(part, colourOf(handle.axis), isMarked(handle) ? kMarkedWidth : kLineWidth);
   }
 }
 

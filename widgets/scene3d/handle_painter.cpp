@@ -38,8 +38,8 @@ void HandlePainter::arrow(const QPointF& from, const QPointF& tip, const QColor&
   const double larger = marked ? kMarkedTip : 1.0;
   const QPointF neck = tip - kTipLength * ahead;
   const QPointF point = tip + (larger - 1.0) * kTipLength * ahead;
-  const QPolygonF head(QVector<QPointF>{point, neck + larger * kTipWidth * aside, neck - larger * kTipWidth * aside,
-                                        point});
+  const QPolygonF head(
+      QVector<QPointF>{point, neck + larger * kTipWidth * aside, neck - larger * kTipWidth * aside, point});
   line(QVector<QPointF>{from, neck}, colour, marked ? kMarkedShaft : kShaftWidth);
   line(head, colour, 1.0);
   painter_.setPen(Qt::NoPen);

@@ -136,7 +136,8 @@ osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const B
   if (!segments[1].empty()) lines->addDrawable(makeLines(segments[1], LineKind::Segments, palette.penetration, width));
   group->addChild(lines);
   for (std::size_t i = 0; i < std::min(kBlockedGhosts, refused.blocked.size()); ++i) {
-    const BlockedEdge& edge = refused.blocked[i * refused.blocked.size() / std::min(kBlockedGhosts, refused.blocked.size())];
+    const BlockedEdge& edge =
+        refused.blocked[i * refused.blocked.size() / std::min(kBlockedGhosts, refused.blocked.size())];
     const Pose& to = points[std::min(edge.edge + 1, points.size() - 1)].q;
     const Pose q = interpolate(points[edge.edge].q, to, edge.at);
     group->addChild(makeGhost(object, q, palette.penetration, palette));

@@ -15,12 +15,6 @@ std::vector<SceneLabel> SceneView::labels() const {
   for (const KeptPathPicture& path : impl_->keptPaths) {
     if (!path.way.empty()) labels.push_back({path.way[path.way.size() / 2], path.name});
   }
-  if (impl_->grid) {
-    // Where the grid has half faded, beside the axes.
-    const Vector3 at = impl_->grid->centre + 0.5 * impl_->grid->reach * Vector3::UnitX();
-    labels.push_back(lengthLabel(at, impl_->grid->spacing, false));
-    labels.back().small = true;
-  }
   labels.insert(labels.end(), impl_->measure.labels.begin(), impl_->measure.labels.end());
   const EnvironmentPicture& environment = impl_->environment;
   if (!environment.knowledge) return labels;

@@ -31,9 +31,9 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   impl_->root->addChild(impl_->caps.node());
   impl_->root->addChild(impl_->depthShading.node());
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
-  for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
-                              SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region,
-                              SceneLayer::Grid}) {
+  for (const SceneLayer id :
+       {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells, SceneLayer::Places,
+        SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region, SceneLayer::Grid}) {
     impl_->layer(id).setNodeMask(0U);
   }
   impl_->camera.setStandardView(StandardView::Isometric);
@@ -213,6 +213,22 @@ Box3 SceneView::extentOf(const std::set<std::string>& bodyIds) const {
   return box;
 }
 
+std::vector<RigidBody> SceneView::drawnObstacles() const {
+  std::vector<RigidBody> bodies;
+  if (!impl_->scenario) return bodies;
+  const auto add = [&bodies](const RigidBody& body, const Pose& X_WB) {
+    bodies.push_back(body);
+    bodies.back().X_WB = X_WB;
+  };
+  const std::vector<RigidBody>& obstacles = impl_->scenario->obstacles;
+  for (std::size_t i = 0; layerVisible(SceneLayer::Bodies) && i < obstacles.size(); ++i) {
+    if (impl_->isDrawn(i)) add(obstacles[i], impl_->poseOf(i));
+  }
+  const bool inPlan = showsSequence() && layerVisible(SceneLayer::Object) && impl_->sequence.bodies.back().shown;
+  if (inPlan) add(impl_->scenario->object, impl_->sequence.bodies.back().X_WB);
+  return bodies;
+}
+
 Pose SceneView::objectPose() const {
   if (impl_->playback) return *impl_->playback;
   if (impl_->snapshot) return impl_->snapshot->device.q_device;
@@ -240,6 +256,10 @@ void SceneView::setGhosts(const PathSpacing& spacing) {
 void SceneView::setGridUnit(double metres) {
   impl_->gridUnit = metres;
   impl_->showGrid();
+}
+
+std::optional<double> SceneView::gridSpacing() const {
+  return impl_->grid ? std::make_optional(impl_->grid->spacing) : std::nullopt;
 }
 
 void SceneView::setPathByAuthor(bool byAuthor) {

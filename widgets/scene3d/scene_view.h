@@ -179,6 +179,8 @@ class SceneView {
   void setSweep(std::shared_ptr<const SweptVolume> sweep);
   /// The box of these bodies where they are drawn, by id; the object is where it is shown. Empty: none is there.
   Box3 extentOf(const std::set<std::string>& bodyIds) const;
+  /// The obstacles that are drawn, where they are drawn; while a plan is shown, the object is the last one of them.
+  std::vector<RigidBody> drawnObstacles() const;
   /// Where the object is drawn.
   Pose objectPose() const;
   /// Why the run that is shown found no path; null: nothing is known.
@@ -193,6 +195,8 @@ class SceneView {
   void setGhosts(const PathSpacing& spacing);
   /// The spacing of the grid is a round number of this unit, metres.
   void setGridUnit(double metres);
+  /// Metres between two lines of the grid; nothing where it is not drawn.
+  std::optional<double> gridSpacing() const;
   /// Colours the path's segments by who made them, instead of all alike.
   void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.

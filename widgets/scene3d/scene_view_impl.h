@@ -76,8 +76,8 @@ struct SceneView::Impl {
   std::vector<Plane> sections;
   double gridUnit = 1.0;
   std::optional<GroundGrid> grid;  ///< that is drawn
-  std::set<std::string> hidden;  ///< obstacles, by id
-  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  std::set<std::string> hidden;    ///< obstacles, by id
+  std::set<std::size_t> inHand;    ///< obstacles that are not drawn where the scenario has them
   SequencePicture sequence;
   osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
   osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< that alone; it is cut open

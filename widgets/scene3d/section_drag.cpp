@@ -37,8 +37,7 @@ bool isKnob(const SectionHandle& handle, const CameraController& camera) {
 SectionDrag::SectionDrag(const SectionPlane& section, const SectionHandle& handle, const CameraController& camera,
                          const Ray& grip)
     : from_(section.place),
-      drag_(kSectionArrow,
-            alongZ(handle.middle, isKnob(handle, camera) ? upOf(camera) : section.direction), grip) {
+      drag_(kSectionArrow, alongZ(handle.middle, isKnob(handle, camera) ? upOf(camera) : section.direction), grip) {
   const bool pointsAtEye = section.direction.dot(camera.eye() - handle.middle) > 0.0;
   if (isKnob(handle, camera) && pointsAtEye) sign_ = -1.0;
 }
