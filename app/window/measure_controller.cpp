@@ -1,6 +1,8 @@
 #include "app/window/measure_controller.h"
 
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
@@ -75,6 +77,7 @@ MeasureController::MeasureController(const Workbench& bench)
   hint_->setTextFormat(Qt::PlainText);
   hint_->setAutoFillBackground(true);
   hint_->setMargin(6);
+  hint_->setAlignment(Qt::AlignCenter);
   hint_->hide();
   bench.scene.widget()->installEventFilter(this);
   connect(&preparation_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
@@ -107,6 +110,8 @@ void MeasureController::connectActions() {
   });
   bench_.enable("measure.clear", false);
   bench_.onAction("measure.clear", this, [this] { clear(); });
+  bench_.enable("measure.copy", false);
+  bench_.onAction("measure.copy", this, [this] { QGuiApplication::clipboard()->setText(result_); });
 }
 
 void MeasureController::setKind(Kind kind) {
@@ -130,7 +135,7 @@ void MeasureController::clear() {
   result_.clear();
   bench_.scene.view().setMeasure({});
   bench_.scene.refresh();
-  bench_.enable("measure.clear", false);
+  for (const char* id : {"measure.clear", "measure.copy"}) bench_.enable(id, false);
   showHint();
 }
 
@@ -344,7 +349,7 @@ void MeasureController::show(const QString& text, MeasurePicture picture) {
   result_ = text;
   bench_.scene.view().setMeasure(std::move(picture));
   bench_.scene.refresh();
-  bench_.enable("measure.clear", true);
+  for (const char* id : {"measure.clear", "measure.copy"}) bench_.enable(id, true);
   bench_.messages.log().add(LogLevel::Information, text);
   showHint();
 }
@@ -352,6 +357,10 @@ void MeasureController::show(const QString& text, MeasurePicture picture) {
 /// What was measured, or what is to be clicked next.
 void MeasureController::showHint() {
   QString text = result_;
+  if (!text.isEmpty()) {
+    const QString keys = bench_.actions["measure.copy"]->shortcut().toString(QKeySequence::NativeText);
+    text += QLatin1Char('\n') + tr("%1 copies this. Esc removes it.").arg(keys);
+  }
   const bool first = features_.empty() && bodies_.empty();
   if (text.isEmpty()) {
     switch (kind_) {

@@ -1591,6 +1591,14 @@
         <source>Show a grid under the product, in round lengths of the unit in use</source>
         <translation>Montrer une grille sous le produit, en longueurs rondes de l&apos;unité utilisée</translation>
     </message>
+    <message>
+        <source>Co&amp;py the measurement</source>
+        <translation>Co&amp;pier la mesure</translation>
+    </message>
+    <message>
+        <source>Put what was measured into the clipboard, as text</source>
+        <translation>Mettre ce qui a été mesuré dans le presse-papiers, comme texte</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -4791,6 +4799,10 @@
     <message>
         <source>Click the face that the section lies along. Esc ends this.</source>
         <translation>Cliquez la face le long de laquelle la coupe se place. Échap termine.</translation>
+    </message>
+    <message>
+        <source>%1 copies this. Esc removes it.</source>
+        <translation>%1 copie ceci. Échap l&apos;enlève.</translation>
     </message>
 </context>
 <context>

@@ -64,8 +64,8 @@ TEST_F(DisplayWindow, SectionsAreAddedDraggedAndRemovedAndAGridIsShown) {
   const RunResult outcome = run(QStringLiteral("environment-1"), script);
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("set", "dragged"), 0.005);
-  EXPECT_EQ(change("whole", "again"), 0.0);
-  EXPECT_GT(change("again", "grid"), 0.001);
+  EXPECT_LT(change("whole", "again"), 0.002) << "only the focus is elsewhere";
+  EXPECT_GT(change("again", "grid"), 0.005);
 }
 
 TEST_F(DisplayWindow, TheRoadmapIsFaintOnceAPathIsShownAndAWishBringsItBack) {
@@ -81,7 +81,7 @@ TEST_F(DisplayWindow, TheRoadmapIsFaintOnceAPathIsShownAndAWishBringsItBack) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("faint", "kept"), 0.01);
   EXPECT_GT(change("kept", "tightest"), 0.001);
-  EXPECT_GT(change("many", "none"), 0.005);
+  EXPECT_GT(change("many", "none"), 0.002);
   EXPECT_GT(change("none", "spaced"), 0.001);
 }
 

@@ -299,6 +299,8 @@ const std::vector<ActionSpec>& actionSpecs() {
        QT_TRANSLATE_NOOP("Actions", "Click a cylindrical face"), true},
       {"measure.clearance", QT_TRANSLATE_NOOP("Actions", "Measure a &clearance"), "Ctrl+Alt+C",
        QT_TRANSLATE_NOOP("Actions", "Click two bodies: their smallest distance"), true},
+      {"measure.copy", QT_TRANSLATE_NOOP("Actions", "Co&py the measurement"), "Ctrl+C",
+       QT_TRANSLATE_NOOP("Actions", "Put what was measured into the clipboard, as text"), false},
       {"measure.clear", QT_TRANSLATE_NOOP("Actions", "Remove the mea&surement"), "",
        QT_TRANSLATE_NOOP("Actions", "Hide what was measured"), false},
       {"views.save", QT_TRANSLATE_NOOP("Actions", "&Save this view..."), "",

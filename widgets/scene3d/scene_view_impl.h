@@ -361,7 +361,7 @@ struct SceneView::Impl {
     showPath();
     osg::Group& contact = layer(SceneLayer::Contact);
     contact.removeChildren(0, contact.getNumChildren());
-    if (!playback) contact.addChild(makeContact(*snapshot, palette));
+    if (!playback && !snapshot->path) contact.addChild(makeContact(*snapshot, palette));
     placeObject();
     showGuidance();
   }
