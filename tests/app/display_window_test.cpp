@@ -65,7 +65,7 @@ TEST_F(DisplayWindow, SectionsAreAddedDraggedAndRemovedAndAGridIsShown) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("set", "dragged"), 0.005);
   EXPECT_LT(change("whole", "again"), 0.002) << "only the focus is elsewhere";
-  EXPECT_GT(change("again", "grid"), 0.005);
+  EXPECT_GT(change("again", "grid"), 0.001);
 }
 
 TEST_F(DisplayWindow, TheRoadmapIsFaintOnceAPathIsShownAndAWishBringsItBack) {
