@@ -85,7 +85,6 @@ void ArrangeTool::setOn(bool on) {
   letGo();
   on_ = on;
   gizmo_->setVisible(on);
-  scene_.widget()->setMouseTracking(on);
   showGizmo();
   if (on) {
     scene_.widget()->setCursor(Qt::OpenHandCursor);

@@ -8,6 +8,7 @@ namespace glissade {
 
 DragTool::DragTool(SceneWidget& scene, QObject* parent) : QObject(parent), scene_(scene) {
   scene_.widget()->installEventFilter(this);
+  scene_.widget()->setMouseTracking(true);
 }
 
 bool DragTool::eventFilter(QObject* watched, QEvent* event) {

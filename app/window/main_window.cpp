@@ -85,15 +85,14 @@ void MainWindow::addParts() {
   views_ = new NamedViewsController(bench_);
   connect(views_, &NamedViewsController::cameraMoved, view, &ViewController::publishOperatorFrame);
   new NavigationController(bench_);
-  auto* sections = new SectionController(bench_);
   auto* fits = new FitsController(bench_);
   auto* environment = new EnvironmentController(bench_);
   auto* parts = new PartImport(bench_);
   auto* assembly = new AssemblyController(bench_, *parts);
   new BodyVisibility(bench_, *assembly->scenePanel());
-  auto* path = new PathController(bench_);
+  path_ = new PathController(bench_);
   auto* difficulty = new DifficultyController(bench_);
-  files_ = new FileController(bench_, *parts, *path);
+  files_ = new FileController(bench_, *parts, *path_);
   new WelcomeController(bench_, *files_);
   auto* replay = new ReplayController(bench_);
   replayBar_ = replay->bar();
@@ -110,6 +109,7 @@ void MainWindow::addParts() {
   auto* measure = new MeasureController(bench_);
   connect(measure, &MeasureController::framePicked, assembly, &AssemblyController::placeByFrame);
   new ArrangeController(bench_, *assembly, *measure);
+  auto* sections = new SectionController(bench_, *measure);
   new WorkspaceNotice(bench_);
   new SweepController(bench_);
   auto* kept = new KeptPathsController(bench_);
@@ -125,7 +125,7 @@ void MainWindow::addParts() {
   docks_.add({tr("Section"), "section", sections->panel(), DockPlace::UpperRight, "panel.section"});
   docks_.add({tr("Run"), "run", run->countsPanel(), DockPlace::LowerRight, "panel.run"});
   docks_.add({tr("Plan"), "plan", environment->planPanel(), DockPlace::LowerRight, "panel.plan", Scrolling::Own});
-  docks_.add({tr("Path"), "path", path->panel(), DockPlace::LowerRight, "panel.path"});
+  docks_.add({tr("Path"), "path", path_->panel(), DockPlace::LowerRight, "panel.path"});
   docks_.add({tr("Paths"), "paths", kept->panel(), DockPlace::LowerRight, "panel.paths", Scrolling::Own});
   docks_.add(
       {tr("Log"), "log", log->panel(), DockPlace::LowerRight, "panel.log", Scrolling::Own, [] { return false; }});
@@ -188,6 +188,7 @@ void MainWindow::remember(std::unique_ptr<WindowMemory> memory, bool sizeToo) {
   files_->setMemory(memory_.get());
   dialogs_.setMemory(memory_.get());
   views_->setMemory(memory_.get());
+  path_->remember(*memory_);
   memory_->restoreLayout(*this, sizeToo);
   memory_->restoreChoices(actions_);
   preferences_->remember(*memory_);

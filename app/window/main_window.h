@@ -8,6 +8,7 @@
 namespace glissade {
 
 class FileController;
+class PathController;
 class NamedViewsController;
 class PreferencesController;
 class RecordingController;
@@ -56,6 +57,7 @@ class MainWindow final : public QMainWindow {
   PanelDocks docks_;
   FileController* files_ = nullptr;
   NamedViewsController* views_ = nullptr;
+  PathController* path_ = nullptr;
   RecordingController* recordings_ = nullptr;
   PreferencesController* preferences_ = nullptr;
   QWidget* replayBar_ = nullptr;

@@ -1,6 +1,8 @@
 #include "app/window/measure_controller.h"
 
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
@@ -27,12 +29,13 @@ constexpr double kStillPixels = 4.0;
 constexpr double kSnapPixels = 9.0;
 constexpr int kHintMargin = 10;
 
-constexpr std::array<std::pair<const char*, Kind>, 6> kKinds{{{"measure.distance", Kind::Distance},
+constexpr std::array<std::pair<const char*, Kind>, 7> kKinds{{{"measure.distance", Kind::Distance},
                                                               {"measure.angle", Kind::Angle},
                                                               {"measure.radius", Kind::Radius},
                                                               {"measure.clearance", Kind::Clearance},
                                                               {"assembly.pick-frame", Kind::Frame},
-                                                              {"assembly.align", Kind::Align}}};
+                                                              {"assembly.align", Kind::Align},
+                                                              {"section.pick-face", Kind::Section}}};
 
 QString degreesText(double radians) {
   return QLocale().toString(radians * 180.0 / std::numbers::pi, 'f', 2) + QStringLiteral("°");
@@ -74,6 +77,7 @@ MeasureController::MeasureController(const Workbench& bench)
   hint_->setTextFormat(Qt::PlainText);
   hint_->setAutoFillBackground(true);
   hint_->setMargin(6);
+  hint_->setAlignment(Qt::AlignCenter);
   hint_->hide();
   bench.scene.widget()->installEventFilter(this);
   connect(&preparation_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
@@ -84,7 +88,7 @@ MeasureController::MeasureController(const Workbench& bench)
     }
     if (what & (Change::Scenario | Change::Arrangement)) clear();
     for (const auto& [id, kind] : kKinds) {
-      if (kind != Kind::Align) bench_.enable(id, true);  // an edit is not always possible
+      if (kind != Kind::Align && kind != Kind::Section) bench_.enable(id, true);  // these are not always possible
     }
   });
   connectActions();
@@ -106,6 +110,8 @@ void MeasureController::connectActions() {
   });
   bench_.enable("measure.clear", false);
   bench_.onAction("measure.clear", this, [this] { clear(); });
+  bench_.enable("measure.copy", false);
+  bench_.onAction("measure.copy", this, [this] { QGuiApplication::clipboard()->setText(result_); });
 }
 
 void MeasureController::setKind(Kind kind) {
@@ -129,7 +135,7 @@ void MeasureController::clear() {
   result_.clear();
   bench_.scene.view().setMeasure({});
   bench_.scene.refresh();
-  bench_.enable("measure.clear", false);
+  for (const char* id : {"measure.clear", "measure.copy"}) bench_.enable(id, false);
   showHint();
 }
 
@@ -157,16 +163,19 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
 }
 
 std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& position) const {
-  const ScenarioPtr& scenario = bench_.document.scenario();
-  SceneView& view = bench_.scene.view();
-  std::vector<RigidBody> bodies = scenario->obstacles;
-  if (!view.layerVisible(SceneLayer::Bodies)) bodies.clear();
-  if (view.layerVisible(SceneLayer::Object)) {
-    bodies.push_back(scenario->object);
-    bodies.back().X_WB = view.objectPose();
-  }
+  const SceneView& view = bench_.scene.view();
   const Ray ray = rayThrough(bench_.scene, position);
-  const auto hit = pickBody(bodies, ray, view.hiddenBodies());
+  std::vector<RigidBody> bodies = view.drawnObstacles();
+  std::optional<BodyHit> hit = pickBody(bodies, ray, {}, view.sections());
+  if (view.layerVisible(SceneLayer::Object) && !view.showsSequence()) {
+    RigidBody object = bench_.document.scenario()->object;
+    object.X_WB = view.objectPose();
+    const auto onObject = pickBody({object}, ray);
+    if (onObject && (!hit || onObject->distance < hit->distance)) {
+      bodies.push_back(object);
+      hit = BodyHit{bodies.size() - 1, onObject->distance, onObject->triangle};
+    }
+  }
   if (!hit) return std::nullopt;
   const Vector3 p_W = ray.origin + hit->distance * ray.direction;
   const double pixel = view.camera().viewHeightAt(p_W) / std::max(1, bench_.scene.widget()->height());
@@ -203,9 +212,12 @@ void MeasureController::takeFeature(const Picked& picked) {
   }
   if (known != prepared_.end()) {
     const Vector3 p_B = inverse(picked.body.X_WB) * picked.p_W;
-    const double snap = kind_ == Kind::Radius ? 0.0 : picked.snap;
+    const double snap = kind_ == Kind::Radius || kind_ == Kind::Section ? 0.0 : picked.snap;
     const MeasureFeature feature = placed(known->second->featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB);
-    if (picked.item) {
+    if (kind_ == Kind::Section) {
+      setKind(Kind::None);
+      emit facePicked(feature);
+    } else if (picked.item) {
       takeAlignment(*picked.item, feature);
     } else {
       addFeature(feature);
@@ -337,7 +349,7 @@ void MeasureController::show(const QString& text, MeasurePicture picture) {
   result_ = text;
   bench_.scene.view().setMeasure(std::move(picture));
   bench_.scene.refresh();
-  bench_.enable("measure.clear", true);
+  for (const char* id : {"measure.clear", "measure.copy"}) bench_.enable(id, true);
   bench_.messages.log().add(LogLevel::Information, text);
   showHint();
 }
@@ -345,12 +357,17 @@ void MeasureController::show(const QString& text, MeasurePicture picture) {
 /// What was measured, or what is to be clicked next.
 void MeasureController::showHint() {
   QString text = result_;
+  if (!text.isEmpty()) {
+    const QString keys = bench_.actions["measure.copy"]->shortcut().toString(QKeySequence::NativeText);
+    text += QLatin1Char('\n') + tr("%1 copies this. Esc removes it.").arg(keys);
+  }
   const bool first = features_.empty() && bodies_.empty();
   if (text.isEmpty()) {
     switch (kind_) {
       case Kind::None: break;
       case Kind::Radius: text = tr("Click a cylindrical face. Esc ends measuring."); break;
       case Kind::Frame: text = tr("Click a plane or a cylinder of what is placed. Esc ends this."); break;
+      case Kind::Section: text = tr("Click the face that the section lies along. Esc ends this."); break;
       case Kind::Align:
         text = first ? tr("Click a plane or a cylinder of what moves. Esc ends this.")
                      : tr("Click the plane or the cylinder of another body that it goes onto. Esc ends this.");

@@ -16,12 +16,12 @@ namespace glissade {
 
 /// Measures what is clicked in the scene: distances and angles between vertices, edges and faces, radii, clearances of
 /// bodies. The result stays in the scene until the next one. Esc, or the action again, ends measuring. Also picks the
-/// plane or the cylinder that a body is placed by, and the two that are put onto each other.
+/// plane or the cylinder that a body is placed by, the face of a section, and the two that are put onto each other.
 class MeasureController final : public QObject {
   Q_OBJECT
 
  public:
-  enum class Kind { None, Distance, Angle, Radius, Clearance, Frame, Align };
+  enum class Kind { None, Distance, Angle, Radius, Clearance, Frame, Align, Section };
 
   explicit MeasureController(const Workbench& bench);
 
@@ -29,6 +29,8 @@ class MeasureController final : public QObject {
   void setSelected(const std::optional<AssemblyItem>& item) { selected_ = item; }
 
  signals:
+  /// The face that a section lies along, world frame.
+  void facePicked(const glissade::MeasureFeature& face);
   /// A frame of a body, in the frame of its mesh (MeasurableMesh::frameAt()).
   void framePicked(const glissade::RigidBody& body, const glissade::Pose& X_BF);
   /// The first of the two that are put onto each other was clicked: this is what moves.

@@ -4,6 +4,7 @@
 
 #include "app/window/export_dialog.h"
 #include "app/window/path_script.h"
+#include "app/window/window_memory.h"
 #include "engine/planning/clearance_profile.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "engine/scenario/path_exporter.h"
@@ -51,9 +52,19 @@ PathController::PathController(const Workbench& bench)
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
     if (what & Change::Results) show();
   });
+  connect(&panel_->ghosts(), &GhostRow::changed, this, [this](const PathSpacing& spacing) {
+    bench_.scene.view().setGhosts(spacing);
+    bench_.scene.refresh();
+  });
   connectActions();
   enableActions();
   addPathCommands(bench.scripts, *this);
+}
+
+void PathController::remember(WindowMemory& memory) {
+  panel_->ghosts().setSpacing(memory.ghosts());
+  connect(&panel_->ghosts(), &GhostRow::changed, this,
+          [&memory](const PathSpacing& spacing) { memory.saveGhosts(spacing); });
 }
 
 void PathController::connectActions() {

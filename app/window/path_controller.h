@@ -10,6 +10,8 @@
 
 namespace glissade {
 
+class WindowMemory;
+
 /// The path that was found or given: shown, played, smoothed, read from files and written into them.
 class PathController final : public QObject {
   Q_OBJECT
@@ -18,6 +20,8 @@ class PathController final : public QObject {
   explicit PathController(const Workbench& bench);
 
   PathPanel* panel() const { return panel_; }
+  /// Takes the spacing of ghosts that is remembered; from now on it is kept there.
+  void remember(WindowMemory& memory);
   /// Reads a path of the open scenario, which is then examined; nothing on success.
   std::optional<Diagnostic> open(const QString& file);
   /// The same; an error is shown in a dialog.

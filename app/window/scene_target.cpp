@@ -14,19 +14,23 @@ SceneTarget targetAt(const Workbench& bench, const QPointF& position) {
   const LoadedScenario& scenario = *bench.document.scenario();
   const SceneView& view = bench.scene.view();
   const Ray ray = rayThrough(bench.scene, position);
-  const auto body =
-      view.layerVisible(SceneLayer::Bodies) ? pickBody(scenario.obstacles, ray, view.hiddenBodies()) : std::nullopt;
+  const std::vector<RigidBody> bodies = view.drawnObstacles();
+  const auto body = pickBody(bodies, ray, {}, view.sections());
   const double farthest = body ? body->distance : kEndOfRay;
   SceneTarget target;
-  RigidBody object = scenario.object;
-  object.X_WB = view.objectPose();
-  const auto hit = pickBody({object}, ray);
-  target.isObject = view.layerVisible(SceneLayer::Object) && hit && hit->distance < farthest;
+  if (view.showsSequence()) {
+    target.isObject = body && bodies[body->body].id == scenario.object.id;
+  } else {
+    RigidBody object = scenario.object;
+    object.X_WB = view.objectPose();
+    const auto hit = pickBody({object}, ray);
+    target.isObject = view.layerVisible(SceneLayer::Object) && hit && hit->distance < farthest;
+  }
   const SceneKnowledgePtr& knowledge = bench.document.knowledge();
   if (knowledge && view.layerVisible(SceneLayer::Places)) {
     target.place = pickPlace(knowledge->environment->map, ray, farthest);
-  } else if (body) {
-    target.body = QString::fromStdString(scenario.obstacles[body->body].id);
+  } else if (body && bodies[body->body].id != scenario.object.id) {
+    target.body = QString::fromStdString(bodies[body->body].id);
   }
   return target;
 }

@@ -1,5 +1,8 @@
 #include "app/window/view_controller.h"
 
+#include <QEvent>
+
+#include "widgets/commands/length_text.h"
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/label_overlay.h"
 #include "widgets/scene3d/scale_bar.h"
@@ -19,6 +22,8 @@ ViewController::ViewController(const Workbench& bench) : QObject(&bench.window),
   QWidget* widget = bench.scene.widget();
   new LabelOverlay(bench.scene.view(), widget);
   addNavigationAids();
+  widget->installEventFilter(this);
+  showGridUnit();
   bench.scene.onCameraMoved([this] { publishOperatorFrame(); });
   connect(&bench.document, &WorkbenchDocument::changedForView, this, &ViewController::updateView);
   // A body that was dragged goes back.
@@ -45,6 +50,17 @@ void ViewController::addNavigationAids() {
     bench_.scene.view().camera().lookFrom(towardsEye);
     showCamera();
   });
+}
+
+bool ViewController::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::LocaleChange) showGridUnit();
+  return QObject::eventFilter(watched, event);
+}
+
+void ViewController::showGridUnit() {
+  constexpr double kInch = 0.0254;
+  bench_.scene.view().setGridUnit(lengthUnit() == LengthUnit::Inches ? kInch : 1.0);
+  bench_.scene.refresh();
 }
 
 void ViewController::showCamera() {
@@ -144,6 +160,7 @@ void ViewController::connectActions() {
   layer("layer.milestones", SceneLayer::Milestones);
   layer("layer.region", SceneLayer::Region);
   layer("layer.difficulty", SceneLayer::Difficulty);
+  layer("layer.grid", SceneLayer::Grid);
 }
 
 }  // namespace glissade

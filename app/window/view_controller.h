@@ -14,6 +14,9 @@ class ViewController final : public QObject {
   /// Tells the session how the view is turned: deflections are read in the view's frame.
   void publishOperatorFrame();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void updateView(Changes what);
   void connectActions();
@@ -21,6 +24,8 @@ class ViewController final : public QObject {
   /// After the camera was moved.
   void showCamera();
   void zoomToSelection();
+  /// Lengths may have another unit now.
+  void showGridUnit();
 
   const Workbench& bench_;
 };

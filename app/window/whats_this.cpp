@@ -41,9 +41,10 @@ const std::vector<PartHelp>& panelHelp() {
        QT_TRANSLATE_NOOP("WhatsThis",
                          "The pairs of bodies that touch or overlap as designed, with their kind and the allowance "
                          "that planning takes. The menu of a row accepts a clash or marks a thread.")},
-      {"section", QT_TRANSLATE_NOOP("WhatsThis",
-                                    "Planes across the axes that cut the obstacles open in the view. "
-                                    "Planning does not know of them.")},
+      {"section", QT_TRANSLATE_NOOP(
+                      "WhatsThis",
+                      "Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene "
+                      "drag them. Planning does not know of them.")},
       {"run", QT_TRANSLATE_NOOP("WhatsThis",
                                 "Figures of the run: iterations, nodes and edges of the two trees, configurations by "
                                 "who drew them, and the nearest obstacle of the object.")},

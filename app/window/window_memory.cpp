@@ -23,6 +23,7 @@ const QLatin1String kFontPoints("preferences/font-points");
 const QLatin1String kLengthUnit("preferences/length-unit");
 const QLatin1String kAutosave("preferences/autosave-seconds");
 const QLatin1String kColours("preferences/colours/");
+const QLatin1String kGhosts("path/ghosts-");
 const QLatin1String kChoices("choices/");
 const QLatin1String kShortcuts("shortcuts/");
 
@@ -52,7 +53,8 @@ std::vector<QLatin1String> choiceIds() {
     const QLatin1String id(spec.id);
     if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.dark") ||
         id == QLatin1String("view.orthographic") || id == QLatin1String("display.depth-shading") ||
-        id == QLatin1String("path.follow")) {
+        id == QLatin1String("path.follow") || id == QLatin1String("section.handles") ||
+        id == QLatin1String("layer.grid")) {
       ids.push_back(id);
     }
   }
@@ -134,6 +136,23 @@ void WindowMemory::saveViews(const QString& file, const NamedViews& views) {
   } else {
     settings_.setValue(viewsKey(file), entries);
   }
+}
+
+PathSpacing WindowMemory::ghosts() const {
+  PathSpacing spacing;
+  const int by = settings_.value(kGhosts + QLatin1String("by"), static_cast<int>(spacing.by)).toInt();
+  if (by >= 0 && by <= static_cast<int>(PathSpacing::By::Distance)) spacing.by = static_cast<PathSpacing::By>(by);
+  const int number = settings_.value(kGhosts + QLatin1String("number"), spacing.number).toInt();
+  if (number >= 1 && number <= kMostPathPoses) spacing.number = number;
+  const double distance = settings_.value(kGhosts + QLatin1String("distance"), spacing.distance).toDouble();
+  if (distance > 0.0) spacing.distance = distance;
+  return spacing;
+}
+
+void WindowMemory::saveGhosts(const PathSpacing& spacing) {
+  settings_.setValue(kGhosts + QLatin1String("by"), static_cast<int>(spacing.by));
+  settings_.setValue(kGhosts + QLatin1String("number"), spacing.number);
+  settings_.setValue(kGhosts + QLatin1String("distance"), spacing.distance);
 }
 
 Preferences WindowMemory::preferences() const {

@@ -6,13 +6,14 @@
 
 #include "app/window/named_views.h"
 #include "app/window/preferences.h"
+#include "engine/planning/path_spacing.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: language, size of texts, unit of lengths, colours, navigation, theme, perspective,
-/// shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
+/// panels lie, and a user's choices: ghosts along paths, language, size of texts, unit of lengths, colours, navigation,
+/// theme, perspective, shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
@@ -35,6 +36,10 @@ class WindowMemory {
   /// The views that have a name, of this scenario file.
   NamedViews views(const QString& file) const;
   void saveViews(const QString& file, const NamedViews& views);
+
+  /// Where the object is drawn along paths.
+  PathSpacing ghosts() const;
+  void saveGhosts(const PathSpacing& spacing);
 
   Preferences preferences() const;
   void savePreferences(const Preferences& preferences);

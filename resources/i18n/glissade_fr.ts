@@ -1583,6 +1583,70 @@
         <source>Where is it blocked?</source>
         <translation>Où est-il bloqué ?</translation>
     </message>
+    <message>
+        <source>Section across &amp;X</source>
+        <translation>Coupe en travers de &amp;X</translation>
+    </message>
+    <message>
+        <source>Section across &amp;Y</source>
+        <translation>Coupe en travers de &amp;Y</translation>
+    </message>
+    <message>
+        <source>Section across &amp;Z</source>
+        <translation>Coupe en travers de &amp;Z</translation>
+    </message>
+    <message>
+        <source>Cut bodies open across x; drag the arrow to move the section</source>
+        <translation>Ouvrir les corps en travers de x ; tirez la flèche pour déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>Cut bodies open across y; drag the arrow to move the section</source>
+        <translation>Ouvrir les corps en travers de y ; tirez la flèche pour déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>Cut bodies open across z; drag the arrow to move the section</source>
+        <translation>Ouvrir les corps en travers de z ; tirez la flèche pour déplacer la coupe</translation>
+    </message>
+    <message>
+        <source>Section along a &amp;face</source>
+        <translation>Coupe le long d&apos;une &amp;face</translation>
+    </message>
+    <message>
+        <source>Click a face: the section lies along it, or through the axis of a cylinder</source>
+        <translation>Cliquez une face : la coupe se place le long d&apos;elle, ou par l&apos;axe d&apos;un cylindre</translation>
+    </message>
+    <message>
+        <source>&amp;Handles of sections</source>
+        <translation>&amp;Poignées des coupes</translation>
+    </message>
+    <message>
+        <source>Show outlines of sections, and arrows that drag them</source>
+        <translation>Montrer les contours des coupes, et des flèches qui les déplacent</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all sections</source>
+        <translation>&amp;Retirer toutes les coupes</translation>
+    </message>
+    <message>
+        <source>Draw all bodies whole again</source>
+        <translation>Dessiner de nouveau tous les corps entiers</translation>
+    </message>
+    <message>
+        <source>Grou&amp;nd grid</source>
+        <translation>Gri&amp;lle au sol</translation>
+    </message>
+    <message>
+        <source>Show a grid under the product, in round lengths of the unit in use</source>
+        <translation>Montrer une grille sous le produit, en longueurs rondes de l&apos;unité utilisée</translation>
+    </message>
+    <message>
+        <source>Co&amp;py the measurement</source>
+        <translation>Co&amp;pier la mesure</translation>
+    </message>
+    <message>
+        <source>Put what was measured into the clipboard, as text</source>
+        <translation>Mettre ce qui a été mesuré dans le presse-papiers, comme texte</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -2673,6 +2737,10 @@
     <message>
         <source>Show or hide the panel</source>
         <translation>Montrer ou masquer le panneau</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctions</source>
+        <translation>Coup&amp;es</translation>
     </message>
 </context>
 <context>
@@ -4832,6 +4900,14 @@
         <source>Click the plane or the cylinder of another body that it goes onto. Esc ends this.</source>
         <translation>Cliquer le plan ou le cylindre d&apos;un autre corps sur lequel il va. Échap termine.</translation>
     </message>
+    <message>
+        <source>Click the face that the section lies along. Esc ends this.</source>
+        <translation>Cliquez la face le long de laquelle la coupe se place. Échap termine.</translation>
+    </message>
+    <message>
+        <source>%1 copies this. Esc removes it.</source>
+        <translation>%1 copie ceci. Échap l&apos;enlève.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::MessageLog</name>
@@ -5844,20 +5920,28 @@
 <context>
     <name>glissade::SectionPanel</name>
     <message>
-        <source>Sections cut obstacles open. The object that moves stays whole.</source>
-        <translation>Les coupes ouvrent les obstacles. L&apos;objet mobile reste entier.</translation>
+        <source>Face</source>
+        <translation>Face</translation>
     </message>
     <message>
-        <source>Cut obstacles open across %1</source>
-        <translation>Ouvrir les obstacles par une coupe à travers %1</translation>
+        <source>Remove all</source>
+        <translation>Tout retirer</translation>
     </message>
     <message>
-        <source>Place of the section across %1</source>
-        <translation>Position de la coupe à travers %1</translation>
+        <source>Add:</source>
+        <translation>Ajouter :</translation>
     </message>
     <message>
-        <source>Show the other side of the section across %1</source>
-        <translation>Montrer l&apos;autre côté de la coupe à travers %1</translation>
+        <source>“%1” is no place. Write 10, 25.4 mm or 1 in.</source>
+        <translation>« %1 » n&apos;est pas une position. Écrivez 10, 25,4 mm ou 1 in.</translation>
+    </message>
+    <message>
+        <source>Sections cut bodies open: across an axis, or along a face that is clicked. The object that moves stays whole.</source>
+        <translation>Les coupes ouvrent les corps : en travers d&apos;un axe, ou le long d&apos;une face que l&apos;on clique. L&apos;objet mobile reste entier.</translation>
+    </message>
+    <message>
+        <source>Drag the arrows in the scene, or type a place such as 25.4 mm.</source>
+        <translation>Tirez les flèches dans la scène, ou tapez une position comme 25,4 mm.</translation>
     </message>
 </context>
 <context>
@@ -7372,10 +7456,6 @@
         <translation>Les paires de corps qui se touchent ou se chevauchent par conception, avec leur genre et la tolérance que prend la planification. Le menu d&apos;une ligne accepte une collision ou marque un filetage.</translation>
     </message>
     <message>
-        <source>Planes across the axes that cut the obstacles open in the view. Planning does not know of them.</source>
-        <translation>Des plans perpendiculaires aux axes qui ouvrent les obstacles dans la vue. La planification les ignore.</translation>
-    </message>
-    <message>
         <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
         <translation>Chiffres du calcul : itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
     </message>
@@ -7591,6 +7671,10 @@
         <source>What the program is doing, what keys and devices move, and devices.</source>
         <translation>Ce que fait le programme, ce que déplacent les touches et les périphériques, et les périphériques.</translation>
     </message>
+    <message>
+        <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning does not know of them.</source>
+        <translation>Des plans qui ouvrent les corps dans la vue : en travers d&apos;un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification les ignore.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::NamedViewsController</name>
@@ -7722,6 +7806,83 @@
     <message>
         <source>PgDown</source>
         <translation>Page suiv.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SectionRow</name>
+    <message>
+        <source>Show the other side of section %1</source>
+        <translation>Montrer l&apos;autre côté de la coupe %1</translation>
+    </message>
+    <message>
+        <source>Remove section %1</source>
+        <translation>Retirer la coupe %1</translation>
+    </message>
+    <message>
+        <source>Cut the bodies open by section %1</source>
+        <translation>Ouvrir les corps par la coupe %1</translation>
+    </message>
+    <message>
+        <source>Place of section %1</source>
+        <translation>Position de la coupe %1</translation>
+    </message>
+    <message>
+        <source>Place of section %1 as a length</source>
+        <translation>Position de la coupe %1, en longueur</translation>
+    </message>
+    <message>
+        <source>Place of section %1, in any unit: 25.4 mm, 1 in</source>
+        <translation>Position de la coupe %1, dans une unité quelconque : 25,4 mm, 1 in</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::GhostRow</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>tous les</translation>
+    </message>
+    <message>
+        <source>Ghosts of the object along the path</source>
+        <translation>Fantômes de l&apos;objet le long du chemin</translation>
+    </message>
+    <message>
+        <source>Draw the object along the path: not at all, at a number of places, or every so many millimetres</source>
+        <translation>Dessiner l&apos;objet le long du chemin : pas du tout, en un nombre de lieux, ou tous les tant de millimètres</translation>
+    </message>
+    <message>
+        <source>Number of ghosts</source>
+        <translation>Nombre de fantômes</translation>
+    </message>
+    <message>
+        <source>Number of ghosts between start and goal</source>
+        <translation>Nombre de fantômes entre le départ et le but</translation>
+    </message>
+    <message>
+        <source>Spacing of ghosts</source>
+        <translation>Espacement des fantômes</translation>
+    </message>
+    <message>
+        <source>Spacing of ghosts, in any unit: 25.4 mm, 1 in. Turns count as far as they move the object. At most %1 are drawn.</source>
+        <translation>Espacement des fantômes, dans une unité quelconque : 25,4 mm, 1 in. Les rotations comptent autant qu&apos;elles déplacent l&apos;objet. Au plus %1 sont dessinés.</translation>
+    </message>
+    <message>
+        <source>Ghosts</source>
+        <translation>Fantômes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ScaleBar</name>
+    <message>
+        <source>grid %1</source>
+        <translation>grille %1</translation>
     </message>
 </context>
 </TS>

@@ -52,17 +52,37 @@ TEST_F(DisplayWindow, ASectionOpensBodiesAndCloses) {
   EXPECT_EQ(run(QStringLiteral("environment-1"), QStringLiteral("section x 1.5\n")).exitCode, 3);
 }
 
+TEST_F(DisplayWindow, SectionsAreAddedDraggedAndRemovedAndAGridIsShown) {
+  const QString script = QStringLiteral(
+                             "screenshot %1/whole.png\naction section.add-x\naction section.add-x\n"
+                             "action section.add-z\nexpect-sections 3\nsection x 0.25\nscreenshot %1/set.png\n"
+                             "drag-section 1 30 20\nscreenshot %1/dragged.png\nsection x off\nexpect-sections 2\n"
+                             "action section.handles\naction section.pick-face\nclick 300 330\nexpect-sections 3\n"
+                             "action section.remove-all\nexpect-sections 0\naction panel.scene\n"
+                             "screenshot %1/again.png\naction layer.grid\nscreenshot %1/grid.png\n")
+                             .arg(folder.path());
+  const RunResult outcome = run(QStringLiteral("environment-1"), script);
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+  EXPECT_GT(change("set", "dragged"), 0.005);
+  EXPECT_LT(change("whole", "again"), 0.002) << "only the focus is elsewhere";
+  EXPECT_GT(change("again", "grid"), 0.001);
+}
+
 TEST_F(DisplayWindow, TheRoadmapIsFaintOnceAPathIsShownAndAWishBringsItBack) {
   const QString script = QStringLiteral(
                              "select-operator expert\naction run.start\nwait ended 24000\nexpect solved\n"
                              "screenshot %1/faint.png\naction view.keep-roadmap\nscreenshot %1/kept.png\n"
-                             "action path.tightest\nscreenshot %1/tightest.png\n")
+                             "action path.tightest\nscreenshot %1/tightest.png\n"
+                             "ghosts 40\nscreenshot %1/many.png\nghosts none\nscreenshot %1/none.png\n"
+                             "ghosts 200mm\nscreenshot %1/spaced.png\n")
                              .arg(folder.path());
   const RunResult outcome =
       run(QStringLiteral("environment-2"), script, {QStringLiteral("--seed"), QStringLiteral("6")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
   EXPECT_GT(change("faint", "kept"), 0.01);
   EXPECT_GT(change("kept", "tightest"), 0.001);
+  EXPECT_GT(change("many", "none"), 0.002);
+  EXPECT_GT(change("none", "spaced"), 0.001);
 }
 
 }  // namespace

@@ -65,5 +65,18 @@ TEST(CellSurface, ABlockOfCellsHasSixFacesHoweverManyCells) {
   EXPECT_NEAR(area, 2.0 * (3 * 5 + 5 * 3 + 3 * 3) * edge * edge, 1e-12);
 }
 
+TEST(ScenePick, WhatASectionCutsAwayIsNotThere) {
+  const std::vector<RigidBody> bodies{boxBody("near", {1, 1, 1}, Pose::translation({2, 0, 0})),
+                                      boxBody("far", {1, 1, 1}, Pose::translation({5, 0, 0}))};
+  const Ray ray{Vector3::Zero(), Vector3::UnitX()};
+  const auto open = pickBody(bodies, ray, {}, {{-Vector3::UnitX(), -2.2}});
+  ASSERT_TRUE(open);
+  EXPECT_EQ(open->body, 0U);
+  EXPECT_NEAR(open->distance, 2.5, 1e-12);
+  const auto behind = pickBody(bodies, ray, {}, {{-Vector3::UnitX(), -3.0}});
+  ASSERT_TRUE(behind);
+  EXPECT_EQ(behind->body, 1U);
+}
+
 }  // namespace
 }  // namespace glissade

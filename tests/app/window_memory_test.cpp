@@ -36,6 +36,16 @@ TEST_F(Memory, FilesAreAbsoluteAndCanBeForgotten) {
   EXPECT_TRUE(memory.recentFiles().isEmpty());
 }
 
+TEST_F(Memory, KeepsWhereGhostsAreDrawn) {
+  PathSpacing spacing;
+  EXPECT_EQ(WindowMemory(file()).ghosts(), spacing);
+  spacing = {PathSpacing::By::Distance, 12, 0.025};
+  WindowMemory(file()).saveGhosts(spacing);
+  EXPECT_EQ(WindowMemory(file()).ghosts(), spacing);
+  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("path/ghosts-number"), -3);
+  EXPECT_EQ(WindowMemory(file()).ghosts().number, PathSpacing().number);
+}
+
 std::unique_ptr<QMainWindow> makeWindow() {
   auto window = std::make_unique<QMainWindow>();
   auto* dock = new QDockWidget(window.get());

@@ -104,7 +104,8 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
       shares_(new AuthorBar(this)),
       curve_(new ClearanceCurve(this)),
       slider_(new WaySlider(this)),
-      speed_(new QComboBox(this)) {
+      speed_(new QComboBox(this)),
+      ghosts_(new GhostRow(this)) {
   for (QLabel* label : {certificate_, figures_}) label->setWordWrap(true);
   certificate_->setObjectName(QStringLiteral("certificate"));
   slider_->setAccessibleName(tr("Place on the path"));
@@ -123,6 +124,7 @@ PathPanel::PathPanel(const ActionCatalogue& actions, QWidget* parent)
   layout->addLayout(row);
   layout->addWidget(curve_);
   layout->addLayout(makePlaybackRow(actions));
+  layout->addWidget(ghosts_);
   layout->addWidget(figures_);
   layout->addWidget(sharesTitle_);
   layout->addWidget(shares_);

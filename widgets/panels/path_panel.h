@@ -11,6 +11,7 @@
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/author_bar.h"
 #include "widgets/panels/clearance_curve.h"
+#include "widgets/panels/ghost_row.h"
 #include "widgets/panels/way_slider.h"
 
 namespace glissade {
@@ -23,12 +24,13 @@ class PathPanel final : public QWidget {
  public:
   PathPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
+  GhostRow& ghosts() { return *ghosts_; }
   /// Both null: there is no path.
   void setPath(const std::shared_ptr<const Path>& path, const std::shared_ptr<const PathExamination>& refused,
                const LoadedScenario& scenario);
-  /// The clearance along the path that is shown; null: not known yet.
   /// Writes all texts again.
   void showTexts(const LoadedScenario& scenario);
+  /// The clearance along the path that is shown; null: not known yet.
   void setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario);
   void setPlaying(bool playing);
   /// For films: what playing shows (PlaySlider).
@@ -62,6 +64,7 @@ class PathPanel final : public QWidget {
   ClearanceCurve* curve_;
   WaySlider* slider_;
   QComboBox* speed_;
+  GhostRow* ghosts_;
 };
 
 }  // namespace glissade

@@ -1,120 +1,126 @@
 #include "widgets/panels/section_panel.h"
 
-#include <QEvent>
-#include <QGridLayout>
-#include <QSignalBlocker>
+#include <algorithm>
+#include <array>
 
-#include <cmath>
-
-#include "widgets/commands/length_text.h"
+#include "widgets/commands/flow_layout.h"
 
 namespace glissade {
 namespace {
 
-constexpr int kPositions = 1000;
+/// A direction that differs less from an axis is named after it.
+constexpr double kIsAxis = 0.999999;
 
 }  // namespace
 
-SectionPanel::SectionPanel(QWidget* parent) : QWidget(parent) {
-  auto* grid = new QGridLayout(this);
-  grid->setHorizontalSpacing(6);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  for (int axis = 0; axis < 3; ++axis) rows_[static_cast<std::size_t>(axis)] = addRow(axis);
-  auto* note = new QLabel(tr("Sections cut obstacles open. The object that moves stays whole."), this);
-  note->setWordWrap(true);
-  grid->addWidget(note, 3, 0, 1, 4);
-  grid->setRowStretch(4, 1);
-  setExtent(Box3());
-}
-
-SectionPanel::Row SectionPanel::addRow(int axis) {
-  const QString letter(QLatin1Char("XYZ"[axis]));
-  const Row row{new QCheckBox(letter, this), new QSlider(Qt::Horizontal, this), new QLabel(this),
-                new QToolButton(this)};
-  row.on->setObjectName(QStringLiteral("section-") + letter.toLower());
-  row.on->setToolTip(tr("Cut obstacles open across %1").arg(letter));
-  row.place->setRange(0, kPositions);
-  row.place->setAccessibleName(tr("Place of the section across %1").arg(letter));
-  row.place->setToolTip(row.place->accessibleName());
-  row.otherSide->setText(QStringLiteral("⇄"));
-  row.otherSide->setCheckable(true);
-  row.otherSide->setAutoRaise(true);
-  row.otherSide->setFocusPolicy(Qt::TabFocus);
-  row.otherSide->setToolTip(tr("Show the other side of the section across %1").arg(letter));
-  row.otherSide->setAccessibleName(row.otherSide->toolTip());
-  row.length->setMinimumWidth(fontMetrics().horizontalAdvance(lengthText(-0.888)));
-  row.length->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  auto* grid = static_cast<QGridLayout*>(layout());
-  grid->addWidget(row.on, axis, 0);
-  grid->addWidget(row.place, axis, 1);
-  grid->addWidget(row.length, axis, 2);
-  grid->addWidget(row.otherSide, axis, 3);
-  const auto announce = [this] {
-    showLengths();
-    emit changed();
-  };
-  connect(row.on, &QCheckBox::toggled, this, [this, axis](bool on) {
-    if (on) emit switchedOn(axis);
-  });
-  connect(row.on, &QCheckBox::toggled, this, announce);
-  connect(row.place, &QSlider::valueChanged, this, announce);
-  connect(row.otherSide, &QToolButton::toggled, this, announce);
-  return row;
+SectionPanel::SectionPanel(const ActionCatalogue& actions, QWidget* parent)
+    : QWidget(parent), rowsLayout_(new QVBoxLayout), note_(new QLabel(this)) {
+  const std::array<std::pair<const char*, QString>, 5> buttons{{{"section.add-x", QStringLiteral("X")},
+                                                                {"section.add-y", QStringLiteral("Y")},
+                                                                {"section.add-z", QStringLiteral("Z")},
+                                                                {"section.pick-face", tr("Face")},
+                                                                {"section.remove-all", tr("Remove all")}}};
+  auto* flow = new FlowLayout;
+  flow->addWidget(new QLabel(tr("Add:"), this));
+  for (const auto& [id, text] : buttons) {
+    QAction* action = actions[QLatin1String(id)];
+    action->setIconText(text);
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(commandName(action->text()));
+    flow->addWidget(button);
+    if (firstButton_ == nullptr) firstButton_ = button;
+  }
+  rowsLayout_->setSpacing(2);
+  note_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(flow);
+  column->addLayout(rowsLayout_);
+  column->addWidget(note_);
+  column->addStretch();
+  showNote();
+  setEnabled(false);
 }
 
 void SectionPanel::setExtent(const Box3& extent) {
   extent_ = extent;
-  for (const Row& row : rows_) {
-    const QSignalBlocker blockOn(row.on);
-    const QSignalBlocker blockPlace(row.place);
-    row.on->setChecked(false);
-    row.place->setValue(kPositions / 2);
-  }
   setEnabled(!extent.isEmpty());
-  showLengths();
+  if (extent.isEmpty()) return;
+  for (SectionRow* row : rows_) row->setRange(rangeAlong(row->section().direction, extent));
 }
 
-void SectionPanel::setSection(int axis, bool on, double share) {
-  const Row& row = rows_[static_cast<std::size_t>(axis)];
-  row.place->setValue(static_cast<int>(std::lround(share * kPositions)));
-  row.on->setChecked(on);
-}
-
-void SectionPanel::setOtherSide(int axis, bool otherSide) {
-  QToolButton* button = rows_[static_cast<std::size_t>(axis)].otherSide;
-  const QSignalBlocker block(button);
-  button->setChecked(otherSide);
-}
-
-double SectionPanel::placeOf(int axis) const {
-  const double share = static_cast<double>(rows_[static_cast<std::size_t>(axis)].place->value()) / kPositions;
-  return (1.0 - share) * extent_.min()[axis] + share * extent_.max()[axis];
-}
-
-std::vector<Plane> SectionPanel::sections() const {
-  std::vector<Plane> sections;
-  for (int axis = 0; axis < 3 && !extent_.isEmpty(); ++axis) {
-    const Row& row = rows_[static_cast<std::size_t>(axis)];
-    if (!row.on->isChecked()) continue;
-    const double side = row.otherSide->isChecked() ? -1.0 : 1.0;
-    sections.push_back({side * Vector3(Vector3::Unit(axis)), side * placeOf(axis)});
-  }
+std::vector<SectionPlane> SectionPanel::sections() const {
+  std::vector<SectionPlane> sections;
+  for (const SectionRow* row : rows_) sections.push_back(row->section());
   return sections;
 }
 
-void SectionPanel::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::LocaleChange) showLengths();
+/// X, X 2, Face, Face 2
+QString SectionPanel::freeName(const Vector3& direction) const {
+  QString kind = tr("Face");
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) > kIsAxis) kind = QLatin1Char("XYZ"[axis]);
+  }
+  QString name = kind;
+  const auto isTaken = [&] {
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [&](const SectionRow* row) { return row->property("section-name").toString() == name; });
+  };
+  for (int i = 2; isTaken(); ++i) name = QStringLiteral("%1 %2").arg(kind).arg(i);
+  return name;
 }
 
-void SectionPanel::showLengths() {
-  for (int axis = 0; axis < 3; ++axis) {
-    const Row& row = rows_[static_cast<std::size_t>(axis)];
-    row.length->setText(extent_.isEmpty() ? QString() : lengthText(placeOf(axis)));
-    row.place->setEnabled(row.on->isChecked());
-    row.otherSide->setEnabled(row.on->isChecked());
+void SectionPanel::add(const SectionPlane& section) {
+  const QString name = freeName(section.direction);
+  const QString id = QStringLiteral("section-") + QString(name).remove(QLatin1Char(' ')).toLower();
+  auto* row = new SectionRow(name, id, section, rangeAlong(section.direction, extent_), this);
+  row->setProperty("section-name", name);
+  connect(row, &SectionRow::changed, this, [this] {
+    showNote();
+    emit changed();
+  });
+  connect(row, &SectionRow::removed, this, [this, row] { removeByHand(row); });
+  connect(row, &SectionRow::refused, this, [this](const QString& text) {
+    note_->setText(QStringLiteral("⚠ ") + tr("“%1” is no place. Write 10, 25.4 mm or 1 in.").arg(text));
+  });
+  rows_.push_back(row);
+  rowsLayout_->addWidget(row);
+  showNote();
+}
+
+void SectionPanel::set(std::size_t index, const SectionPlane& section) { rows_[index]->setSection(section); }
+
+void SectionPanel::remove(std::size_t index) {
+  SectionRow* row = rows_[index];
+  rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(index));
+  rowsLayout_->removeWidget(row);
+  row->hide();
+  row->deleteLater();
+  showNote();
+}
+
+/// The next row has the focus then, so that the keyboard goes on there.
+void SectionPanel::removeByHand(SectionRow* row) {
+  const auto index = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), row) - rows_.begin());
+  remove(index);
+  if (rows_.empty()) {
+    firstButton_->setFocus();
+  } else {
+    rows_[std::min(index, rows_.size() - 1)]->focusPlace();
   }
+  emit changed();
+}
+
+void SectionPanel::clear() {
+  while (!rows_.empty()) remove(rows_.size() - 1);
+}
+
+void SectionPanel::showNote() {
+  note_->setText(rows_.empty() ? tr("Sections cut bodies open: across an axis, or along a face that is clicked. The "
+                                    "object that moves stays whole.")
+                               : tr("Drag the arrows in the scene, or type a place such as 25.4 mm."));
 }
 
 }  // namespace glissade

@@ -1,56 +1,47 @@
 #pragma once
 
-#include <QCheckBox>
 #include <QLabel>
-#include <QSlider>
-#include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
-#include <array>
 #include <vector>
 
-#include "engine/geometry/plane_section.h"
+#include "widgets/commands/action_catalogue.h"
+#include "widgets/panels/section_row.h"
 
 namespace glissade {
 
-/// Section planes along the world's axes: one row for each axis, with its place and the side that is cut away.
+/// The sections of the view, one row for each, and buttons that add some.
 class SectionPanel final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SectionPanel(QWidget* parent = nullptr);
+  explicit SectionPanel(const ActionCatalogue& actions, QWidget* parent = nullptr);
 
-  /// What the sliders go through; all sections are off. Announces nothing.
+  /// What the sliders go through.
   void setExtent(const Box3& extent);
-  /// Switches a section on at a share of the extent along its axis (0: x), or off.
-  void setSection(int axis, bool on, double share);
-  /// Which side of a section is cut away: that of the axis, or the other one.
-  void setOtherSide(int axis, bool otherSide);
-  /// The sections that are on.
-  std::vector<Plane> sections() const;
+  const Box3& extent() const { return extent_; }
+  std::vector<SectionPlane> sections() const;
+  /// Announces nothing, as the next three.
+  void add(const SectionPlane& section);
+  void set(std::size_t index, const SectionPlane& section);
+  void remove(std::size_t index);
+  void clear();
 
  signals:
+  /// Somebody has changed, switched or removed a section.
   void changed();
-  /// Before changed().
-  void switchedOn(int axis);
-
- protected:
-  void changeEvent(QEvent* event) override;
 
  private:
-  struct Row {
-    QCheckBox* on;
-    QSlider* place;
-    QLabel* length;
-    QToolButton* otherSide;
-  };
-
-  Row addRow(int axis);
-  double placeOf(int axis) const;
-  void showLengths();
+  QString freeName(const Vector3& direction) const;
+  void removeByHand(SectionRow* row);
+  void showNote();
 
   Box3 extent_;
-  std::array<Row, 3> rows_;
+  std::vector<SectionRow*> rows_;
+  QVBoxLayout* rowsLayout_;
+  QLabel* note_;
+  QWidget* firstButton_ = nullptr;
 };
 
 }  // namespace glissade

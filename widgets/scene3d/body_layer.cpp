@@ -21,6 +21,9 @@ constexpr double kPlainEdges = 400.0;
 constexpr double kLeastShown = 0.03;
 constexpr double kLeastFilled = 0.25;
 constexpr float kGhostFill = 0.16F;
+/// More ghosts than these fade.
+constexpr double kPlainGhosts = 6.0;
+constexpr double kFaintestGhost = 0.12;
 /// Of the part of the moved object that other bodies hide.
 constexpr float kHiddenFill = 0.45F;
 constexpr float kHiddenEdges = 0.30F;
@@ -101,6 +104,19 @@ osg::ref_ptr<osg::Group> hiddenSilhouetteOf(const BodyShape& shape, const osg::V
   return group;
 }
 
+osg::ref_ptr<osg::Group> ghostOf(const BodyShape& shape, const osg::Vec4& colour, const ScenePalette& palette) {
+  const double edges = 0.5 * static_cast<double>(shape.edges->size());
+  const double shown = kPlainEdges / std::max(kPlainEdges, edges);
+  const auto fill = static_cast<float>(std::max(kLeastFilled, shown));
+  osg::ref_ptr<osg::Group> ghost = new osg::Group;
+  osg::ref_ptr<osg::Group> surface = pushedBackSurfaceOf(shape, withOpacity(colour, kGhostFill * fill * colour.a()));
+  makeTransparent(*surface);
+  ghost->addChild(surface);
+  const auto opacity = static_cast<float>(std::max(kLeastShown, shown));
+  ghost->addChild(edgesOf(shape, withOpacity(colour, colour.a() * opacity), 1.5F * palette.pixelScale));
+  return ghost;
+}
+
 }  // namespace
 
 osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
@@ -121,16 +137,24 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
 
 osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                              const ScenePalette& palette) {
-  const double edges = 0.5 * static_cast<double>(shape.edges->size());
-  const double shown = kPlainEdges / std::max(kPlainEdges, edges);
-  const auto fill = static_cast<float>(std::max(kLeastFilled, shown));
   osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
-  osg::ref_ptr<osg::Group> surface = pushedBackSurfaceOf(shape, withOpacity(colour, kGhostFill * fill));
-  makeTransparent(*surface);
-  transform->addChild(surface);
-  const auto opacity = static_cast<float>(std::max(kLeastShown, shown));
-  transform->addChild(edgesOf(shape, withOpacity(colour, colour.a() * opacity), 1.5F * palette.pixelScale));
+  transform->addChild(ghostOf(shape, colour, palette));
   return transform;
+}
+
+osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Pose>& poses, const osg::Vec4& colour,
+                                    const ScenePalette& palette) {
+  const double share = kPlainGhosts / std::max(kPlainGhosts, static_cast<double>(poses.size()));
+  osg::Vec4 faded = colour;
+  faded.a() *= static_cast<float>(std::max(kFaintestGhost, share));
+  const osg::ref_ptr<osg::Group> ghost = ghostOf(shape, faded, palette);
+  osg::ref_ptr<osg::Group> group = new osg::Group;
+  for (const Pose& X_WB : poses) {
+    osg::ref_ptr<osg::MatrixTransform> transform = new osg::MatrixTransform(toOsg(X_WB));
+    transform->addChild(ghost);
+    group->addChild(transform);
+  }
+  return group;
 }
 
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,

@@ -3,6 +3,8 @@
 #include <osg/MatrixTransform>
 #include <osg/ref_ptr>
 
+#include <vector>
+
 #include "engine/geometry/pose.h"
 #include "widgets/scene3d/body_shape.h"
 #include "widgets/scene3d/display_mode.h"
@@ -17,6 +19,11 @@ osg::ref_ptr<osg::MatrixTransform> makeBody(const BodyShape& shape, const Pose& 
 /// The object at a pose where it is not: start, goal, a pose of the path. Fainter where the body has many edges.
 osg::ref_ptr<osg::MatrixTransform> makeGhost(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,
                                              const ScenePalette& palette);
+
+/// The same at many poses, all of one drawing: each is fainter the more there are, so that they do not hide what they
+/// stand beside.
+osg::ref_ptr<osg::Group> makeGhosts(const BodyShape& shape, const std::vector<Pose>& poses, const osg::Vec4& colour,
+                                    const ScenePalette& palette);
 
 /// Over a body that is drawn: a bright skin and its edges, to mark it. It shows through the bodies before it.
 osg::ref_ptr<osg::MatrixTransform> makeHighlight(const BodyShape& shape, const Pose& X_WB, const osg::Vec4& colour,

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "widgets/scene3d/axis_colours.h"
+#include "widgets/scene3d/handle_painter.h"
 
 namespace glissade {
 namespace {
@@ -20,9 +21,6 @@ constexpr double kArmPixels = 92.0;
 constexpr double kMarginPixels = 9.0;
 constexpr double kLineWidth = 2.5;
 constexpr double kMarkedWidth = 5.0;
-constexpr double kBorder = 2.0;
-constexpr double kTipLength = 13.0;
-constexpr double kTipWidth = 5.5;
 constexpr double kFaint = 0.22;
 constexpr int kTurnSteps = 48;
 
@@ -101,17 +99,7 @@ void GizmoOverlay::paintEvent(QPaintEvent* /*event*/) {
     }
   }
   painter.setOpacity(1.0);
-  if (picture_->held) paintAmount(painter, *picture_->held);
-}
-
-void GizmoOverlay::paintLine(QPainter& painter, const QPolygonF& line, const QColor& colour, double width) const {
-  QColor border = palette().color(QPalette::Base);
-  border.setAlphaF(0.75 * colour.alphaF());
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(border, width + kBorder, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
-  painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
+  if (picture_->held) HandlePainter(painter, palette()).amount(picture_->held->amount, picture_->held->pointer, size());
 }
 
 /// The half behind its centre is faint: it cannot be taken.
@@ -133,7 +121,8 @@ void GizmoOverlay::paintRing(QPainter& painter, const GizmoHandle& handle) const
   painter.setPen(QPen(colourOf(handle.axis, kFaint), 1.5));
   painter.drawPolyline(back);
   for (const QPolygonF& part : front) {
-    if (part.size() > 1) paintLine(painter, part, colourOf(handle.axis), isMarked(handle) ? kMarkedWidth : kLineWidth);
+    if (part.size() > 1)
+      HandlePainter(painter, palette()).line(part, colourOf(handle.axis), isMarked(handle) ? kMarkedWidth : kLineWidth);
   }
 }
 
@@ -148,7 +137,7 @@ void GizmoOverlay::paintSquare(QPainter& painter, const GizmoHandle& handle) con
   painter.setPen(Qt::NoPen);
   painter.setBrush(colourOf(handle.axis, isMarked(handle) ? 0.85 : 0.4));
   painter.drawPolygon(corners);
-  paintLine(painter, corners, colourOf(handle.axis), isMarked(handle) ? kLineWidth : 1.5);
+  HandlePainter(painter, palette()).line(corners, colourOf(handle.axis), isMarked(handle) ? kLineWidth : 1.5);
 }
 
 void GizmoOverlay::paintArrow(QPainter& painter, const GizmoHandle& handle) const {
@@ -156,21 +145,7 @@ void GizmoOverlay::paintArrow(QPainter& painter, const GizmoHandle& handle) cons
   const auto from = onScreen(ends.front());
   const auto tip = onScreen(ends.back());
   if (!from || !tip) return;
-  const QPointF along = *tip - *from;
-  const double length = std::hypot(along.x(), along.y());
-  if (length < 1.0) return;
-  const QPointF ahead = along / length;
-  const QPointF aside(-ahead.y(), ahead.x());
-  const double larger = isMarked(handle) ? 1.35 : 1.0;
-  const QPointF neck = *tip - kTipLength * ahead;
-  const QPolygonF head(QVector<QPointF>{*tip + (larger - 1.0) * kTipLength * ahead, neck + larger * kTipWidth * aside,
-                                        neck - larger * kTipWidth * aside, *tip + (larger - 1.0) * kTipLength * ahead});
-  paintLine(painter, QVector<QPointF>{*from, neck}, colourOf(handle.axis),
-            isMarked(handle) ? kMarkedWidth : kLineWidth);
-  paintLine(painter, head, colourOf(handle.axis), 1.0);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colourOf(handle.axis));
-  painter.drawPolygon(head);
+  HandlePainter(painter, palette()).arrow(*from, *tip, colourOf(handle.axis), isMarked(handle));
   paintLetter(painter, handle.axis, isMarked(handle));
 }
 
@@ -207,20 +182,6 @@ void GizmoOverlay::paintTurn(QPainter& painter, const GizmoPicture::Held& held) 
   painter.setPen(QPen(colourOf(held.handle.axis), 1.5));
   painter.setBrush(colourOf(held.handle.axis, 0.3));
   painter.drawPolygon(sector);
-}
-
-/// Beside the pointer, inside the widget.
-void GizmoOverlay::paintAmount(QPainter& painter, const GizmoPicture::Held& held) const {
-  QRectF box = QFontMetricsF(font()).boundingRect(held.amount).adjusted(-6, -3, 6, 3);
-  box.moveTopLeft(held.pointer + QPointF(16, 16));
-  box.moveRight(std::min(box.right(), width() - 4.0));
-  box.moveBottom(std::min(box.bottom(), height() - 4.0));
-  painter.setFont(font());
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette().color(QPalette::Highlight));
-  painter.drawRoundedRect(box, 4, 4);
-  painter.setPen(palette().color(QPalette::HighlightedText));
-  painter.drawText(box, Qt::AlignCenter, held.amount);
 }
 
 }  // namespace glissade

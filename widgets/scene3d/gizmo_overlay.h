@@ -56,9 +56,6 @@ class GizmoOverlay final : public QWidget {
   void paintArrow(QPainter& painter, const GizmoHandle& handle) const;
   void paintLetter(QPainter& painter, int axis, bool marked) const;
   void paintTurn(QPainter& painter, const GizmoPicture::Held& held) const;
-  void paintAmount(QPainter& painter, const GizmoPicture::Held& held) const;
-  /// A line with a border that sets it off from whatever is behind it.
-  void paintLine(QPainter& painter, const QPolygonF& line, const QColor& colour, double width) const;
 
   const SceneView& view_;
   std::optional<GizmoPicture> picture_;

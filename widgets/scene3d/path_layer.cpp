@@ -19,7 +19,8 @@ constexpr float kPathWidth = 4.0F;
 /// A dark rim keeps the path legible before bodies of any colour.
 constexpr float kRimWidth = 7.0F;
 constexpr float kRimOpacity = 0.55F;
-constexpr std::size_t kGhosts = 7;
+/// Of the object where a path is blocked.
+constexpr std::size_t kBlockedGhosts = 7;
 constexpr float kFaded = 0.45F;
 /// Opacity of the part of a path that bodies hide.
 constexpr float kHiddenPath = 0.4F;
@@ -110,10 +111,8 @@ osg::ref_ptr<osg::Group> makePath(const PathPicture& picture, const ScenePalette
   }
   osg::ref_ptr<osg::Group> group = new osg::Group;
   group->addChild(lines);
-  const std::size_t count = std::min(kGhosts, points.size());
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const Pose& q = points[i * (points.size() - 1) / (count - 1)].q;
-    group->addChild(makeGhost(picture.object, q, palette.path, palette));
+  if (!picture.ghosts.empty()) {
+    group->addChild(makeGhosts(picture.object, picture.ghosts, palette.path, palette));
   }
   return group;
 }
@@ -136,8 +135,9 @@ osg::ref_ptr<osg::Group> makeRefusedPath(const PathExamination& refused, const B
   if (!segments[0].empty()) lines->addDrawable(makeLines(segments[0], LineKind::Segments, faded, width));
   if (!segments[1].empty()) lines->addDrawable(makeLines(segments[1], LineKind::Segments, palette.penetration, width));
   group->addChild(lines);
-  for (std::size_t i = 0; i < std::min(kGhosts, refused.blocked.size()); ++i) {
-    const BlockedEdge& edge = refused.blocked[i * refused.blocked.size() / std::min(kGhosts, refused.blocked.size())];
+  for (std::size_t i = 0; i < std::min(kBlockedGhosts, refused.blocked.size()); ++i) {
+    const BlockedEdge& edge =
+        refused.blocked[i * refused.blocked.size() / std::min(kBlockedGhosts, refused.blocked.size())];
     const Pose& to = points[std::min(edge.edge + 1, points.size() - 1)].q;
     const Pose q = interpolate(points[edge.edge].q, to, edge.at);
     group->addChild(makeGhost(object, q, palette.penetration, palette));

@@ -15,6 +15,7 @@ struct PathPicture {
   const Path& path;
   const BodyShape& object;
   const ClearanceProfile* profile = nullptr;  ///< null: the path has one colour
+  const std::vector<Pose>& ghosts;            ///< where the object is drawn beside it
   bool byAuthor = false;                      ///< each segment in the colour of who made it, instead of by clearance
 };
 

@@ -17,6 +17,9 @@ namespace {
 constexpr double kMostBarPixels = 130.0;
 constexpr int kBarMargin = 10;
 constexpr int kAxesSize = 64;
+/// Between the bar and the spacing of the grid beside it.
+constexpr double kGridGap = 14.0;
+constexpr int kGridTextWidth = 130;
 constexpr double kAxisPixels = 22.0;
 
 }  // namespace
@@ -36,7 +39,7 @@ ScaleBar::ScaleBar(const SceneView& view, QWidget* scene) : QWidget(scene), view
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setObjectName(QStringLiteral("scale-bar"));
-  resize(static_cast<int>(kMostBarPixels) + 12, kAxesSize + 30);
+  resize(static_cast<int>(kMostBarPixels) + 12 + kGridTextWidth, kAxesSize + 30);
   scene->installEventFilter(this);
   goToCorner(scene->size());
 }
@@ -63,6 +66,10 @@ void ScaleBar::paintEvent(QPaintEvent* /*event*/) {
   painter.drawLine(QPointF(2, y), QPointF(2 + scale.pixels, y));
   for (const double x : {2.0, 2.0 + scale.pixels}) painter.drawLine(QPointF(x, y - 5), QPointF(x, y));
   painter.drawText(QRectF(2, kAxesSize, scale.pixels, y - 2 - kAxesSize), Qt::AlignCenter, lengthText(scale.metres));
+  if (const auto spacing = view_.gridSpacing()) {
+    painter.drawText(QRectF(scale.pixels + kGridGap, kAxesSize, width(), height() - kAxesSize),
+                     Qt::AlignLeft | Qt::AlignVCenter, tr("grid %1").arg(lengthText(*spacing)));
+  }
   paintAxes(painter);
 }
 

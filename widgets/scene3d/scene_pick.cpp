@@ -1,5 +1,6 @@
 #include "widgets/scene3d/scene_pick.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -37,6 +38,11 @@ std::optional<double> hit(const Ray& ray, const Box3& box) {
   return from <= to ? std::optional<double>(from) : std::nullopt;
 }
 
+bool isCutAway(const Vector3& p_W, const std::vector<Plane>& sections) {
+  return std::any_of(sections.begin(), sections.end(),
+                     [&](const Plane& section) { return section.normal.dot(p_W) > section.offset; });
+}
+
 /// The boxes of meshes in their own frames, each computed once: many bodies have one mesh.
 class MeshBoxes {
  public:
@@ -63,7 +69,7 @@ Ray rayThrough(const CameraController& camera, double x, double y) {
 }
 
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
-                                const std::set<std::string>& hidden) {
+                                const std::set<std::string>& hidden, const std::vector<Plane>& sections) {
   std::optional<BodyHit> nearest;
   MeshBoxes boxes;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -76,7 +82,8 @@ std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray&
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
       const auto& [a, b, c] = mesh.triangles[triangle];
       const auto distance = hit(ray_B, mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
-      if (distance && (!nearest || *distance < nearest->distance)) nearest = BodyHit{i, *distance, triangle};
+      if (!distance || (nearest && *distance >= nearest->distance)) continue;
+      if (!isCutAway(ray.origin + *distance * ray.direction, sections)) nearest = BodyHit{i, *distance, triangle};
     }
   }
   return nearest;

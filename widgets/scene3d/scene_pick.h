@@ -2,8 +2,10 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 #include "engine/environment/topological_map.h"
+#include "engine/geometry/plane_section.h"
 #include "widgets/scene3d/camera_controller.h"
 
 namespace glissade {
@@ -17,14 +19,15 @@ struct Ray {
 /// The ray through a pixel; (x, y) in fractions of the view's height from its centre, y down.
 Ray rayThrough(const CameraController& camera, double x, double y);
 
-/// Where the ray first meets a body that is not hidden: index into `bodies`; nothing where it meets none.
+/// Where the ray first meets a body that is not hidden: index into `bodies`; nothing where it meets none. What lies on
+/// the side of the normal of a plane of `sections` is not there.
 struct BodyHit {
   std::size_t body;
   double distance;
   std::size_t triangle;  ///< of the body's mesh
 };
 std::optional<BodyHit> pickBody(const std::vector<RigidBody>& bodies, const Ray& ray,
-                                const std::set<std::string>& hidden = {});
+                                const std::set<std::string>& hidden = {}, const std::vector<Plane>& sections = {});
 
 /// The place that one means who points there: of all places along the ray, up to the given distance,
 /// the narrowest; kNoPlace where there is none. Rooms lie around everything, holes are pointed at.

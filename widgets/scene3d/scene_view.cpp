@@ -28,11 +28,12 @@ SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
     parent.addChild(&impl_->layer(which));
   }
   impl_->root->addChild(impl_->sectionClip.node());
-  impl_->root->addChild(impl_->caps);
+  impl_->root->addChild(impl_->caps.node());
   impl_->root->addChild(impl_->depthShading.node());
   impl_->layer(SceneLayer::Roadmap).addChild(impl_->roadmap.node());
-  for (const SceneLayer id : {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells,
-                              SceneLayer::Places, SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region}) {
+  for (const SceneLayer id :
+       {SceneLayer::FreeCells, SceneLayer::MobileCells, SceneLayer::StaticCells, SceneLayer::Places,
+        SceneLayer::Borders, SceneLayer::Graph, SceneLayer::Region, SceneLayer::Grid}) {
     impl_->layer(id).setNodeMask(0U);
   }
   impl_->camera.setStandardView(StandardView::Isometric);
@@ -76,7 +77,7 @@ void SceneView::placeObstacle(std::size_t obstacle, const Pose& X_WB) {
   impl_->place(SceneLayer::Bodies, obstacle, X_WB);
   if (!impl_->inHand.insert(obstacle).second) return;
   impl_->showSelection();
-  impl_->dropCaps(obstacle);
+  impl_->showSections();
 }
 
 void SceneView::putBackObstacles() {
@@ -94,6 +95,7 @@ void SceneView::placeGoal(const Pose& X_WB) { impl_->place(SceneLayer::StartAndG
 void SceneView::fit() {
   impl_->camera.fit(impl_->extent());
   if (impl_->scenario) impl_->camera.enclose(impl_->scenario->scenario.workspace);
+  if (impl_->grid) impl_->camera.enclose(Impl::boxOf(*impl_->grid));
 }
 
 void SceneView::setSnapshot(SnapshotPtr snapshot) {
@@ -156,6 +158,10 @@ void SceneView::setSections(const std::vector<Plane>& sections) {
   impl_->showSections();
 }
 
+void SceneView::onCapsLeft(std::function<void()> callback) { impl_->capsLeft = std::move(callback); }
+
+std::function<std::function<void()>(const WorkWatch&)> SceneView::capsWork() { return impl_->caps.work(); }
+
 const std::vector<Plane>& SceneView::sections() const { return impl_->sections; }
 
 Box3 SceneView::extent() const { return impl_->extent(); }
@@ -207,6 +213,22 @@ Box3 SceneView::extentOf(const std::set<std::string>& bodyIds) const {
   return box;
 }
 
+std::vector<RigidBody> SceneView::drawnObstacles() const {
+  std::vector<RigidBody> bodies;
+  if (!impl_->scenario) return bodies;
+  const auto add = [&bodies](const RigidBody& body, const Pose& X_WB) {
+    bodies.push_back(body);
+    bodies.back().X_WB = X_WB;
+  };
+  const std::vector<RigidBody>& obstacles = impl_->scenario->obstacles;
+  for (std::size_t i = 0; layerVisible(SceneLayer::Bodies) && i < obstacles.size(); ++i) {
+    if (impl_->isDrawn(i)) add(obstacles[i], impl_->poseOf(i));
+  }
+  const bool inPlan = showsSequence() && layerVisible(SceneLayer::Object) && impl_->sequence.bodies.back().shown;
+  if (inPlan) add(impl_->scenario->object, impl_->sequence.bodies.back().X_WB);
+  return bodies;
+}
+
 Pose SceneView::objectPose() const {
   if (impl_->playback) return *impl_->playback;
   if (impl_->snapshot) return impl_->snapshot->device.q_device;
@@ -222,6 +244,22 @@ void SceneView::setPathProfile(std::shared_ptr<const ClearanceProfile> profile) 
   impl_->pathProfile = std::move(profile);
   impl_->drawnPath.reset();
   impl_->showSnapshot();
+}
+
+void SceneView::setGhosts(const PathSpacing& spacing) {
+  if (spacing == impl_->ghosts) return;
+  impl_->ghosts = spacing;
+  impl_->drawnPath.reset();
+  impl_->showSnapshot();
+}
+
+void SceneView::setGridUnit(double metres) {
+  impl_->gridUnit = metres;
+  impl_->showGrid();
+}
+
+std::optional<double> SceneView::gridSpacing() const {
+  return impl_->grid ? std::make_optional(impl_->grid->spacing) : std::nullopt;
 }
 
 void SceneView::setPathByAuthor(bool byAuthor) {
@@ -269,7 +307,9 @@ void SceneView::setLayerVisible(SceneLayer layer, bool visible) {
   if (visible == layerVisible(layer)) return;
   impl_->layer(layer).setNodeMask(visible ? ~0U : 0U);
   if (layer == SceneLayer::Bodies) impl_->showSections();
-  if (layer >= SceneLayer::Graph) {
+  if (layer == SceneLayer::Grid) {
+    impl_->showGrid();
+  } else if (layer >= SceneLayer::Graph) {
     if (impl_->scenario) impl_->showPlan();
   } else if (layer >= SceneLayer::FreeCells) {
     impl_->showEnvironment();

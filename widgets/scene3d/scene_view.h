@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -7,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/work_watch.h"
 #include "engine/geometry/plane_section.h"
+#include "engine/planning/path_spacing.h"
 #include "engine/scenario/scenario.h"
 #include "engine/session/session.h"
 #include "engine/sweep/swept_volume.h"
@@ -63,9 +66,10 @@ enum class SceneLayer {
   Difficulty,
   KeptPaths,
   Refusal,
-  Measure
+  Measure,
+  Grid
 };
-inline constexpr int kSceneLayerCount = 23;
+inline constexpr int kSceneLayerCount = 24;
 
 struct EnvironmentPicture;
 
@@ -155,6 +159,11 @@ class SceneView {
   /// object is never cut. None when a scenario is opened; at most kMostSections.
   void setSections(const std::vector<Plane>& sections);
   const std::vector<Plane>& sections() const;
+  /// Called when cut faces of large bodies are left to be made by capsWork().
+  void onCapsLeft(std::function<void()> callback);
+  /// Makes the cut faces that are left on any thread; what it returns is to be called on the GUI thread, before this
+  /// view ends. Null: none is left.
+  std::function<std::function<void()>(const WorkWatch&)> capsWork();
   /// The box of what is drawn: bodies, both ends of the object, and the path. Empty without a scenario.
   Box3 extent() const;
   /// The coarse plan that is shown: that of the run, or one made for the user's edits. May be null.
@@ -170,6 +179,8 @@ class SceneView {
   void setSweep(std::shared_ptr<const SweptVolume> sweep);
   /// The box of these bodies where they are drawn, by id; the object is where it is shown. Empty: none is there.
   Box3 extentOf(const std::set<std::string>& bodyIds) const;
+  /// The obstacles that are drawn, where they are drawn; while a plan is shown, the object is the last one of them.
+  std::vector<RigidBody> drawnObstacles() const;
   /// Where the object is drawn.
   Pose objectPose() const;
   /// Why the run that is shown found no path; null: nothing is known.
@@ -180,6 +191,12 @@ class SceneView {
   void setRoadmapKept(bool kept);
   /// Colours the path by its clearance, from tight to wide; null: one colour.
   void setPathProfile(std::shared_ptr<const ClearanceProfile> profile);
+  /// Where the object is drawn along the path.
+  void setGhosts(const PathSpacing& spacing);
+  /// The spacing of the grid is a round number of this unit, metres.
+  void setGridUnit(double metres);
+  /// Metres between two lines of the grid; nothing where it is not drawn.
+  std::optional<double> gridSpacing() const;
   /// Colours the path's segments by who made them, instead of all alike.
   void setPathByAuthor(bool byAuthor);
   /// The pose shown for the object while a path is played back; nothing: q_device is shown.

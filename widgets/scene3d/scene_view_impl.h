@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/planning/path_spacing.h"
 #include "widgets/scene3d/backdrop.h"
 #include "widgets/scene3d/body_layer.h"
 #include "widgets/scene3d/camera_controller.h"
@@ -16,6 +17,7 @@
 #include "widgets/scene3d/difficulty_layer.h"
 #include "widgets/scene3d/environment_layers.h"
 #include "widgets/scene3d/geometry_builder.h"
+#include "widgets/scene3d/grid_layer.h"
 #include "widgets/scene3d/guidance_layer.h"
 #include "widgets/scene3d/kept_paths_layer.h"
 #include "widgets/scene3d/measure_layer.h"
@@ -24,10 +26,14 @@
 #include "widgets/scene3d/refusal_layer.h"
 #include "widgets/scene3d/roadmap_layer.h"
 #include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/section_caps.h"
 #include "widgets/scene3d/section_layer.h"
 #include "widgets/scene3d/sweep_layer.h"
 
 namespace glissade {
+
+/// Share of the scene's size, for SectionClip: more than single precision leaves out.
+inline constexpr double kSectionSlack = 1e-5;
 
 /// What a SceneView holds and how it draws it. Private to scene_view.cpp and scene_labels.cpp.
 struct SceneView::Impl {
@@ -46,6 +52,7 @@ struct SceneView::Impl {
   std::shared_ptr<const Path> drawnPath;
   std::shared_ptr<const PathExamination> drawnRefusal;
   bool pathByAuthor = false;
+  PathSpacing ghosts;
   std::shared_ptr<const ClearanceProfile> pathProfile;
   std::optional<Pose> playback;
   EnvironmentPicture environment;
@@ -64,12 +71,16 @@ struct SceneView::Impl {
   bool depthShadingWanted = true;
   bool quick = false;  ///< the next picture is one of a camera that moves
   SectionClip sectionClip;
-  osg::ref_ptr<osg::Group> caps = new osg::Group;  ///< a group for each section, with a node for each obstacle
+  SectionCaps caps;
+  std::function<void()> capsLeft;
   std::vector<Plane> sections;
-  std::set<std::string> hidden;  ///< obstacles, by id
-  std::set<std::size_t> inHand;  ///< obstacles that are not drawn where the scenario has them
+  double gridUnit = 1.0;
+  std::optional<GroundGrid> grid;  ///< that is drawn
+  std::set<std::string> hidden;    ///< obstacles, by id
+  std::set<std::size_t> inHand;    ///< obstacles that are not drawn where the scenario has them
   SequencePicture sequence;
   osg::ref_ptr<osg::MatrixTransform> plainObject;          ///< the object as one of the product's bodies
+  osg::ref_ptr<osg::Group> plainObjects = new osg::Group;  ///< that alone; it is cut open
   osg::ref_ptr<osg::Group> motionLayers = new osg::Group;  ///< what is about the motion of the object
 
   osg::Group& layer(SceneLayer id) { return *layers[static_cast<std::size_t>(id)]; }
@@ -141,6 +152,7 @@ struct SceneView::Impl {
     if (!scenario) return;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) place(SceneLayer::Bodies, i, poseOf(i));
     if (!sequence.bodies.empty()) camera.enclose(extent());
+    if (grid) camera.enclose(boxOf(*grid));
     showHidden();
     placeObject();
   }
@@ -233,39 +245,26 @@ struct SceneView::Impl {
   }
 
   void showSections() {
-    sectionClip.setSections(sections, {&layer(SceneLayer::Bodies), &layer(SceneLayer::Selection)});
-    caps->removeChildren(0, caps->getNumChildren());
-    if (!scenario || !visible(SceneLayer::Bodies)) return;
-    for (std::size_t i = 0; i < std::min(sections.size(), kMostSections); ++i) showCaps(i);
+    const double slack = kSectionSlack * std::max(0.0F, layer(SceneLayer::Bodies).getBound().radius());
+    sectionClip.setSections(sections, {&layer(SceneLayer::Bodies), &layer(SceneLayer::Selection), plainObjects}, slack);
+    const bool shown = scenario && visible(SceneLayer::Bodies);
+    caps.show(shown ? sections : std::vector<Plane>(), shown ? capBodies() : std::vector<CapBody>(), palette);
+    if (capsLeft && caps.hasLeft()) capsLeft();
   }
 
-  bool hasCaps(std::size_t obstacle) const { return isDrawn(obstacle) && inHand.count(obstacle) == 0; }
-
-  /// The caps of one section are cut by the others.
-  void showCaps(std::size_t section) {
-    osg::ref_ptr<osg::Group> group = new osg::Group;
+  /// The obstacles in their order, and the object where a plan has it among them. A body in somebody's hand has no
+  /// caps.
+  std::vector<CapBody> capBodies() const {
+    std::vector<CapBody> bodies;
     for (std::size_t i = 0; i < scenario->obstacles.size(); ++i) {
-      osg::ref_ptr<osg::Group> cap;
-      if (hasCaps(i)) {
-        RigidBody body = scenario->obstacles[i];
-        body.X_WB = poseOf(i);
-        cap = makeCap(body, sections[section], palette);
-      }
-      if (!cap) cap = new osg::Group;
-      group->addChild(cap);
+      const RigidBody& body = scenario->obstacles[i];
+      bodies.push_back({body.mesh, poseOf(i), toOsg(body.colour), isDrawn(i) && inHand.count(i) == 0});
     }
-    for (std::size_t other = 0; other < sections.size(); ++other) {
-      if (other != section)
-        group->getOrCreateStateSet()->setMode(GL_CLIP_PLANE0 + static_cast<GLenum>(other), osg::StateAttribute::ON);
+    if (!sequence.bodies.empty()) {
+      const SequenceBody& last = sequence.bodies.back();
+      bodies.push_back({scenario->object.mesh, last.X_WB, toOsg(scenario->object.colour), last.shown});
     }
-    caps->addChild(group);
-  }
-
-  /// A body in somebody's hand has no caps: the others keep theirs.
-  void dropCaps(std::size_t obstacle) {
-    for (unsigned section = 0; section < caps->getNumChildren(); ++section) {
-      caps->getChild(section)->asGroup()->getChild(static_cast<unsigned>(obstacle))->setNodeMask(0U);
-    }
+    return bodies;
   }
 
   /// The layer's children are the obstacles in their order.
@@ -275,6 +274,24 @@ struct SceneView::Impl {
     }
     showSelection();
     showSections();
+  }
+
+  /// Under the product as it is arranged.
+  void showGrid() {
+    grid.reset();
+    Box3 box;
+    if (scenario && visible(SceneLayer::Grid)) {
+      for (const RigidBody& body : scenario->obstacles) box.extend(boundingBox(*body.mesh, body.X_WB));
+      box.extend(boundingBox(*scenario->object.mesh, scenario->problem.start));
+      grid = groundGridUnder(box, gridUnit);
+    }
+    fill(SceneLayer::Grid, grid ? makeGrid(*grid, palette) : nullptr);
+    if (grid) camera.enclose(boxOf(*grid));
+  }
+
+  static Box3 boxOf(const GroundGrid& grid) {
+    const Vector3 reach(grid.reach, grid.reach, 0.0);
+    return {grid.centre - reach, grid.centre + reach};
   }
 
   void showRefusal() {
@@ -305,10 +322,13 @@ struct SceneView::Impl {
       layer(id).removeChildren(0, layer(id).getNumChildren());
     }
     object = nullptr;
+    plainObjects->removeChildren(0, plainObjects->getNumChildren());
+    caps.forget();
     drawnPath.reset();
     drawnRefusal.reset();
     drawnModes.clear();
     showEnvironment();
+    showGrid();
     showDifficulty();
     showRefusal();
     showOverlays();
@@ -319,7 +339,8 @@ struct SceneView::Impl {
     object = makeMovedBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), palette);
     layer(SceneLayer::Object).addChild(object);
     plainObject = makeBody(shapes.of(moved.mesh), moved.X_WB, toOsg(moved.colour), modeOf(moved), palette);
-    layer(SceneLayer::Object).addChild(plainObject);
+    plainObjects->addChild(plainObject);
+    layer(SceneLayer::Object).addChild(plainObjects);
     placeObject();
     osg::Group& ends = layer(SceneLayer::StartAndGoal);
     ends.addChild(makeGhost(shapes.of(moved.mesh), scenario->problem.start, palette.start, palette));
@@ -340,7 +361,7 @@ struct SceneView::Impl {
     showPath();
     osg::Group& contact = layer(SceneLayer::Contact);
     contact.removeChildren(0, contact.getNumChildren());
-    if (!playback) contact.addChild(makeContact(*snapshot, palette));
+    if (!playback && !snapshot->path) contact.addChild(makeContact(*snapshot, palette));
     placeObject();
     showGuidance();
   }
@@ -363,7 +384,9 @@ struct SceneView::Impl {
     group.removeChildren(0, group.getNumChildren());
     if (drawnRefusal) group.addChild(makeRefusedPath(*drawnRefusal, shapes.of(scenario->object.mesh), palette));
     if (!drawnPath) return;
-    group.addChild(makePath({*drawnPath, shapes.of(scenario->object.mesh), pathProfile.get(), pathByAuthor}, palette));
+    const std::vector<Pose> poses = posesAlong(drawnPath->configurations(), scenario->problem.metric(), ghosts);
+    const BodyShape& shape = shapes.of(scenario->object.mesh);
+    group.addChild(makePath({*drawnPath, shape, pathProfile.get(), poses, pathByAuthor}, palette));
     if (snapshot->coarsePlan) group.addChild(makeSteppedPath(*snapshot->coarsePlan, palette));
   }
 

@@ -6,9 +6,7 @@
 
 #include <vector>
 
-#include "engine/environment/rigid_body.h"
 #include "engine/geometry/plane_section.h"
-#include "widgets/scene3d/palette.h"
 
 namespace glissade {
 
@@ -22,14 +20,12 @@ class SectionClip {
 
   /// Belongs into the scene, beside the layers.
   osg::Node* node() const { return clip_; }
-  /// `layers` are cut by these sections, and by no others any more.
-  void setSections(const std::vector<Plane>& sections, const std::vector<osg::Group*>& layers);
+  /// `layers` are cut by these sections, and by no others any more. A face that lies in a section is cut away, too:
+  /// `slack` metres are for the rounding of the graphics card.
+  void setSections(const std::vector<Plane>& sections, const std::vector<osg::Group*>& layers, double slack);
 
  private:
   osg::ref_ptr<osg::ClipNode> clip_;
 };
-
-/// The cut face of a body in one section, filled and outlined; null where the section does not meet it.
-osg::ref_ptr<osg::Group> makeCap(const RigidBody& body, const Plane& section, const ScenePalette& palette);
 
 }  // namespace glissade

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <osg/Group>
+#include <osg/ref_ptr>
+
+#include "widgets/scene3d/palette.h"
+
+namespace glissade {
+
+/// A grid of lines on the ground, across z.
+struct GroundGrid {
+  Vector3 centre = Vector3::Zero();
+  double spacing = 1.0;  ///< metres between two lines
+  double reach = 10.0;   ///< metres from the centre: there it has faded
+};
+
+/// Under the box of a product: its lines are at whole multiples of the spacing, which is 1, 2 or 5 times a power of
+/// ten in a unit of so many metres. Precondition: the box is not empty.
+GroundGrid groundGridUnder(const Box3& box, double unit);
+
+/// Every tenth line is stronger. The lines through the origin have the colours of the axes.
+osg::ref_ptr<osg::Group> makeGrid(const GroundGrid& grid, const ScenePalette& palette);
+
+}  // namespace glissade

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+#include "widgets/scene3d/scene_view.h"
+#include "widgets/scene3d/section_drag.h"
+
+namespace glissade {
+
+/// The outlines and the handles of sections, painted over the widget that shows the scene: pictures and films of the
+/// scene do not have them. Takes no part in mouse and keys.
+class SectionOverlay final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// A handle in the pointer's grip, and how far it is, beside the pointer.
+  struct Held {
+    std::size_t section;
+    QString place;
+    QPointF pointer;
+  };
+
+  /// Covers `scene`, which shows `view`, and follows its size.
+  SectionOverlay(const SceneView& view, QWidget* scene);
+
+  /// Those that are off have no handle. `box` is that of what is drawn.
+  void setSections(const std::vector<SectionPlane>& sections, const Box3& box);
+  void setHovered(const std::optional<std::size_t>& section);
+  const std::optional<std::size_t>& hovered() const { return hovered_; }
+  void setHeld(const std::optional<Held>& held);
+
+  SectionHandle handle(std::size_t section) const { return handleOf(sections_[section], box_); }
+  /// The section whose handle is there.
+  std::optional<std::size_t> sectionAt(const QPointF& position) const;
+  /// Where a handle can be taken; nothing where it is not drawn.
+  std::optional<QPointF> pointOn(std::size_t section) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  std::optional<QPointF> onScreen(const Vector3& p_W) const;
+  /// From the middle to the tip; of a knob both are the middle.
+  std::optional<QLineF> shaftOf(std::size_t section) const;
+  bool isMarked(std::size_t section) const;
+  void paintOutline(QPainter& painter, std::size_t section) const;
+  void paintHandle(QPainter& painter, std::size_t section) const;
+
+  const SceneView& view_;
+  std::vector<SectionPlane> sections_;
+  Box3 box_;
+  std::optional<std::size_t> hovered_;
+  std::optional<Held> held_;
+};
+
+}  // namespace glissade
