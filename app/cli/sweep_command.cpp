@@ -42,8 +42,8 @@ int runSweep(const SweepOptions& options) {
 
   const TriangleMesh& object = *loaded->object.mesh;
   const std::vector<Pose> poses = configurationsOf(*points);
-  const double bound = options.bound.value_or(usualSweepBound(object, poses));
-  const auto sweep = sweptVolume(object, poses, bound, interrupt.token());
+  const auto sweep = options.bound ? sweptVolume(object, poses, *options.bound, interrupt.token())
+                                   : usualSweptVolume(object, poses, interrupt.token());
   if (!sweep) return reportError(sweep.error(), options.format);
   std::vector<std::string> within;
   for (const std::size_t body : bodiesWithin(*sweep, loaded->obstacles, interrupt.token())) {

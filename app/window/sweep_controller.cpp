@@ -45,8 +45,7 @@ void SweepController::compute(const std::function<void()>& then) {
   const auto work = [this, path, scenario, then](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const TriangleMesh& object = *scenario->object.mesh;
     const std::vector<Pose> poses = path->configurations();
-    auto sweep =
-        std::make_shared<Result<SweptVolume>>(sweptVolume(object, poses, usualSweepBound(object, poses), watch.stop));
+    auto sweep = std::make_shared<Result<SweptVolume>>(usualSweptVolume(object, poses, watch));
     QStringList bodies;
     if (*sweep) {
       for (const std::size_t body : bodiesWithin(**sweep, scenario->obstacles, watch.stop)) {

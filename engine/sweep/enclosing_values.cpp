@@ -6,6 +6,7 @@
 #include "engine/sweep/connected_points.h"
 #include "engine/sweep/free_balls.h"
 #include "engine/sweep/helper_threads.h"
+#include "engine/sweep/kuhn_division.h"
 
 namespace glissade {
 namespace {
@@ -101,7 +102,7 @@ class Encloser {
 
   bool isBesideOutside(std::size_t point) const {
     bool beside = false;
-    forEachKuhnNeighbour(lattice_, point, [&](std::size_t next, double) { beside = beside || (*outside_)[next]; });
+    edges_.forEachNeighbour(point, [&](std::size_t next, double) { beside = beside || (*outside_)[next]; });
     return beside;
   }
 
@@ -161,6 +162,7 @@ class Encloser {
   const std::vector<float>& clearances_;
   const WorkWatch& watch_;
   const std::vector<bool>* outside_ = nullptr;
+  KuhnEdges edges_{lattice_};
   std::vector<float> values_;
   std::vector<float> lowering_;
   std::vector<Step> aroundPoint_ = stepsAround(Vector3::Zero(), SweepClearances::kReach);

@@ -12,7 +12,4 @@ using TetrahedronCorners = std::array<int, 4>;
 inline constexpr std::array<TetrahedronCorners, 6> kKuhnTetrahedra{
     {{0, 4, 6, 7}, {0, 6, 2, 7}, {0, 2, 3, 7}, {0, 3, 1, 7}, {0, 1, 5, 7}, {0, 5, 4, 7}}};
 
-/// The edges of the division lead from a point to the seven other corners of the cell there, and back.
-inline constexpr int kKuhnDirections = 7;
-
 }  // namespace glissade

@@ -41,9 +41,15 @@ struct SeenPiece {
   double swing = 0.0;  ///< that this moves, at most
 };
 
+/// A distance is between them.
+struct Bounds {
+  double least;
+  double most;
+};
+
 /// A piece in which the body may come near a block.
 struct NearPiece {
-  double distance;  ///< of the body from the block's middle, at least
+  double distance;  ///< of the body from the middle of the block, at least
   std::size_t piece;
 };
 
@@ -71,14 +77,16 @@ class MovingBody {
     return (p_W - seen.middle_W).squaredNorm() > most * most;
   }
 
-  /// No point of the body's surface is nearer to p during the piece; `limit` where that is not less.
-  double clearance(std::size_t index, const Vector3& p_W, double limit) const {
+  /// The distance of the body's surface from p, at its nearest during the piece; from `limit` on both are at least
+  /// that.
+  Bounds clearance(std::size_t index, const Vector3& p_W, double limit) const {
     const SeenPiece& seen = pieces_[index];
     const Vector3 from = seen.X_BW_from * p_W;
     const Vector3 to = seen.X_BW_to * p_W;
     const double deviation = seen.piece.deviation(std::max(from.norm(), to.norm()));
     const double error = deviation + kRounding * spacing_;
-    return tree_.distanceToSegment(from, to, limit + error, kEnough * spacing_) - error;
+    const double distance = tree_.distanceToSegment(from, to, limit + error, kEnough * spacing_);
+    return {distance - error, distance + error};
   }
 
   /// The body is a solid, and p is inside it at the beginning of the piece.
@@ -111,7 +119,7 @@ class BlockClearances {
     for (std::size_t piece = 0; piece < body_.pieces(); ++piece) {
       if (!body_.isFarther(piece, middle, far)) near.push_back({0.0, piece});
     }
-    lower(block, near);
+    lower(block, near, 0.0);
   }
 
  private:
@@ -124,28 +132,35 @@ class BlockClearances {
            Vector3(block.counts[0] - 1, block.counts[1] - 1, block.counts[2] - 1).norm();
   }
 
-  void lower(const Block& block, const std::vector<NearPiece>& candidates) const {
+  /// `candidates`: the nearest first, with distances from a point that is `aside` from the block's middle.
+  void lower(const Block& block, const std::vector<NearPiece>& candidates, double aside) const {
     const Vector3 middle = middleOf(block);
     const double radius = radiusOf(block);
     std::vector<NearPiece> near;
+    double limit = radius + reach_;
     for (const NearPiece& candidate : candidates) {
       if (stop_.stopRequested()) return;
-      const double distance = body_.clearance(candidate.piece, middle, radius + reach_);
-      if (distance >= radius + reach_) continue;
-      if (distance > radius && body_.contains(candidate.piece, middle)) {
+      if (candidate.distance - aside >= limit) break;
+      const Bounds distance = body_.clearance(candidate.piece, middle, limit);
+      if (distance.least > radius && body_.contains(candidate.piece, middle)) {
         forEachPoint(block, [&](int x, int y, int z) { values_[lattice_.at(x, y, z)] = 0.0F; });
         return;
       }
-      near.push_back({distance, candidate.piece});
+      if (distance.least >= limit) continue;
+      near.push_back({distance.least, candidate.piece});
+      // In farther pieces the body is nearer to no point of the block than in this one.
+      limit = std::min(limit, distance.most + 2.0 * radius);
     }
     if (near.empty()) return;
-    if (*std::max_element(block.counts.begin(), block.counts.end()) > kPointsOfALeaf) {
-      forEachOctant(block, [&](const Block& octant) { lower(octant, near); });
-      return;
-    }
     std::sort(near.begin(), near.end(), [](const NearPiece& a, const NearPiece& b) {
       return a.distance != b.distance ? a.distance < b.distance : a.piece < b.piece;
     });
+    while (near.back().distance >= limit) near.pop_back();
+    if (*std::max_element(block.counts.begin(), block.counts.end()) > kPointsOfALeaf) {
+      forEachOctant(block,
+                    [&](const Block& octant) { lower(octant, near, (middleOf(octant) - middle).norm() * kWider); });
+      return;
+    }
     forEachPoint(block, [&](int x, int y, int z) {
       const Vector3 p = lattice_.point(x, y, z);
       values_[lattice_.at(x, y, z)] = static_cast<float>(valueAt(p, (p - middle).norm() * kWider, near));
@@ -157,7 +172,7 @@ class BlockClearances {
     double least = reach_;
     for (const NearPiece& candidate : near) {
       if (candidate.distance - aside >= least) break;
-      least = std::min(least, body_.clearance(candidate.piece, p, least));
+      least = std::min(least, body_.clearance(candidate.piece, p, least).least);
       if (least <= kEnough * lattice_.spacing) return 0.0;
     }
     return least;

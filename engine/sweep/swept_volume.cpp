@@ -15,8 +15,8 @@
 namespace glissade {
 namespace {
 
-/// Spacings: the bound that surfaces have, nearly always. Where one has more, a finer lattice is taken.
-constexpr double kBound = 1.8;
+/// Spacings: the bound that surfaces have, mostly. Where one has more, a finer lattice is taken.
+constexpr double kBound = 2.3;
 constexpr double kMargin = SweepClearances::kReach + 1.0;  ///< spacings around the motion
 
 constexpr double kMostPoints = 2.5e8;
@@ -24,11 +24,14 @@ constexpr double kUsualPoints = 6e7;
 /// Metres: a body without size has no lattice of its own.
 constexpr double kLeastSpacing = 1e-12;
 
-constexpr double kUsualExcess = 0.05;
+constexpr double kUsualExcess = 0.06;
 constexpr double kUsualCells = 15e3;      ///< that the surface crosses, about: fine enough to look at
 constexpr double kMostUsualCells = 90e3;  ///< about a million triangles
-constexpr double kFirstSpacings = 20.0;   ///< of the diagonal of the body, to estimate the usual bound
-constexpr int kMostEstimates = 4;
+constexpr double kFirstSpacings = 20.0;   ///< of the diagonal of the body
+/// A surface is kept when the spacing wanted is no less than this share of its own.
+constexpr double kFineEnough = 0.85;
+/// Coarse surfaces say little of how fine the last one will be.
+constexpr double kMostRefinement = 4.0;
 /// Spacings: where points no longer count as outside, in the mean.
 constexpr double kCountedOffset = 0.03;
 
@@ -72,6 +75,10 @@ Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string&
   return {kind, "", "", reason, advice};
 }
 
+Diagnostic nothingMoves() {
+  return refusal(ErrorKind::Usage, "there is nothing that moves", "Give a body with triangles and a path.");
+}
+
 /// The volume by which the surface is larger than what is covered, as a share of that.
 double excessOf(const SweptVolume& sweep, const EnclosingValues& enclosing, double spacing) {
   const auto inside = static_cast<double>(std::count(enclosing.outside.begin(), enclosing.outside.end(), false));
@@ -110,28 +117,9 @@ Result<SweptVolume> sweepWithSpacing(const TriangleMesh& body, const std::vector
 
 }  // namespace
 
-double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path, const WorkWatch& watch) {
-  if (body.empty() || path.empty()) return 0.0;
-  const Box3 box = boxOf(body, path);
-  const double least = std::max(leastSpacing(box, kUsualPoints), spacingOfSinglePrecision(box));
-  double spacing = std::max(least, boundingBox(body).diagonal().norm() / kFirstSpacings);
-  for (int i = 0; i < kMostEstimates; ++i) {
-    const auto sweep = sweepWithSpacing(body, path, box, spacing, watch);
-    if (!sweep) break;
-    const double area = areaOf(sweep->surface_W);
-    double wanted = std::min(std::sqrt(area / kUsualCells), spacing * kUsualExcess / sweep->excess);
-    wanted = std::max({wanted, std::sqrt(area / kMostUsualCells), least});
-    if (wanted >= spacing / 3.0) return kBound * wanted;
-    spacing = std::max(wanted, spacing / 4.0);
-  }
-  return kBound * spacing;
-}
-
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,
                                 const WorkWatch& watch) {
-  if (body.empty() || path.empty()) {
-    return refusal(ErrorKind::Usage, "there is nothing that moves", "Give a body with triangles and a path.");
-  }
+  if (body.empty() || path.empty()) return nothingMoves();
   if (!(bound > 0.0) || !std::isfinite(bound)) {
     return refusal(ErrorKind::Usage, "the bound of the swept volume is not above 0", "Give a length as 0.5mm.");
   }
@@ -143,6 +131,22 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
     sweep = sweepWithSpacing(body, path, box, spacing, watch);
   }
   return sweep;
+}
+
+Result<SweptVolume> usualSweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, const WorkWatch& watch) {
+  if (body.empty() || path.empty()) return nothingMoves();
+  const Box3 box = boxOf(body, path);
+  const double least = std::max(leastSpacing(box, kUsualPoints), spacingOfSinglePrecision(box));
+  double spacing = std::max(least, boundingBox(body).diagonal().norm() / kFirstSpacings);
+  while (true) {
+    auto sweep = sweepWithSpacing(body, path, box, spacing, watch);
+    if (!sweep) return sweep;
+    const double area = areaOf(sweep->surface_W);
+    double wanted = std::min(std::sqrt(area / kUsualCells), spacing * kUsualExcess / sweep->excess);
+    wanted = std::max({wanted, std::sqrt(area / kMostUsualCells), least});
+    if (wanted >= kFineEnough * spacing) return sweep;
+    spacing = std::max(wanted, spacing / kMostRefinement);
+  }
 }
 
 }  // namespace glissade

@@ -18,11 +18,6 @@ struct SweptVolume {
   double excess = 0.0;
 };
 
-/// A bound with which the volume is a few percent larger than what is covered, and the surface is fine enough to look
-/// at; larger where that would take too many triangles or too much memory. Sweeps are computed with larger bounds for
-/// it, which take a fraction of the time. Metres; 0 where nothing moves.
-double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path, const WorkWatch& watch = {});
-
 /// The swept volume of a body along straight motions between consecutive poses X_WB. Conservative: it contains the
 /// sweep, and cavities that are closed off by the sweep. `bound`: metres, above 0; that of the result may be less.
 ///
@@ -35,5 +30,11 @@ double usualSweepBound(const TriangleMesh& body, const std::vector<Pose>& path, 
 /// are (LimitReached, with the least possible bound), a stop (Interrupted).
 Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose>& path, double bound,
                                 const WorkWatch& watch = {});
+
+/// The same with a bound with which the volume is a few percent larger than what is covered, and the surface is fine
+/// enough to look at; larger where that would take too many triangles or too much memory. It is found with coarser
+/// surfaces, which take a fraction of the time.
+Result<SweptVolume> usualSweptVolume(const TriangleMesh& body, const std::vector<Pose>& path,
+                                     const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -147,7 +147,10 @@ TEST(SweptVolume, RefusesWhatItCannotMake) {
 TEST(SweptVolume, TheUsualBoundIsReachable) {
   const TriangleMesh box = makeBox({0.1, 0.1, 0.1});
   const std::vector<Pose> longWay{Pose::identity(), Pose::translation({50.0, 50.0, 50.0})};
-  EXPECT_GT(usualSweepBound(box, longWay), usualSweepBound(box, {Pose::identity()}));
+  const auto longSweep = usualSweptVolume(box, longWay);
+  const auto rest = usualSweptVolume(box, {Pose::identity()});
+  ASSERT_TRUE(longSweep && rest);
+  EXPECT_GT(longSweep->bound, rest->bound);
 }
 
 }  // namespace
