@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/stop_token.h"
 #include "engine/sweep/lattice.h"
 
 namespace glissade {
@@ -51,14 +52,16 @@ class KuhnEdges {
 };
 
 /// The points, as true, that are connected with the first point of the lattice along edges that `joins` accepts:
-/// joins(point, neighbour, length in spacings). Precondition: less than 2^32 points.
+/// joins(point, neighbour, length in spacings). Precondition: less than 2^32 points. Unfinished after a stop.
 template <class Joins>
-std::vector<bool> connectedWithTheRim(const Lattice& lattice, const Joins& joins) {
+std::vector<bool> connectedWithTheRim(const Lattice& lattice, const StopToken& stop, const Joins& joins) {
+  constexpr std::size_t kPointsBetweenLooks = 4096;
   std::vector<bool> connected(lattice.size(), false);
   const KuhnEdges edges(lattice);
   std::vector<std::uint32_t> open{0};
   connected[0] = true;
-  while (!open.empty()) {
+  for (std::size_t taken = 0; !open.empty(); ++taken) {
+    if (taken % kPointsBetweenLooks == 0 && stop.stopRequested()) break;
     const std::size_t point = open.back();
     open.pop_back();
     edges.forEachNeighbour(point, [&](std::size_t next, double length) {

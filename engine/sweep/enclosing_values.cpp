@@ -42,9 +42,10 @@ class Encloser {
   EnclosingValues enclose() {
     EnclosingValues result;
     // The balls at both ends overlap: no surface passes between them.
-    result.outside = connectedWithTheRim(lattice_, [&](std::size_t point, std::size_t next, double length) {
-      return static_cast<double>(clearances_[point]) + clearances_[next] > length * lattice_.spacing;
-    });
+    result.outside =
+        connectedWithTheRim(lattice_, watch_.stop, [&](std::size_t point, std::size_t next, double length) {
+          return static_cast<double>(clearances_[point]) + clearances_[next] > length * lattice_.spacing;
+        });
     outside_ = &result.outside;
     values_ = clearances_;
     inPlanes(0, lattice_.counts[0], 1, [&](int x) { lowerInside(x); });
@@ -148,8 +149,8 @@ class Encloser {
 
   /// Points above the level that are not connected with the rim by others are enclosed.
   void fillCavities() {
-    const std::vector<bool> open =
-        connectedWithTheRim(lattice_, [&](std::size_t, std::size_t next, double) { return values_[next] > 0.0F; });
+    const std::vector<bool> open = connectedWithTheRim(
+        lattice_, watch_.stop, [&](std::size_t, std::size_t next, double) { return values_[next] > 0.0F; });
     for (std::size_t point = 0; point < values_.size(); ++point) {
       if (!open[point]) values_[point] = std::min(values_[point], 0.0F);
     }

@@ -24,16 +24,19 @@ constexpr double kUsualPoints = 6e7;
 /// Metres: a body without size has no lattice of its own.
 constexpr double kLeastSpacing = 1e-12;
 
-constexpr double kUsualExcess = 0.06;
-constexpr double kUsualCells = 15e3;      ///< that the surface crosses, about: fine enough to look at
-constexpr double kMostUsualCells = 90e3;  ///< about a million triangles
-constexpr double kFirstSpacings = 20.0;   ///< of the diagonal of the body
+constexpr double kUsualExcess = 0.07;
+constexpr double kUsualCells = 15e3;       ///< that the surface crosses, about: fine enough to look at
+constexpr double kMostUsualCells = 110e3;  ///< about a million triangles
+constexpr double kFirstSpacings = 20.0;    ///< of the diagonal of the body
 /// A surface is kept when the spacing wanted is no less than this share of its own.
 constexpr double kFineEnough = 0.85;
 /// Coarse surfaces say little of how fine the last one will be.
 constexpr double kMostRefinement = 4.0;
-/// Spacings: where points no longer count as outside, in the mean.
-constexpr double kCountedOffset = 0.03;
+/// Of the progress left: the first, coarse surface, and the others.
+constexpr double kShareOfFirst = 0.2;
+constexpr double kShareOfFine = 0.8;
+/// Spacings: points that are nearer to what is covered do not count as outside, in the mean (measured).
+constexpr double kCountedOffset = 0.12;
 
 /// Holds the body during the motion.
 Box3 boxOf(const TriangleMesh& body, const std::vector<Pose>& path) {
@@ -75,6 +78,10 @@ Diagnostic refusal(ErrorKind kind, const std::string& reason, const std::string&
   return {kind, "", "", reason, advice};
 }
 
+Diagnostic interruption() {
+  return refusal(ErrorKind::Interrupted, "the swept volume was not finished", "Start it again.");
+}
+
 Diagnostic nothingMoves() {
   return refusal(ErrorKind::Usage, "there is nothing that moves", "Give a body with triangles and a path.");
 }
@@ -86,6 +93,21 @@ double excessOf(const SweptVolume& sweep, const EnclosingValues& enclosing, doub
   if (covered <= 0.0) return std::numeric_limits<double>::infinity();
   return std::max(0.0, sweep.volume / covered - 1.0);
 }
+
+/// Tells the progress of one attempt after the other, of which nobody knows the last: each has a part of what is left.
+class Attempts {
+ public:
+  explicit Attempts(const WorkWatch& watch) : watch_(watch) {}
+  WorkWatch next(double share) {
+    const double from = done_;
+    done_ += share * (1.0 - done_);
+    return watch_.part(from, done_);
+  }
+
+ private:
+  const WorkWatch& watch_;
+  double done_ = 0.0;
+};
 
 /// With this spacing; the bound is what it comes to.
 Result<SweptVolume> sweepWithSpacing(const TriangleMesh& body, const std::vector<Pose>& path, Box3 box, double spacing,
@@ -103,10 +125,9 @@ Result<SweptVolume> sweepWithSpacing(const TriangleMesh& body, const std::vector
   box.max().array() += kMargin * spacing;
   const Lattice lattice = Lattice::over(box, spacing);
   const SweepClearances clearances = sweepClearances(lattice, body, path, watch.part(0.0, 0.8));
+  if (watch.stop.stopRequested()) return interruption();
   const EnclosingValues enclosing = enclosingValues(lattice, clearances, watch.part(0.8, 1.0));
-  if (watch.stop.stopRequested()) {
-    return refusal(ErrorKind::Interrupted, "the swept volume was not finished", "Start it again.");
-  }
+  if (watch.stop.stopRequested()) return interruption();
   SweptVolume result;
   result.surface_W = levelSurface(lattice, enclosing.values, 0.0F);
   result.bound = farthestFromBody(result.surface_W, lattice, clearances);
@@ -125,10 +146,11 @@ Result<SweptVolume> sweptVolume(const TriangleMesh& body, const std::vector<Pose
   }
   const Box3 box = boxOf(body, path);
   double spacing = bound / kBound;
-  auto sweep = sweepWithSpacing(body, path, box, spacing, watch);
+  Attempts attempts(watch);
+  auto sweep = sweepWithSpacing(body, path, box, spacing, attempts.next(kShareOfFine));
   while (sweep && sweep->bound > bound) {
     spacing *= std::clamp(0.98 * bound / sweep->bound, 0.5, 0.98);
-    sweep = sweepWithSpacing(body, path, box, spacing, watch);
+    sweep = sweepWithSpacing(body, path, box, spacing, attempts.next(kShareOfFine));
   }
   return sweep;
 }
@@ -138,8 +160,9 @@ Result<SweptVolume> usualSweptVolume(const TriangleMesh& body, const std::vector
   const Box3 box = boxOf(body, path);
   const double least = std::max(leastSpacing(box, kUsualPoints), spacingOfSinglePrecision(box));
   double spacing = std::max(least, boundingBox(body).diagonal().norm() / kFirstSpacings);
-  while (true) {
-    auto sweep = sweepWithSpacing(body, path, box, spacing, watch);
+  Attempts attempts(watch);
+  for (double share = kShareOfFirst;; share = kShareOfFine) {
+    auto sweep = sweepWithSpacing(body, path, box, spacing, attempts.next(share));
     if (!sweep) return sweep;
     const double area = areaOf(sweep->surface_W);
     double wanted = std::min(std::sqrt(area / kUsualCells), spacing * kUsualExcess / sweep->excess);

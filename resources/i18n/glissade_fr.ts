@@ -6523,6 +6523,10 @@
         <translation>Volume balayé : %1 %2 ; sa surface est à %3 de l&apos;objet au plus</translation>
     </message>
     <message>
+        <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
+        <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
+    </message>
+    <message>
         <source>; within it or at its surface: %1</source>
         <translation> ; à l&apos;intérieur ou à sa surface : %1</translation>
     </message>
