@@ -1,5 +1,6 @@
 #include "app/cli/sweep_command.h"
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +19,7 @@ void report(const SweptVolume& sweep, const std::vector<std::string>& within, co
     printJson({{"file", options.output},
                {"bound_m", sweep.bound},
                {"volume_m3", sweep.volume},
+               {"volume_excess_estimate", sweep.excess},
                {"triangles", sweep.surface_W.triangles.size()},
                {"bodies_within", within}});
     return;
@@ -26,6 +28,11 @@ void report(const SweptVolume& sweep, const std::vector<std::string>& within, co
   std::cout << "swept volume " << sweep.volume * unit.perCubicMetre << " " << unit.name << ", "
             << sweep.surface_W.triangles.size() << " triangles; it contains the sweep, and its surface is at most "
             << sweep.bound * 1e3 << " mm away from it\n";
+  if (std::isfinite(sweep.excess)) {
+    std::cout << "its volume is about " << std::ceil(1e2 * sweep.excess) << " % larger than what the object covers\n";
+  } else {
+    std::cout << "how much larger its volume is than what the object covers is not known: the object is thin\n";
+  }
   for (const std::string& body : within) std::cout << "within it or at its surface: " << body << "\n";
   std::cout << "wrote " << options.output << "\n";
 }
@@ -42,8 +49,8 @@ int runSweep(const SweepOptions& options) {
 
   const TriangleMesh& object = *loaded->object.mesh;
   const std::vector<Pose> poses = configurationsOf(*points);
-  const double bound = options.bound.value_or(usualSweepBound(object, poses));
-  const auto sweep = sweptVolume(object, poses, bound, interrupt.token());
+  const auto sweep = options.bound ? sweptVolume(object, poses, *options.bound, interrupt.token())
+                                   : usualSweptVolume(object, poses, interrupt.token());
   if (!sweep) return reportError(sweep.error(), options.format);
   std::vector<std::string> within;
   for (const std::size_t body : bodiesWithin(*sweep, loaded->obstacles, interrupt.token())) {

@@ -8,6 +8,11 @@
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
+namespace {
+
+constexpr double kLargeExcess = 0.10;  ///< of the volume: the usual swept volume has less, where memory allows it
+
+}  // namespace
 
 SweepController::SweepController(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   connect(&bench.run, &ShownRun::changed, this, &SweepController::followPath);
@@ -45,8 +50,7 @@ void SweepController::compute(const std::function<void()>& then) {
   const auto work = [this, path, scenario, then](const WorkWatch& watch) -> BackgroundTask::Delivery {
     const TriangleMesh& object = *scenario->object.mesh;
     const std::vector<Pose> poses = path->configurations();
-    auto sweep =
-        std::make_shared<Result<SweptVolume>>(sweptVolume(object, poses, usualSweepBound(object, poses), watch.stop));
+    auto sweep = std::make_shared<Result<SweptVolume>>(usualSweptVolume(object, poses, watch));
     QStringList bodies;
     if (*sweep) {
       for (const std::size_t body : bodiesWithin(**sweep, scenario->obstacles, watch.stop)) {
@@ -87,6 +91,10 @@ void SweepController::tell() {
   QString text = tr("Swept volume: %1 %2; its surface is at most %3 away from the object")
                      .arg(QLocale().toString(sweep.volume * unit.perCubicMetre, 'g', 3), QString::fromUtf8(unit.name),
                           lengthText(sweep.bound));
+  if (sweep.excess > kLargeExcess) {
+    text += tr("; a closer surface takes too much memory: the volume may be more than %1 % too large")
+                .arg(static_cast<int>(1e2 * kLargeExcess));
+  }
   if (!shown_.bodies.empty()) {
     text += tr("; within it or at its surface: %1").arg(shown_.bodies.join(QStringLiteral(", ")));
   }

@@ -159,4 +159,23 @@ TriangleDistance triangleDistance(const Triangle& a, const Triangle& b) {
   return best;
 }
 
+double squaredSegmentDistance(const Vector3& p, const Vector3& q, const Triangle& triangle) {
+  TriangleDistance best;
+  best.squared = std::numeric_limits<double>::infinity();
+  Vector3 foot;
+  const auto tryFootOf = [&](const Vector3& point) {
+    if (footOnFace(point, triangle, foot)) keepNearer(best, point, foot);
+  };
+  tryFootOf(p);
+  tryFootOf(q);
+  const Vector3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const double heightOfP = normal.dot(p - triangle[0]);
+  const double heightOfQ = normal.dot(q - triangle[0]);
+  if (heightOfP * heightOfQ < 0.0) tryFootOf(p + heightOfP / (heightOfP - heightOfQ) * (q - p));
+  for (std::size_t k = 0; k < 3; ++k) {
+    nearestOfSegments(p, q - p, triangle[k], triangle[(k + 1) % 3] - triangle[k], best);
+  }
+  return best.squared;
+}
+
 }  // namespace glissade

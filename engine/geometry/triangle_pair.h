@@ -23,4 +23,8 @@ struct TriangleDistance {
 /// faces. Degenerate triangles are taken as the segment or point that they are.
 TriangleDistance triangleDistance(const Triangle& a, const Triangle& b);
 
+/// Squared distance of the segment from p to q from a triangle, 0 to rounding where they meet. A degenerate triangle is
+/// the segment or point that it is, and so is the segment.
+double squaredSegmentDistance(const Vector3& p, const Vector3& q, const Triangle& triangle);
+
 }  // namespace glissade

@@ -139,7 +139,11 @@ void TriangleTree::build(std::uint32_t first, std::uint32_t last) {
   build(middle, last);
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit, double enough) const {
+/// The triangle that is nearest by squared distances of boxes and triangles; the boxes', which may be too small, rule
+/// out what is in them.
+template <class ToBox, class ToTriangle>
+TriangleTree::Nearest TriangleTree::nearestBy(const ToBox& toBox, const ToTriangle& toTriangle, double limit,
+                                              double enough) const {
   struct Open {
     std::uint32_t node;
     double squared;  ///< distance of its box
@@ -149,21 +153,21 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit, doub
   std::uint32_t found = 0;
   std::array<Open, 64> open;  // halving leaves no more levels than an index has bits
   std::size_t count = 0;
-  if (!nodes_.empty()) open[count++] = {0, nodes_[0].box.squaredExteriorDistance(p)};
+  if (!nodes_.empty()) open[count++] = {0, toBox(nodes_[0].box)};
   while (count > 0) {
     const Open next = open[--count];
     const Node& node = nodes_[next.node];
     if (next.squared >= least) continue;
     if (node.count == 0) {
-      const Open one{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};
-      const Open other{node.first, nodes_[node.first].box.squaredExteriorDistance(p)};
+      const Open one{next.node + 1, toBox(nodes_[next.node + 1].box)};
+      const Open other{node.first, toBox(nodes_[node.first].box)};
       const bool oneIsNearer = one.squared < other.squared;
       open[count++] = oneIsNearer ? other : one;
       open[count++] = oneIsNearer ? one : other;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (kRoundedDown * boxes_[order_[i]].squaredExteriorDistance(p) >= least) continue;
-      const double squared = (nearestPoint(triangles_[order_[i]], p) - p).squaredNorm();
+      if (kRoundedDown * toBox(boxes_[order_[i]]) >= least) continue;
+      const double squared = toTriangle(triangles_[order_[i]]);
       if (squared >= least) continue;
       least = squared;
       found = order_[i];
@@ -171,6 +175,25 @@ TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit, doub
     }
   }
   return {std::sqrt(least), found};
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vector3& p, double limit, double enough) const {
+  return nearestBy([&](const Box3& box) { return box.squaredExteriorDistance(p); },
+                   [&](const Triangle& triangle) { return (nearestPoint(triangle, p) - p).squaredNorm(); }, limit,
+                   enough);
+}
+
+double TriangleTree::distanceToSegment(const Vector3& a, const Vector3& b, double limit, double enough) const {
+  const Vector3 middle = 0.5 * (a + b);
+  const double half = 0.5 * (b - a).norm();
+  const Box3 around(a.cwiseMin(b), a.cwiseMax(b));
+  const auto toBox = [&](const Box3& box) {
+    const double fromMiddle = std::max(0.0, std::sqrt(box.squaredExteriorDistance(middle)) - half);
+    return std::max(fromMiddle * fromMiddle, box.squaredExteriorDistance(around));
+  };
+  return nearestBy(
+             toBox, [&](const Triangle& triangle) { return squaredSegmentDistance(a, b, triangle); }, limit, enough)
+      .distance;
 }
 
 /// Every triangle of the leaves whose boxes, and the boxes around them, `enters` lets in; until `take` returns false.

@@ -31,6 +31,10 @@ class TriangleTree {
   /// away, that may be another one, which is at most `enough` away too.
   Nearest nearest(const Vector3& p, double limit, double enough = 0.0) const;
 
+  /// Distance of the segment from a to b; `limit` where it is not less. Where a triangle is at most `enough` away, that
+  /// may be its distance.
+  double distanceToSegment(const Vector3& a, const Vector3& b, double limit, double enough = 0.0) const;
+
   /// The least t > `after` at which origin + t * direction lies on a triangle, borders included as far as
   /// rounding allows; infinity where there is none.
   double firstHit(const Vector3& origin, const Vector3& direction, double after) const;
@@ -60,6 +64,8 @@ class TriangleTree {
   template <class Take>
   bool visitPair(const TriangleTree& other, double distance, const NodePair& pair, std::vector<NodePair>& open,
                  const Take& take) const;
+  template <class ToBox, class ToTriangle>
+  Nearest nearestBy(const ToBox& toBox, const ToTriangle& toTriangle, double limit, double enough) const;
   template <class Enters, class Take>
   void walk(const Enters& enters, const Take& take) const;
 

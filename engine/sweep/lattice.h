@@ -32,25 +32,22 @@ struct Lattice {
                static_cast<std::size_t>(counts[2]) +
            static_cast<std::size_t>(z);
   }
+  std::array<int, 3> coordinates(std::size_t point) const {
+    const auto ny = static_cast<std::size_t>(counts[1]);
+    const auto nz = static_cast<std::size_t>(counts[2]);
+    return {static_cast<int>(point / (ny * nz)), static_cast<int>(point / nz % ny), static_cast<int>(point % nz)};
+  }
+  bool has(const std::array<int, 3>& at) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (at[axis] < 0 || at[axis] >= counts[axis]) return false;
+    }
+    return true;
+  }
+  /// A corner, as bits (x: 4, y: 2, z: 1), of the cell that begins at a point.
+  std::size_t cornerAt(const std::array<int, 3>& cell, int corner) const {
+    return at(cell[0] + (corner >> 2), cell[1] + (corner >> 1 & 1), cell[2] + (corner & 1));
+  }
   Vector3 point(int x, int y, int z) const { return origin + spacing * Vector3(x, y, z); }
 };
-
-/// The points of a lattice within a box: first to last along each axis, none where first > last.
-struct LatticeRange {
-  std::array<int, 3> first{0, 0, 0};
-  std::array<int, 3> last{-1, -1, -1};
-};
-
-inline LatticeRange rangeWithin(const Lattice& lattice, const Box3& box) {
-  LatticeRange range;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto a = static_cast<int>(axis);
-    const double least = (box.min()[a] - lattice.origin[a]) / lattice.spacing;
-    const double most = (box.max()[a] - lattice.origin[a]) / lattice.spacing;
-    range.first[axis] = std::max(0, static_cast<int>(std::ceil(least)));
-    range.last[axis] = std::min(lattice.counts[axis] - 1, static_cast<int>(std::floor(most)));
-  }
-  return range;
-}
 
 }  // namespace glissade

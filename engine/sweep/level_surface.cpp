@@ -5,28 +5,24 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "engine/sweep/kuhn_division.h"
+
 namespace glissade {
 namespace {
 
-using Corners = std::array<int, 4>;
-
-/// Kuhn's division: the corners of each tetrahedron as bits (x: 4, y: 2, z: 1), in positive orientation.
-constexpr std::array<Corners, 6> kTetrahedra{
-    {{0, 4, 6, 7}, {0, 6, 2, 7}, {0, 2, 3, 7}, {0, 3, 1, 7}, {0, 1, 5, 7}, {0, 5, 4, 7}}};
-
 /// The even permutations of four corners.
-constexpr std::array<Corners, 12> kEven{{{0, 1, 2, 3},
-                                         {0, 2, 3, 1},
-                                         {0, 3, 1, 2},
-                                         {1, 0, 3, 2},
-                                         {1, 3, 2, 0},
-                                         {1, 2, 0, 3},
-                                         {2, 0, 1, 3},
-                                         {2, 1, 3, 0},
-                                         {2, 3, 0, 1},
-                                         {3, 0, 2, 1},
-                                         {3, 2, 1, 0},
-                                         {3, 1, 0, 2}}};
+constexpr std::array<TetrahedronCorners, 12> kEven{{{0, 1, 2, 3},
+                                                    {0, 2, 3, 1},
+                                                    {0, 3, 1, 2},
+                                                    {1, 0, 3, 2},
+                                                    {1, 3, 2, 0},
+                                                    {1, 2, 0, 3},
+                                                    {2, 0, 1, 3},
+                                                    {2, 1, 3, 0},
+                                                    {2, 3, 0, 1},
+                                                    {3, 0, 2, 1},
+                                                    {3, 2, 1, 0},
+                                                    {3, 1, 0, 2}}};
 
 /// Vertices nearer to the inner end of their edge than this share of it would make triangles without area.
 constexpr double kLeastShare = 1e-3;
@@ -50,26 +46,22 @@ class SurfaceBuilder {
 
   void addCell(int x, int y, int z) {
     int within = 0;
-    for (int corner = 0; corner < 8; ++corner) within += inside(pointAt(x, y, z, corner)) ? 1 : 0;
+    for (int corner = 0; corner < 8; ++corner) within += inside(lattice_.cornerAt({x, y, z}, corner)) ? 1 : 0;
     if (within == 0 || within == 8) return;
-    for (const Corners& tetrahedron : kTetrahedra) addTetrahedron(x, y, z, tetrahedron);
+    for (const TetrahedronCorners& tetrahedron : kKuhnTetrahedra) addTetrahedron(x, y, z, tetrahedron);
   }
 
-  std::size_t pointAt(int x, int y, int z, int corner) const {
-    return lattice_.at(x + (corner >> 2), y + (corner >> 1 & 1), z + (corner & 1));
-  }
-
-  void addTetrahedron(int x, int y, int z, const Corners& tetrahedron) {
+  void addTetrahedron(int x, int y, int z, const TetrahedronCorners& tetrahedron) {
     std::array<std::size_t, 4> points{};
     int within = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-      points[i] = pointAt(x, y, z, tetrahedron[i]);
+      points[i] = lattice_.cornerAt({x, y, z}, tetrahedron[i]);
       within += inside(points[i]) ? 1 : 0;
     }
     if (within == 0 || within == 4) return;
     // The inner corners first; where there are three, the outer one first.
     const int ahead = within == 3 ? 1 : within;
-    for (const Corners& order : kEven) {
+    for (const TetrahedronCorners& order : kEven) {
       const auto point = [&](std::size_t i) { return points[static_cast<std::size_t>(order[i])]; };
       bool fits = true;
       for (int i = 0; i < 4; ++i)
@@ -110,20 +102,14 @@ class SurfaceBuilder {
   /// Which corner of the cell at the lesser point the larger one is.
   std::uint64_t direction(std::size_t lesser, std::size_t larger) const {
     std::uint64_t corner = 0;
-    const auto a = coordinates(lesser);
-    const auto b = coordinates(larger);
+    const auto a = lattice_.coordinates(lesser);
+    const auto b = lattice_.coordinates(larger);
     for (std::size_t axis = 0; axis < 3; ++axis) corner = 2 * corner + (b[axis] != a[axis] ? 1 : 0);
     return corner;
   }
 
-  std::array<int, 3> coordinates(std::size_t point) const {
-    const auto ny = static_cast<std::size_t>(lattice_.counts[1]);
-    const auto nz = static_cast<std::size_t>(lattice_.counts[2]);
-    return {static_cast<int>(point / (ny * nz)), static_cast<int>(point / nz % ny), static_cast<int>(point % nz)};
-  }
-
   Vector3 position(std::size_t point) const {
-    const auto [x, y, z] = coordinates(point);
+    const auto [x, y, z] = lattice_.coordinates(point);
     return lattice_.point(x, y, z);
   }
 

@@ -6734,6 +6734,10 @@
         <source>The swept volume was saved, with a warning</source>
         <translation>Le volume balayé a été enregistré, avec un avertissement</translation>
     </message>
+    <message>
+        <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
+        <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ShortcutsDialog</name>

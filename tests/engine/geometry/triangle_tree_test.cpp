@@ -45,5 +45,28 @@ TEST(TriangleTree, SeveralThreadsVisitThePairsThatOneVisits) {
   }
 }
 
+/// The oracle samples the segment.
+TEST(TriangleTree, DistanceToASegmentIsThatOfItsNearestPoint) {
+  RandomStream stream(2, "segments");
+  const TriangleTree tree(randomTriangles(stream, 6000));
+  const auto point = [&stream] { return Vector3(stream.uniform(0, 1), stream.uniform(0, 1), stream.uniform(0, 1)); };
+  int crossings = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 a = point();
+    const Vector3 b = a + stream.uniform(0.0, 0.3) * (point() - a);
+    constexpr int kSamples = 200;
+    double sampled = 10.0;
+    for (int k = 0; k <= kSamples; ++k) {
+      sampled = std::min(sampled, tree.nearest(a + (b - a) * k / kSamples, 10.0).distance);
+    }
+    const double found = tree.distanceToSegment(a, b, 10.0);
+    EXPECT_LE(found, sampled + 1e-12);
+    EXPECT_GE(found, sampled - (b - a).norm() / kSamples);
+    EXPECT_EQ(tree.distanceToSegment(a, b, 0.5 * found), 0.5 * found);
+    crossings += found < 1e-9 ? 1 : 0;
+  }
+  EXPECT_GT(crossings, 5);
+}
+
 }  // namespace
 }  // namespace glissade

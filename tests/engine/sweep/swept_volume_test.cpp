@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "engine/base/random_stream.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
+#include "engine/geometry/solid_interior.h"
 #include "engine/sweep/swept_bodies.h"
 
 namespace glissade {
@@ -130,6 +132,175 @@ TEST(SweptVolume, NamesTheBodiesWithin) {
   EXPECT_EQ(bodiesWithin(*sweep, bodies), (std::vector<std::size_t>{0, 2}));
 }
 
+/// A motion along which every point is sampled densely: the oracle of what the body covers.
+class SampledMotion {
+ public:
+  SampledMotion(const TriangleMesh& body, const std::vector<Pose>& path, int posesOfAnEdge)
+      : interior_(body, true), box_(boundingBox(body)) {
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      for (int k = 0; k <= posesOfAnEdge; ++k) {
+        toBody_.push_back(inverse(interpolate(path[i - 1], path[i], static_cast<double>(k) / posesOfAnEdge)));
+      }
+    }
+  }
+
+  bool covers(const Vector3& p_W) const {
+    return std::any_of(toBody_.begin(), toBody_.end(), [&](const Pose& X_BW) {
+      const Vector3 p_B = X_BW * p_W;
+      return box_.contains(p_B) && interior_.contains(p_B);
+    });
+  }
+
+ private:
+  SolidInterior interior_;
+  Box3 box_;
+  std::vector<Pose> toBody_;
+};
+
+/// The object of environment 1: two bars that overlap.
+TriangleMesh makeBentBar() {
+  TriangleMesh bar = makeBox({0.4, 0.4, 0.4});
+  append(bar, transformed(makeBox({0.4, 0.4, 1.6}), Pose::translation({0.4, 0.0, 0.6})));
+  return bar;
+}
+
+/// A block with a hole through it, as a nut is.
+TriangleMesh makeFrame() {
+  TriangleMesh frame;
+  for (const double side : {-1.0, 1.0}) {
+    append(frame, transformed(makeBox({0.02, 0.006, 0.01}), Pose::translation({0.0, side * 0.007, 0.0})));
+    append(frame, transformed(makeBox({0.006, 0.02, 0.01}), Pose::translation({side * 0.007, 0.0, 0.0})));
+  }
+  return frame;
+}
+
+std::vector<Pose> helix(double pitch, int edges) {
+  std::vector<Pose> path;
+  for (int i = 0; i <= edges; ++i) {
+    const double angle = 0.5 * i;
+    path.push_back({{0.0, 0.0, pitch * angle / (2.0 * std::numbers::pi)}, fromRotationVector({0.0, 0.0, angle})});
+  }
+  return path;
+}
+
+std::vector<Pose> randomPath(RandomStream& random, double size, int edges) {
+  std::vector<Pose> path;
+  for (int i = 0; i <= edges; ++i) {
+    path.push_back(
+        {pointOf(Vector3::Constant(2.0 * size), random), fromRotationVector(pointOf({4.0, 4.0, 4.0}, random))});
+  }
+  return path;
+}
+
+struct UsualCase {
+  const char* name;
+  TriangleMesh body;
+  std::vector<Pose> path;
+};
+
+class UsualSweptVolume : public testing::TestWithParam<UsualCase> {};
+
+TEST_P(UsualSweptVolume, ContainsTheBodyAndIsNoMoreThanATenthLarger) {
+  const auto& [name, body, path] = GetParam();
+  const auto sweep = usualSweptVolume(body, path);
+  ASSERT_TRUE(sweep);
+  EXPECT_TRUE(audit(sweep->surface_W).closed());
+  const SolidInterior within(sweep->surface_W, true);
+  RandomStream random(5, name);
+  for (int i = 0; i < 20000; ++i) {
+    const TriangleIndices& triangle = body.triangles[random.bits() % body.triangles.size()];
+    const double u = random.uniform(0.0, 1.0);
+    const double v = random.uniform(0.0, 1.0 - u);
+    const Vector3& corner = body.vertices[triangle[0]];
+    const Vector3 p_B =
+        corner + (i % 2) * (u * (body.vertices[triangle[1]] - corner) + v * (body.vertices[triangle[2]] - corner));
+    const std::size_t edge = random.bits() % (path.size() - 1);
+    EXPECT_TRUE(within.contains(interpolate(path[edge], path[edge + 1], random.uniform(0.0, 1.0)) * p_B));
+  }
+  const SampledMotion motion(body, path, 200);
+  const Box3 box = boundingBox(sweep->surface_W);
+  int inside = 0;
+  int covered = 0;
+  while (inside < 3000) {
+    const Vector3 p_W = box.center() + pointOf(box.sizes(), random);
+    if (!within.contains(p_W)) continue;
+    ++inside;
+    covered += motion.covers(p_W) ? 1 : 0;
+  }
+  EXPECT_LE(inside, 1.10 * covered);
+  EXPECT_NEAR(sweep->excess, static_cast<double>(inside) / covered - 1.0, 0.03);
+}
+
+std::vector<UsualCase> usualCases() {
+  RandomStream random(1, "usual sweeps");
+  return {{"bar", makeBentBar(), randomPath(random, 2.0, 4)},
+          {"nut", makeFrame(), helix(0.002, 12)},
+          {"rod", makeBox({1.0, 0.1, 0.05}), randomPath(random, 0.3, 2)}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Bodies, UsualSweptVolume, testing::ValuesIn(usualCases()),
+                         [](const auto& usual) { return std::string(usual.param.name); });
+
+TEST(SweptVolume, OfAnySizeIsTheSame) {
+  for (const double size : {6e-6, 1.0, 100.0}) {
+    const TriangleMesh box = makeBox(size * Vector3(1.0, 0.6, 0.3));
+    std::vector<Pose> path{Pose::identity(), {size * Vector3(0.5, 1.0, 0.0), fromRollPitchYaw(0.4, 1.0, -0.3)}};
+    const auto sweep = usualSweptVolume(box, path);
+    ASSERT_TRUE(sweep) << sweep.error().reason;
+    EXPECT_LT(sweep->excess, 0.08);
+    EXPECT_LT(sweep->bound, 0.1 * size);
+  }
+}
+
+TEST(SweptVolume, OfAMotionWithoutWayAndOfATurnOnly) {
+  const TriangleMesh box = makeBox({0.1, 0.06, 0.03});
+  const double atRest = 0.1 * 0.06 * 0.03;
+  const auto rest = usualSweptVolume(box, {Pose::identity()});
+  ASSERT_TRUE(rest);
+  EXPECT_GT(rest->volume, atRest);
+  EXPECT_LT(rest->volume, 1.1 * atRest);
+  const auto turn = usualSweptVolume(box, {Pose::identity(),
+                                           {Vector3::Zero(), fromRollPitchYaw(0.0, 0.0, 1.5)},
+                                           {Vector3::Zero(), fromRollPitchYaw(0.0, 0.0, 3.0)},
+                                           {Vector3::Zero(), fromRollPitchYaw(0.0, 0.0, 4.5)}});
+  ASSERT_TRUE(turn);
+  const double disc = std::numbers::pi * 0.25 * (0.1 * 0.1 + 0.06 * 0.06) * 0.03;
+  EXPECT_GT(turn->volume, disc);
+  EXPECT_LT(turn->volume, 1.1 * disc);
+}
+
+TEST(SweptVolume, OfAnOpenMeshIsAShellAroundIt) {
+  TriangleMesh sheet;
+  sheet.vertices = {{0.0, 0.0, 0.0}, {0.1, 0.0, 0.0}, {0.0, 0.1, 0.0}};
+  sheet.triangles = {{0, 1, 2}};
+  const std::vector<Pose> path{Pose::identity(), Pose::translation({0.0, 0.0, 0.05})};
+  const auto sweep = sweptVolume(sheet, path, 0.004);
+  ASSERT_TRUE(sweep);
+  EXPECT_TRUE(audit(sweep->surface_W).closed());
+  EXPECT_GT(sweep->volume, 0.5 * 0.1 * 0.1 * 0.05);
+  EXPECT_LT(sweep->volume, 1.5 * 0.5 * 0.1 * 0.1 * 0.05);
+  const auto still = sweptVolume(sheet, {Pose::identity()}, 0.004);
+  ASSERT_TRUE(still);
+  EXPECT_NEAR(windingNumber(still->surface_W, {0.03, 0.03, 0.0}), 1.0, 1e-6);
+  EXPECT_LE(still->bound, 0.004);
+}
+
+TEST(SweptVolume, TellsItsProgressAndStops) {
+  std::vector<double> shares;
+  const TriangleMesh box = makeBox({0.1, 0.06, 0.03});
+  const std::vector<Pose> path{Pose::identity(), Pose::translation({0.3, 0.2, 0.1})};
+  StopSource stop;
+  const WorkWatch watch(stop.token(), [&](double share) {
+    shares.push_back(share);
+    if (shares.size() == 3) stop.requestStop();
+  });
+  const auto sweep = sweptVolume(box, path, 0.001, watch);
+  ASSERT_FALSE(sweep);
+  EXPECT_EQ(sweep.error().kind, ErrorKind::Interrupted);
+  EXPECT_GE(shares.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+}
+
 TEST(SweptVolume, RefusesWhatItCannotMake) {
   const TriangleMesh box = makeBox({0.1, 0.1, 0.1});
   const std::vector<Pose> path{Pose::identity(), Pose::translation({1.0, 1.0, 1.0})};
@@ -147,7 +318,10 @@ TEST(SweptVolume, RefusesWhatItCannotMake) {
 TEST(SweptVolume, TheUsualBoundIsReachable) {
   const TriangleMesh box = makeBox({0.1, 0.1, 0.1});
   const std::vector<Pose> longWay{Pose::identity(), Pose::translation({50.0, 50.0, 50.0})};
-  EXPECT_GT(usualSweepBound(box, longWay), usualSweepBound(box, {Pose::identity()}));
+  const auto longSweep = usualSweptVolume(box, longWay);
+  const auto rest = usualSweptVolume(box, {Pose::identity()});
+  ASSERT_TRUE(longSweep && rest);
+  EXPECT_GT(longSweep->bound, rest->bound);
 }
 
 }  // namespace
