@@ -11,7 +11,7 @@
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: language, size of texts, unit of lengths, colours, navigation, theme, perspective,
+/// panels lie, and a user's choices: language, size of texts, unit of lengths, colours, theme, navigation, perspective,
 /// shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
@@ -44,6 +44,8 @@ class WindowMemory {
   void restoreChoices(ActionCatalogue& actions) const;
 
  private:
+  ThemeChoice theme() const;
+
   QSettings settings_;
 };
 

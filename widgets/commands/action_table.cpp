@@ -380,7 +380,7 @@ const std::vector<ActionSpec>& actionSpecs() {
        true},
       {"layer.region", QT_TRANSLATE_NOOP("Actions", "Region of a step"), "",
        QT_TRANSLATE_NOOP("Actions", "Show where the local planner of the chosen step searches"), true},
-      {"layer.difficulty", QT_TRANSLATE_NOOP("Actions", "What stands in the way"), "",
+      {"layer.difficulty", QT_TRANSLATE_NOOP("Actions", "Why there is no path"), "",
        QT_TRANSLATE_NOOP("Actions", "Show why no path was found: blocking body, gap, way of least penetration"), true},
       {"panel.scene", QT_TRANSLATE_NOOP("Actions", "Scene panel"), "Alt+1",
        QT_TRANSLATE_NOOP("Actions", "Bring the list of bodies to the front"), false},

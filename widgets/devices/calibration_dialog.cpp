@@ -68,7 +68,7 @@ QLayout* CalibrationDialog::makeHeader() {
   device_->setObjectName(QStringLiteral("device"));
   preset_->setObjectName(QStringLiteral("preset"));
   state_->setObjectName(QStringLiteral("device-state"));
-  auto* reset = new QPushButton(tr("&Reset"), this);
+  auto* reset = new QPushButton(tr("&Reset the device"), this);
   reset->setToolTip(tr("Shaping and buttons of this device as at the first time"));
   auto* deviceLabel = new QLabel(tr("&Device"), this);
   deviceLabel->setBuddy(device_);
