@@ -17,7 +17,7 @@ namespace {
 
 Diagnostic limit(const ParameterSpec& spec, const std::string& reason) {
   return {ErrorKind::LimitReached, "", "", reason,
-          "Raise " + std::string(spec.option) + ", take part with the device, or try another seed."};
+          "Raise the limit (" + std::string(spec.option) + "), steer the object yourself, or try another seed."};
 }
 
 std::string grouped(std::uint64_t count) {

@@ -20,12 +20,12 @@
         <translation>Réinitialiser le jalon</translation>
     </message>
     <message>
-        <source>Rename attribute...</source>
-        <translation>Renommer l&apos;attribut...</translation>
+        <source>Rename...</source>
+        <translation>Renommer...</translation>
     </message>
     <message>
-        <source>Remove attribute</source>
-        <translation>Supprimer l&apos;attribut</translation>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
     </message>
     <message>
         <source>Section panel</source>
@@ -1532,8 +1532,8 @@
         <translation>Exporter le chemin</translation>
     </message>
     <message>
-        <source>Restart with a new seed</source>
-        <translation>Redémarrer avec une nouvelle graine</translation>
+        <source>New seed</source>
+        <translation>Nouvelle graine</translation>
     </message>
 </context>
 <context>
@@ -1801,8 +1801,8 @@
         <translation>la limite de temps de %1 s a été atteinte sans chemin</translation>
     </message>
     <message>
-        <source>Raise %1, take part with the device, or try another seed.</source>
-        <translation>Augmentez %1, guidez l&apos;objet avec un périphérique, ou essayez une autre graine.</translation>
+        <source>Raise the limit (%1), steer the object yourself, or try another seed.</source>
+        <translation>Augmentez la limite (%1), guidez l&apos;objet vous-même, ou essayez une autre graine.</translation>
     </message>
     <message>
         <source>no direct motion is free</source>
@@ -6652,8 +6652,8 @@
 <context>
     <name>glissade::DifficultyController</name>
     <message>
-        <source>Looking for the reasons why there is no path</source>
-        <translation>Recherche des causes de l&apos;absence de chemin</translation>
+        <source>Looking for the reasons</source>
+        <translation>Recherche des causes</translation>
     </message>
 </context>
 <context>
@@ -6687,8 +6687,8 @@
         <translation>Passage le plus étroit atteint</translation>
     </message>
     <message>
-        <source>Smallest distance between the trees</source>
-        <translation>Plus petit écart entre les arbres</translation>
+        <source>Distance between the trees</source>
+        <translation>Écart entre les arbres</translation>
     </message>
     <message>
         <source>Shows the object there</source>
@@ -7895,7 +7895,7 @@
     </message>
     <message>
         <source>To</source>
-        <translation>Vers la frontière</translation>
+        <translation>Vers</translation>
     </message>
     <message>
         <source>Planner</source>
@@ -8997,7 +8997,7 @@
     </message>
     <message>
         <source>Allowance</source>
-        <translation>Amincissement</translation>
+        <translation>Aminci de</translation>
     </message>
     <message>
         <source>Tool</source>

@@ -139,7 +139,7 @@ TEST_F(EngineSentences, AreAllInFrench) {
 }
 
 TEST_F(EngineSentences, AreTranslatedWithWhatTheyAreJoinedOf) {
-  EXPECT_EQ(engineText("the object penetrates 'is empty'"), QStringLiteral("l'objet pénètre dans « is empty »"));
+  EXPECT_EQ(engineText("the object penetrates 'is empty'"), QStringLiteral("l'objet pénètre dans « is empty »"));
   EXPECT_EQ(engineText("cannot be read: line 3: '4' is not a value"),
             QStringLiteral("ne peut pas être lu : ligne 3 : « 4 » n'est pas une valeur"));
   EXPECT_EQ(engineText("complexity 2, so rrt; blocked, so contact-birrt; place P3 was not crossed"),

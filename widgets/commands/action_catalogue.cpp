@@ -17,14 +17,14 @@ QString translated(const char* text) { return QCoreApplication::translate("Actio
 /// What a button says where its panel or its icon tells what it is about; menus and commands have the whole text.
 constexpr std::pair<const char*, const char*> kButtonTexts[] = {
     {"file.export", QT_TRANSLATE_NOOP("Actions", "Export path")},
-    {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "Restart with a new seed")},
+    {"run.restart-new-seed", QT_TRANSLATE_NOOP("Actions", "New seed")},
     {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip")},
     {"place.forbid", QT_TRANSLATE_NOOP("Actions", "Forbid place")},
     {"place.prefer", QT_TRANSLATE_NOOP("Actions", "Prefer place")},
     {"milestone.set", QT_TRANSLATE_NOOP("Actions", "Set milestone")},
     {"milestone.reset", QT_TRANSLATE_NOOP("Actions", "Reset milestone")},
-    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename attribute...")},
-    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove attribute")},
+    {"attribute.rename", QT_TRANSLATE_NOOP("Actions", "Rename...")},
+    {"attribute.remove", QT_TRANSLATE_NOOP("Actions", "Remove")},
 };
 
 void addActionButtons(QLayout& layout, const ActionCatalogue& actions, const std::vector<const char*>& ids,

@@ -23,7 +23,7 @@ inline constexpr const char* kDiagnosticSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "the step limit of %1 was reached without a path"),
     QT_TRANSLATE_NOOP("Diagnostics", "the limit of %1 random configurations was reached without a path"),
     QT_TRANSLATE_NOOP("Diagnostics", "the time limit of %1 s was reached without a path"),
-    QT_TRANSLATE_NOOP("Diagnostics", "Raise %1, take part with the device, or try another seed."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Raise the limit (%1), steer the object yourself, or try another seed."),
     QT_TRANSLATE_NOOP("Diagnostics", "no direct motion is free"),
     QT_TRANSLATE_NOOP("Diagnostics", "Choose a planner that searches."),
     QT_TRANSLATE_NOOP("Diagnostics", "the workspace has no configuration outside the product"),

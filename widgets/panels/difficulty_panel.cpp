@@ -78,7 +78,7 @@ void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenari
            scenario);
   }
   if (const auto& frontier = difficulty.frontier) {
-    addRow("frontier", tr("Smallest distance between the trees"), lengthText(frontier->distance), frontier->body,
+    addRow("frontier", tr("Distance between the trees"), lengthText(frontier->distance), frontier->body,
            frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
   }
 }
