@@ -56,7 +56,7 @@
         <translation>&amp;Garder le graphe</translation>
     </message>
     <message>
-        <source>Draw the roadmap in full, not faint, while a path is shown</source>
+        <source>Draw the roadmap in full colours while a path is shown</source>
         <translation>Garder le graphe bien visible pendant qu&apos;un chemin est affiché</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est personnel</translation>
     </message>
     <message>
-        <source>Let no path lead through the selected places, or allow it again</source>
+        <source>Forbid paths through the selected places, or allow them again</source>
         <translation>Interdire tout chemin par les lieux sélectionnés, ou les autoriser de nouveau</translation>
     </message>
     <message>
@@ -572,7 +572,7 @@
         <translation>Sauvegarder l&apos;en&amp;registrement...</translation>
     </message>
     <message>
-        <source>Save what was done in the last run, to replay it bit by bit</source>
+        <source>Save the recording of the last run, to replay it exactly</source>
         <translation>Sauvegarder l&apos;enregistrement du dernier calcul, pour le rejouer à l&apos;identique</translation>
     </message>
     <message>
@@ -588,7 +588,7 @@
         <translation>Re&amp;jouer le dernier calcul</translation>
     </message>
     <message>
-        <source>Run the last run, or the recording opened last, again bit by bit</source>
+        <source>Replay the last run, or the recording opened last, exactly</source>
         <translation>Rejouer à l&apos;identique le dernier calcul, ou le dernier enregistrement ouvert</translation>
     </message>
     <message>
@@ -596,7 +596,7 @@
         <translation>Rejouer avec les &amp;paramètres courants</translation>
     </message>
     <message>
-        <source>What the same operator would have led to with the sliders as they are set</source>
+        <source>Replay the same input of the operator with the present values of the sliders</source>
         <translation>Rejouer les gestes de l&apos;opérateur avec les réglages actuels des curseurs</translation>
     </message>
     <message>
@@ -676,7 +676,7 @@
         <translation>Réglage &amp;automatique</translation>
     </message>
     <message>
-        <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
+        <source>Let the program set α, N and d while planning, or use your values again</source>
         <translation>Laisser le programme régler α, N et d pendant la planification, ou reprendre vos valeurs</translation>
     </message>
     <message>
@@ -688,7 +688,7 @@
         <translation>&amp;Annuler</translation>
     </message>
     <message>
-        <source>End what is being done in the background: reading, smoothing, looking for reasons</source>
+        <source>Cancel the work in the background: reading, smoothing, looking for reasons</source>
         <translation>Arrêter le travail en arrière-plan : lecture, lissage, recherche des causes</translation>
     </message>
     <message>
@@ -792,7 +792,7 @@
         <translation>Cette pièce &amp;bouge</translation>
     </message>
     <message>
-        <source>The selected body becomes the object, from where it lies to &quot;out&quot;; what moved until now stays where it started</source>
+        <source>The selected body becomes the object, from its present pose to &quot;out&quot;; the former object stays at its start</source>
         <translation>Le corps sélectionné devient l&apos;objet, de sa position actuelle vers « dehors » ; l&apos;ancien objet reste à son départ</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>Dé&amp;gager les extrémités</translation>
     </message>
     <message>
-        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the least that is found</source>
+        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the smallest distance that is found</source>
         <translation>Si l&apos;objet touche ou recouvre un corps à son départ ou à son but, l&apos;écarter de la plus petite distance trouvée</translation>
     </message>
     <message>
@@ -836,7 +836,7 @@
         <translation>A&amp;juster l&apos;espace de travail</translation>
     </message>
     <message>
-        <source>A workspace about all bodies, with room for the object to get out</source>
+        <source>Fit the workspace to all bodies, with room for the object to leave</source>
         <translation>Ajuster l&apos;espace de travail à tous les corps, avec la place nécessaire à la sortie de l&apos;objet</translation>
     </message>
     <message>
@@ -888,7 +888,7 @@
         <translation>&amp;Volume balayé</translation>
     </message>
     <message>
-        <source>Show all that the object covers along the path, never less</source>
+        <source>Show the swept volume: all that the object covers along the path</source>
         <translation>Montrer tout le volume que l&apos;objet occupe le long du chemin, sans rien en omettre</translation>
     </message>
     <message>
@@ -932,7 +932,7 @@
         <translation>Admettre le recouvrement de la paire sélectionnée ; les résultats l&apos;indiquent</translation>
     </message>
     <message>
-        <source>Is a t&amp;hread</source>
+        <source>Mark as a t&amp;hread</source>
         <translation>Déclarer comme &amp;filetage</translation>
     </message>
     <message>
@@ -944,7 +944,7 @@
         <translation>Exiger un &amp;jeu</translation>
     </message>
     <message>
-        <source>As m&amp;easured</source>
+        <source>Use the m&amp;easured fit</source>
         <translation>Reprendre l&apos;ajustement m&amp;esuré</translation>
     </message>
     <message>
@@ -1008,7 +1008,7 @@
         <translation>Ép&amp;ingler le chemin</translation>
     </message>
     <message>
-        <source>Let the selected kept paths stay at the top of the list, or no longer</source>
+        <source>Keep the selected paths at the top of the list, or unpin them</source>
         <translation>Épingler les chemins sélectionnés en tête de la liste, ou les détacher</translation>
     </message>
     <message>
@@ -1200,7 +1200,7 @@
         <translation>Montrer les étapes dans l&apos;ordre du montage, ou dans celui du démontage</translation>
     </message>
     <message>
-        <source>Removed parts stand aside</source>
+        <source>Show removed parts aside</source>
         <translation>Pièces sorties à côté du produit</translation>
     </message>
     <message>
@@ -1224,7 +1224,7 @@
         <translation>Ordre en &amp;graphe</translation>
     </message>
     <message>
-        <source>Show which step makes way for which, and who blocks the parts that are stuck</source>
+        <source>Show which step makes way for which, and which parts block the stuck ones</source>
         <translation>Montrer quelle étape libère quelle autre, et quelles pièces bloquent celles qui ne sortent pas</translation>
     </message>
     <message>
@@ -1232,7 +1232,7 @@
         <translation>Monter l&apos;étape</translation>
     </message>
     <message>
-        <source>Move the chosen step of the sequence one row up; the rest is planned anew</source>
+        <source>Move the chosen step of the sequence one row up; the other steps are planned again</source>
         <translation>Monter d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
     </message>
     <message>
@@ -1240,7 +1240,7 @@
         <translation>Descendre l&apos;étape</translation>
     </message>
     <message>
-        <source>Move the chosen step of the sequence one row down; the rest is planned anew</source>
+        <source>Move the chosen step of the sequence one row down; the other steps are planned again</source>
         <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
     </message>
     <message>
@@ -1248,7 +1248,7 @@
         <translation>&amp;Verrouiller l&apos;étape</translation>
     </message>
     <message>
-        <source>The chosen steps keep their places and motions, or not any more</source>
+        <source>Keep the places and motions of the chosen steps, or release them</source>
         <translation>Garder la place et le mouvement des étapes sélectionnées, ou les libérer</translation>
     </message>
     <message>
@@ -1300,7 +1300,7 @@
         <translation>Retourner l&apos;ali&amp;gnement</translation>
     </message>
     <message>
-        <source>Turn what was aligned last round: the axis, or the face, looks the other way</source>
+        <source>Reverse the last alignment: the axis or the face points the other way</source>
         <translation>Retourner ce qui vient d&apos;être aligné : l&apos;axe ou la face change de sens</translation>
     </message>
     <message>
@@ -3958,11 +3958,11 @@
     </message>
     <message>
         <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
-        <translation>donne une tolérance à « %1 » et « %2 », qui ne se touchent pas là où ils sont assemblés</translation>
+        <translation>donne un amincissement à « %1 » et « %2 », qui ne se touchent pas en position assemblée</translation>
     </message>
     <message>
         <source>Remove the allowance.</source>
-        <translation>Supprimez la tolérance.</translation>
+        <translation>Supprimez l&apos;amincissement.</translation>
     </message>
     <message>
         <source>allows %1, more than the thickness of &apos;%2&apos; gives</source>
@@ -5608,23 +5608,23 @@
     </message>
     <message>
         <source>RRT-Connect as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, segments vérifiés par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>RRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, segments vérifiés par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>TRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, segments vérifiés par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BiTRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, segments vérifiés par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, segments vérifiés par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
 </context>
 <context>
@@ -5651,7 +5651,7 @@
     </message>
     <message>
         <source>Edges</source>
-        <translation>Segments</translation>
+        <translation>Arêtes</translation>
     </message>
     <message>
         <source>Random configurations (mean)</source>
@@ -6182,7 +6182,7 @@
         <translation>Source</translation>
     </message>
     <message>
-        <source>Take the edit back: the computed value again</source>
+        <source>Remove the edit and use the computed value</source>
         <translation>Annuler la modification et reprendre la valeur calculée</translation>
     </message>
 </context>
@@ -6318,7 +6318,7 @@
         <translation>Réi&amp;nitialiser le périphérique</translation>
     </message>
     <message>
-        <source>Shaping and buttons of this device as at the first time</source>
+        <source>Restores the original curves and buttons of this device</source>
         <translation>Rétablir les courbes et les boutons d&apos;origine de ce périphérique</translation>
     </message>
     <message>
@@ -6535,7 +6535,7 @@
     </message>
     <message>
         <source>Edges</source>
-        <translation>Segments</translation>
+        <translation>Arêtes</translation>
     </message>
     <message>
         <source>Both directions, as the papers count</source>
@@ -7453,15 +7453,15 @@
         <translation>auto</translation>
     </message>
     <message>
-        <source>%1 sets itself</source>
+        <source>The program sets %1</source>
         <translation>%1 est réglé par le programme</translation>
     </message>
     <message>
-        <source>Sets itself while planning. Press, or move the slider, to take it back; yours is %1</source>
+        <source>The program sets this value while planning. Press here, or move the slider, to use your value again: %1</source>
         <translation>Le programme règle cette valeur pendant la planification. Appuyez ici ou déplacez le curseur pour la reprendre ; la vôtre est %1</translation>
     </message>
     <message>
-        <source>Let it set itself while planning</source>
+        <source>Let the program set this value while planning</source>
         <translation>Laisser le programme régler cette valeur pendant la planification</translation>
     </message>
 </context>
@@ -7575,7 +7575,7 @@
         <translation>Mobile</translation>
     </message>
     <message>
-        <source>In the way, too, but somebody could move it</source>
+        <source>In the way, but a person could move it</source>
         <translation>Fait obstacle, mais une personne pourrait la déplacer</translation>
     </message>
     <message>
@@ -7651,7 +7651,7 @@
         <translation>Ferme les trous des maillages dont le bord est dans un plan ; un avertissement dit combien</translation>
     </message>
     <message>
-        <source>Is the unit right? The files do not say it, and their size does not tell. Choose it.</source>
+        <source>Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.</source>
         <translation>L&apos;unité est-elle la bonne ? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
     </message>
     <message>
@@ -7823,11 +7823,11 @@
         <translation>Position : sélectionnez un corps, le départ ou le but</translation>
     </message>
     <message>
-        <source>Point that the numbers are about</source>
+        <source>Point whose coordinates are shown</source>
         <translation>Point de référence des coordonnées</translation>
     </message>
     <message>
-        <source>What the numbers are about; poses of a CAD system are about the origin of its file</source>
+        <source>The point whose coordinates are shown; a CAD system gives those of the origin of its file</source>
         <translation>Point dont les coordonnées sont affichées ; un système de CAO donne celles de l&apos;origine de son fichier</translation>
     </message>
     <message>
@@ -7843,7 +7843,7 @@
         <translation>Point de référence</translation>
     </message>
     <message>
-        <source>What the poses of path files are about</source>
+        <source>The point whose poses are in path files</source>
         <translation>Point dont les fichiers de chemin donnent la position</translation>
     </message>
     <message>
@@ -8009,7 +8009,7 @@
         <translation>L&apos;enregistrement renvoie au fichier du scénario, où les corps ne sont pas disposés comme ici. Enregistrez aussi le scénario, sans quoi l&apos;enregistrement ne pourra pas être rejoué.</translation>
     </message>
     <message>
-        <source>A recording was left</source>
+        <source>A recording was not saved</source>
         <translation>Enregistrement non sauvegardé</translation>
     </message>
     <message>
@@ -8577,7 +8577,7 @@
     </message>
     <message>
         <source>Edges</source>
-        <translation>Segments</translation>
+        <translation>Arêtes</translation>
     </message>
     <message>
         <source>Random</source>
@@ -8694,7 +8694,7 @@
         <translation>L&apos;essai de graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
     </message>
     <message>
-        <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
+        <source>Seed %1 ended differently from the study: %2 nodes. Is this another version of Glissade?</source>
         <translation>La graine %1 n&apos;a pas fini comme dans l&apos;étude : %2 nœuds. Est-ce une autre version ?</translation>
     </message>
     <message>
@@ -9063,7 +9063,7 @@
         <translation>Coût des étapes</translation>
     </message>
     <message>
-        <source>The sequence cannot be planned so</source>
+        <source>The sequence cannot be planned with these demands</source>
         <translation>La séquence ne peut pas être planifiée ainsi</translation>
     </message>
     <message>
@@ -9338,7 +9338,7 @@
 <context>
     <name>glissade::ArrangeController</name>
     <message>
-        <source>%1 is aligned. %2 turns it round.</source>
+        <source>%1 is aligned. %2 reverses the direction.</source>
         <translation>%1 : aligné. %2 le retourne.</translation>
     </message>
 </context>
@@ -9916,7 +9916,7 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>How the next run plans, and who steers. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved while a run goes on.</source>
+        <source>The settings of the next run. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved during a run.</source>
         <translation>Réglages du prochain calcul. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet : vous, un périphérique ou une personne simulée. Les curseurs peuvent être déplacés pendant le calcul.</translation>
     </message>
     <message>
@@ -9932,7 +9932,7 @@
         <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une collision ou de déclarer un filetage.</translation>
     </message>
     <message>
-        <source>Planes across the axes that cut the obstacles open in the view. Planning does not know of them.</source>
+        <source>Planes across the axes that cut the obstacles open in the view. Planning ignores them.</source>
         <translation>Plans perpendiculaires aux axes qui coupent les obstacles dans la vue. La planification n&apos;en tient pas compte.</translation>
     </message>
     <message>
@@ -10012,11 +10012,11 @@
         <translation>Sa valeur pour la sélection.</translation>
     </message>
     <message>
-        <source>Who says so: computed from geometry, a class of bodies, or you.</source>
+        <source>Where the value comes from: computed from geometry, a class of bodies, or you.</source>
         <translation>Origine de la valeur : calcul géométrique, classe de corps, ou vous.</translation>
     </message>
     <message>
-        <source>Takes your value back.</source>
+        <source>Removes your value.</source>
         <translation>Annule votre valeur.</translation>
     </message>
     <message>
@@ -10060,7 +10060,7 @@
         <translation>Configurations aléatoires tirées pour l&apos;étape.</translation>
     </message>
     <message>
-        <source>What came of the step.</source>
+        <source>The result of the step.</source>
         <translation>Le résultat de l&apos;étape.</translation>
     </message>
     <message>

@@ -69,7 +69,7 @@ QLayout* CalibrationDialog::makeHeader() {
   preset_->setObjectName(QStringLiteral("preset"));
   state_->setObjectName(QStringLiteral("device-state"));
   auto* reset = new QPushButton(tr("&Reset the device"), this);
-  reset->setToolTip(tr("Shaping and buttons of this device as at the first time"));
+  reset->setToolTip(tr("Restores the original curves and buttons of this device"));
   auto* deviceLabel = new QLabel(tr("&Device"), this);
   deviceLabel->setBuddy(device_);
   auto* presetLabel = new QLabel(tr("&Preset"), this);
