@@ -155,7 +155,7 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
     EXPECT_EQ(warning.location, loss.entity);
     EXPECT_THAT(warning.reason, HasSubstr(loss.reason));
     EXPECT_THAT(warning.reason, HasSubstr("not closed"));
-    EXPECT_THAT(warning.reason, HasSubstr("free space to every proof"));
+    EXPECT_THAT(warning.reason, HasSubstr("proofs take what is missing as free space"));
   }
 }
 
