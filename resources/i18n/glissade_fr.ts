@@ -5156,6 +5156,34 @@
         <source>and %1 more</source>
         <translation>et %1 autres</translation>
     </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>fichier ou dossier inexistant</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permission refusée</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ce n&apos;est pas un dossier</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>
@@ -9610,7 +9638,7 @@
     <name>glissade::ColourButton</name>
     <message>
         <source>As the theme</source>
-        <translation>Celle du thème</translation>
+        <translation>Couleur du thème</translation>
     </message>
 </context>
 <context>

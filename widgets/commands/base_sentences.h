@@ -92,6 +92,13 @@ inline constexpr const char* kBaseSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "joint '%1'"),
     QT_TRANSLATE_NOOP("Diagnostics", "'%1' and '%2'"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1 and %2 more"),
+    QT_TRANSLATE_NOOP("Diagnostics", "No such file or directory"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Permission denied"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Is a directory"),
+    QT_TRANSLATE_NOOP("Diagnostics", "No space left on device"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Read-only file system"),
+    QT_TRANSLATE_NOOP("Diagnostics", "File name too long"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Not a directory"),
 };
 // NOLINTEND(bugprone-suspicious-missing-comma)
 

@@ -8,7 +8,7 @@ namespace glissade {
 
 /// Whether the windows of a theme are dark.
 inline bool isDark(const QPalette& palette) {
-  const QColor ground = palette.color(QPalette::Window);
+  const QColor& ground = palette.color(QPalette::Window);
   return isDarkGround(ground.redF(), ground.greenF(), ground.blueF());
 }
 
