@@ -68,8 +68,6 @@ void printDifficulty(const Difficulty& difficulty, const CollisionWorld& world) 
   if (const auto& least = difficulty.leastPenetration) {
     std::cout << "with " << 1e3 * least->depth << " mm given between the object and '" << bodyName(world, least->body)
               << "', at " << place(least->q) << ", there is a way of " << least->way.size() << " configurations\n";
-  } else if (world.object().triangles.size() > PenetrationBudget().triangles) {
-    std::cout << "the object has too many triangles to look for the way of least penetration\n";
   } else {
     std::cout << "no erosion of the object that was tried opens a way\n";
   }

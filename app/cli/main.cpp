@@ -91,16 +91,16 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
         if (backend == backends.end()) throw CLI::ValidationError("--collision", "'" + name + "' is not kernel or fcl");
         options.collision = backend->second;
       },
-      "Who answers for collisions: kernel or fcl (default: kernel)");
+      "Collision checker: kernel or fcl (default: kernel)");
   addFitOptions(*plan, options.fits, "the scenario's");
   plan->add_option("--operator", options.operatorName,
-                   "Who holds the device: none, novice, default, expert, simulated-haptic or replay:FILE");
+                   "Operator: none, novice, default, expert, simulated-haptic or replay:FILE");
   addParameters(*plan, options.parameters);
   plan->add_flag_callback(
       "--smooth", [&options] { options.parameters.try_emplace(ParameterId::Smoothing, kUsualShortcuts); },
       "Shorten the path and keep it certified: --smoothing " + std::to_string(kUsualShortcuts));
   plan->add_flag("--edges", options.edges, "Report the certificate of every edge");
-  plan->add_flag("--difficulty", options.difficulty, "Where no path is found, say what stood in the way");
+  plan->add_flag("--difficulty", options.difficulty, "Where no path is found, print the reasons");
   plan->add_option("--seed", options.seed, "Seed of everything random (default: the scenario's)");
   plan->add_option("--out", options.out, "Write the path: " + writablePathFormats());
   plan->add_option("--record", options.record, "Write a run record for replay");
@@ -109,7 +109,7 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
 }
 
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
-  CLI::App* check = app.add_subcommand("check", "Certify any path independently");
+  CLI::App* check = app.add_subcommand("check", "Judge a path or an assembly plan with the independent check");
   check
       ->add_option("SCENARIO", options.scenario,
                    "Scenario file or OMPL.app .cfg; of an assembly plan the product, as in sequence")
@@ -139,7 +139,7 @@ CLI::App* addSmooth(CLI::App& app, SmoothOptions& options) {
 }
 
 CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
-  CLI::App* sweep = app.add_subcommand("sweep", "Write what the object covers along a path, never less");
+  CLI::App* sweep = app.add_subcommand("sweep", "Write the swept volume of a path: all that the object covers");
   sweep->add_option("SCENARIO", options.scenario, "Scenario file or OMPL.app .cfg")->required();
   sweep->add_option("PATH", options.path, "Path: " + readablePathFormats())->required();
   sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
@@ -151,7 +151,7 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
 }
 
 CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
-  CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and what the meshes are worth");
+  CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and the quality of the meshes");
   info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, mesh, URDF)")->required();
   info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
   addFormat(*info, options.format);
@@ -174,11 +174,12 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
   fits->add_option("FILE", options.file, "Scenario, STEP file, or an assembly in one (product.step:pump)")->required();
   addLength(
       *fits, "--clearance-up-to", [&options](double distance) { options.limits.clearanceUpTo = distance; },
-      "List pairs that are apart by up to this too, as 0.5mm (default: 0)");
+      "List pairs with a gap of up to this, too, as 0.5mm (default: 0)");
   addLength(
       *fits, "--clash-above", [&options](double overlap) { options.limits.clashOverlap = overlap; },
       "An overlap above this is a clash (default: 1mm)");
-  fits->add_option("--clash-share", options.limits.clashThickness, "So is one above this share of the local thickness")
+  fits->add_option("--clash-share", options.limits.clashThickness,
+                   "An overlap above this share of the local thickness is a clash, too")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   addPartDeflection(*fits, options.deflection);
@@ -188,7 +189,8 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
 }
 
 CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
-  CLI::App* sequence = app.add_subcommand("sequence", "Find in which order the parts of a product leave, with motions");
+  CLI::App* sequence =
+      app.add_subcommand("sequence", "Find in which order the parts of a product leave, with a certified motion each");
   sequence
       ->add_option("FILE", options.file, "Scenario, STEP file, an assembly in one (product.step:pump), or URDF file")
       ->required();
@@ -203,7 +205,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   sequence
-      ->add_option("--time-limit", options.timeLimit, "Seconds after which the plan so far is what there is; 0: none")
+      ->add_option("--time-limit", options.timeLimit,
+                   "Time limit in seconds; the plan found so far is then written; 0: none")
       ->capture_default_str();
   sequence->add_option("--stay", options.staying, "Bodies that are not to leave (default: the largest)");
   sequence->add_option("--together", options.together, "Bodies that leave as one: names with commas between them");
@@ -223,7 +226,8 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
 }
 
 CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
-  CLI::App* convert = app.add_subcommand("convert", "OMPL.app .cfg to a scenario, or a path to another format");
+  CLI::App* convert =
+      app.add_subcommand("convert", "Convert an OMPL.app .cfg to a scenario, or a path to another format");
   convert->add_option("IN", options.input, "What to read: a .cfg, a scenario; or a path: " + readablePathFormats())
       ->required();
   convert->add_option("OUT", options.output, "What to write: a scenario (.json); or a path: " + writablePathFormats())
@@ -234,8 +238,7 @@ CLI::App* addConvert(CLI::App& app, ConvertOptions& options) {
 }
 
 CLI::App* addNew(CLI::App& app, NewOptions& options) {
-  CLI::App* make =
-      app.add_subcommand("new", "A scenario of part files (meshes, STEP, URDF), one of which is to come out");
+  CLI::App* make = app.add_subcommand("new", "Make a scenario of part files (meshes, STEP, URDF), of which one moves");
   make->footer(
       "A part of a STEP file is named behind its file: --moves product.step:pin --static product.step makes a body\n"
       "of every other part. An assembly in the file (product.step:pump) stands for all of its parts; two parts of\n"
@@ -243,7 +246,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
   make->add_option("OUT", options.output, "Scenario file to write")->required();
   make->add_option("--moves", options.moving, "The part that moves")->required();
   make->add_option("--static", options.statics, "Parts that stay where they are");
-  make->add_option("--mobile", options.mobiles, "Parts that somebody could move");
+  make->add_option("--mobile", options.mobiles, "Parts in the way that a person could move");
   addLength(
       *make, "--unit", [&options](double unit) { options.unit = unit; },
       "A unit of the files, as 1mm, 1m, 1in or 25.4mm (default: 1m for Collada and glTF; for other meshes 1mm, or 1m "
@@ -261,28 +264,30 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       },
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
       "part's diagonal, from 0.01mm to 0.5mm)");
-  make->add_flag("--close-holes", options.closeHoles, "Close the holes of meshes that are planar, and say how many");
+  make->add_flag("--close-holes", options.closeHoles, "Close the planar holes of meshes, and print how many");
   addFitOptions(*make, options.fits, "on");
-  make->add_flag("--clear", options.clear, "Move the start clear of what it touches, and say how far");
+  make->add_flag("--clear", options.clear, "Move the start clear of the bodies that it touches, and print how far");
   return make;
 }
 
 CLI::App* addStudy(CLI::App& app, StudyOptions& options) {
   CLI::App* study = app.add_subcommand("study", "Repeat runs over scenarios, strategies, parameters and seeds");
   study->add_option("STUDY", options.study, "Study file (samples/studies)")->required();
-  study->add_option("--out", options.out, "Folder of the results; one that was begun is gone on with")->required();
+  study->add_option("--out", options.out, "Folder of the results; a study that was begun there is continued")
+      ->required();
   study->add_option("--jobs", options.jobs, "Runs at once")->check(CLI::Range(1, 1024))->capture_default_str();
   study->add_option("--shard", options.shard, "I/N: only every N-th run, from the I-th; see merge")
       ->capture_default_str();
   study->add_flag("--quick", options.quick, "The study's quick section: about a minute");
-  study->add_flag("--dry-run", options.dryRun, "Say what would be run; write nothing");
+  study->add_flag("--dry-run", options.dryRun, "Print what would be run; write nothing");
   return study;
 }
 
 CLI::App* addMerge(CLI::App& app, MergeOptions& options) {
-  CLI::App* merge = app.add_subcommand("merge", "Unite the results of a study's shards and write its tables");
+  CLI::App* merge =
+      app.add_subcommand("merge", "Combine the results of the parts of a study (--shard) and write its tables");
   merge->add_option("DIR", options.folders, "Folders of results")->required();
-  merge->add_option("--out", options.out, "Folder of the united results")->required();
+  merge->add_option("--out", options.out, "Folder of the combined results")->required();
   return merge;
 }
 
@@ -305,7 +310,7 @@ CLI::App* addBenchmarkPage(CLI::App& app, std::string& folder) {
 
 CLI::App* addReplay(CLI::App& app, ReplayOptions& options) {
   CLI::App* replay = app.add_subcommand("replay", "Run a recorded run again and compare the roadmaps bit by bit");
-  replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was cut off")->required();
+  replay->add_option("RECORD", options.record, "Run record, or the journal of a run that was interrupted")->required();
   replay->add_option("--scenario", options.scenario, "Scenario of the run (default: the one that the record names)");
   addFormat(*replay, options.format);
   return replay;

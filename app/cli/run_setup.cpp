@@ -36,7 +36,7 @@ std::string lowerCase(std::string text) {
 Outcome checkPlanner(const std::string& id) {
   if (makePlannerRegistry().find(id) != nullptr) return Done{};
   return Diagnostic{ErrorKind::Usage, "", "--strategy", "there is no planner '" + id + "'",
-                    "See 'glissade-cli plan --help' for those there are."};
+                    "See 'glissade-cli plan --help' for the planners."};
 }
 
 /// The recorded run again, or with what the options change.

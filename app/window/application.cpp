@@ -60,19 +60,19 @@ void addOptions(QCommandLineParser& parser) {
       QStringLiteral("[SCENARIO]"));
   parser.addOptions({
       {"offscreen", "Run without a display"},
-      {"screenshot", "Save a picture of the whole window and leave", "FILE"},
-      {"thumbnail", "Save a small picture of the scene as PNG and leave", "FILE"},
+      {"screenshot", "Save a picture of the whole window and quit", "FILE"},
+      {"thumbnail", "Save a small picture of the scene as PNG and quit", "FILE"},
       {"thumbnail-pixels", "Width and height of the small picture", "PIXELS", "256"},
       {"size", "Size of the window in pixels", "WxH", "1280x720"},
-      {"script", "Carry out a script and leave", "FILE"},
+      {"script", "Carry out a script and quit", "FILE"},
       {"study-pictures", "Take pictures of the typical roadmaps of the study in DIR, for its report", "DIR"},
       {"report-pdf", "Write the report of the study (or the page of the benchmarks) in DIR as PDF there", "DIR"},
-      {"write-manual", "Write the manual as HTML into DIR, in a folder for the language, and leave", "DIR"},
-      {"theme", "light or dark", "THEME", "light"},
+      {"write-manual", "Write the manual as HTML into DIR, in a folder for the language, and quit", "DIR"},
+      {"theme", "light or dark (default: as in the preferences, or the desktop's; light in scripts)", "THEME", "light"},
       {"language", "en or fr (default: as in the preferences, or the desktop's; en in scripts)", "LANGUAGE"},
       {"seed", "Seed of everything random", "SEED"},
-      {"help", "Show this help and leave"},
-      {"version", "Show the version and leave"},
+      {"help", "Show this help and quit"},
+      {"version", "Show the version and quit"},
   });
   for (const ParameterSpec& spec : parameterTable()) {
     parser.addOption({optionName(spec), text(spec.help), QStringLiteral("VALUE")});

@@ -95,7 +95,7 @@ void ArrangeController::align(const AssemblyItem& item, const MeasureFeature& mo
     aligned_ = Aligned{item, *before, moving, fixed};
     placeAligned();
     const QString keys = bench_.actions["assembly.flip"]->shortcut().toString(QKeySequence::NativeText);
-    bench_.messages.showStatus(tr("%1 is aligned. %2 turns it round.").arg(nameOf(item), keys));
+    bench_.messages.showStatus(tr("%1 is aligned. %2 reverses the direction.").arg(nameOf(item), keys));
   }
   resume();
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/devices/calibration_dialog.h"
 #include "widgets/scene3d/camera_steering.h"
 
@@ -130,7 +131,7 @@ void DeviceController::showState(const HandInput& input, const QString& text, QL
   const InputReading now = input.mailbox.reading();
   const auto problem = problemOf(input);
   label.setText(text.arg(problem ? tr("error") : now.connected ? shortened(now.name) : tr("none")));
-  label.setToolTip(QString::fromStdString(problem ? toString(*problem) : now.name));
+  label.setToolTip(problem ? diagnosticLine(*problem) : QString::fromStdString(now.name));
   label.setVisible(input.kind == InputKind::Mouse6D || now.connected || problem);
   if (input.kind == InputKind::Mouse6D && !now.connected && !problem) {
     label.setToolTip(tr("No 6D mouse, or spacenavd does not run; looked for again and again"));

@@ -33,7 +33,7 @@ void DifficultyController::followRun() {
 }
 
 void DifficultyController::find() {
-  bench_.work.run(tr("Looking for what stands in the way"),
+  bench_.work.run(tr("Looking for the reasons"),
                   [this, scenario = bench_.document.scenario(),
                    end = bench_.session.snapshot()](const WorkWatch& watch) -> BackgroundTask::Delivery {
                     const GrownRoadmap grown = grownRoadmap(*end);

@@ -167,10 +167,11 @@ Outcome KeptPathsController::openPath(const std::string& name) {
   const KeptPathPtr path = bench_.document.paths().find(name);
   if (!path) return wrongCommand("there is no kept path '" + name + "'");
   if (path->object != bench_.document.scenario()->object.id) {
-    return Diagnostic{ErrorKind::Usage, "", name, "another object moves now", "Let '" + path->object + "' move first."};
+    return Diagnostic{ErrorKind::Usage, "", name, "another object moves now",
+                      "Make '" + path->object + "' the object first."};
   }
   if (isRunning(*bench_.session.snapshot())) {
-    return Diagnostic{ErrorKind::Usage, "", name, "a path is being looked for", "Stop the run first."};
+    return Diagnostic{ErrorKind::Usage, "", name, "a run is going on", "Stop the run first."};
   }
   bench_.document.whenArranged([this, path] {
     bench_.session.givePath({withUnitRotations(path->points), path->provenance});

@@ -6,7 +6,7 @@ namespace glissade {
 
 PartImport::PartImport(const Workbench& bench) : QObject(&bench.window), bench_(bench) {
   connect(this, &PartImport::importFailed, this,
-          [this](const Diagnostic& why) { bench_.messages.showError(tr("The parts cannot be taken"), why); });
+          [this](const Diagnostic& why) { bench_.messages.showError(tr("The parts cannot be added"), why); });
   bench.onAction("assembly.add", this, [this] { ask(PartsDialog::Purpose::AddParts); });
 }
 

@@ -105,11 +105,10 @@ std::optional<Diagnostic> PathController::open(const QString& file) {
   const std::string name = file.toStdString();
   const SnapshotPtr live = bench_.session.snapshot();
   if (!live) {
-    return Diagnostic{ErrorKind::Usage, name, "", "there is no scenario that the path could be of",
-                      "Open its scenario first."};
+    return Diagnostic{ErrorKind::Usage, name, "", "no scenario is open", "Open its scenario first."};
   }
   if (isRunning(*live)) {
-    return Diagnostic{ErrorKind::Usage, name, "", "a path is being looked for", "Stop the run first."};
+    return Diagnostic{ErrorKind::Usage, name, "", "a run is going on", "Stop the run first."};
   }
   if (!bench_.run.isLive()) {
     return Diagnostic{ErrorKind::Usage, name, "", "a recording is shown", "Close the replay first."};

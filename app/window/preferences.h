@@ -7,13 +7,17 @@
 
 namespace glissade {
 
-/// A user's choices that no action has. WindowMemory keeps them.
+/// Light, dark, or whichever of the two the desktop had when the program started.
+enum class ThemeChoice { Desktop, Light, Dark };
+
+/// A user's choices for all scenarios. WindowMemory keeps them.
 struct Preferences {
   QString language;         ///< "en", "fr"; empty: that of the desktop
   double fontPoints = 9.0;  ///< of all texts of the window; small enough for three docks at 1280 x 720
   LengthUnit lengthUnit = LengthUnit::Fitting;
   int autosaveSeconds = 3;  ///< between two writings of what is not saved
   SceneColours colours = {};
+  ThemeChoice theme = ThemeChoice::Desktop;
 };
 
 inline constexpr double kLeastFontPoints = 7.0;

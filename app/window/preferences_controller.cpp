@@ -7,12 +7,17 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/theme.h"
 #include "app/window/window_memory.h"
+#include "widgets/commands/dark_palette.h"
 
 namespace glissade {
 
 PreferencesController::PreferencesController(const Workbench& bench, SetAutosave setAutosave)
-    : QObject(&bench.window), bench_(bench), setAutosave_(std::move(setAutosave)) {
+    : QObject(&bench.window),
+      bench_(bench),
+      setAutosave_(std::move(setAutosave)),
+      desktopTheme_(isDark(QApplication::palette()) ? Theme::Dark : Theme::Light) {
   bench.onAction("edit.preferences", this, [this] { change(); });
+  connect(bench.actions["view.dark"], &QAction::toggled, this, &PreferencesController::takeTheme);
 }
 
 void PreferencesController::remember(WindowMemory& memory) {
@@ -22,6 +27,9 @@ void PreferencesController::remember(WindowMemory& memory) {
 
 void PreferencesController::change() {
   present_.fontPoints = QApplication::font().pointSizeF();
+  // A script or the command line may have chosen the theme.
+  const bool dark = bench_.actions["view.dark"]->isChecked();
+  if ((themeOf(present_.theme) == Theme::Dark) != dark) present_.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
   auto* dialog = new PreferencesDialog(bench_.actions, present_, &bench_.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
@@ -33,10 +41,23 @@ void PreferencesController::change() {
   dialog->open();
 }
 
+Theme PreferencesController::themeOf(ThemeChoice choice) const {
+  if (choice == ThemeChoice::Desktop) return desktopTheme_;
+  return choice == ThemeChoice::Dark ? Theme::Dark : Theme::Light;
+}
+
+/// The action chooses light or dark for good; the desktop's is chosen in the dialog.
+void PreferencesController::takeTheme(bool dark) {
+  if ((themeOf(present_.theme) == Theme::Dark) == dark) return;
+  present_.theme = dark ? ThemeChoice::Dark : ThemeChoice::Light;
+  if (memory_ != nullptr) memory_->savePreferences(present_);
+}
+
 void PreferencesController::apply(const Preferences& preferences) {
   present_ = preferences;
   setFontPoints(preferences.fontPoints);
   setAutosave_(preferences.autosaveSeconds);
+  bench_.actions["view.dark"]->setChecked(themeOf(preferences.theme) == Theme::Dark);
   bench_.scene.view().setColours(preferences.colours);
   if (lengthUnit() != preferences.lengthUnit) {
     setLengthUnit(preferences.lengthUnit);

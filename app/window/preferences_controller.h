@@ -6,6 +6,7 @@
 
 #include "app/window/preferences.h"
 #include "app/window/workbench.h"
+#include "widgets/scene3d/scene_view.h"
 
 namespace glissade {
 
@@ -28,9 +29,12 @@ class PreferencesController final : public QObject {
  private:
   void change();
   void apply(const Preferences& preferences);
+  Theme themeOf(ThemeChoice choice) const;
+  void takeTheme(bool dark);
 
   const Workbench& bench_;
   SetAutosave setAutosave_;
+  Theme desktopTheme_;  ///< before the window gave the program its own
   Preferences present_;
   WindowMemory* memory_ = nullptr;
 };

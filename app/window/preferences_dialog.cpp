@@ -10,7 +10,6 @@
 #include "widgets/scene3d/navigation_style.h"
 
 namespace glissade {
-namespace {}  // namespace
 
 QString languageOf(const QString& asked, const Preferences& preferences, const QString& desktop) {
   for (const QString& language : {asked, preferences.language, desktop}) {
@@ -71,8 +70,11 @@ void PreferencesDialog::fill(const Preferences& present) {
   autosave_->setSuffix(tr(" s"));
   autosave_->setValue(present.autosaveSeconds);
   autosave_->setToolTip(tr("What is not saved is written into the program's data folder, to be offered after a crash"));
-  theme_->addItems({tr("Light"), tr("Dark")});
-  theme_->setCurrentIndex(actions_["view.dark"]->isChecked() ? 1 : 0);
+  theme_->addItem(tr("As the desktop"), static_cast<int>(ThemeChoice::Desktop));
+  theme_->addItem(tr("Light"), static_cast<int>(ThemeChoice::Light));
+  theme_->addItem(tr("Dark"), static_cast<int>(ThemeChoice::Dark));
+  theme_->setItemData(0, tr("Light or dark, as the desktop was when the program started"), Qt::ToolTipRole);
+  theme_->setCurrentIndex(theme_->findData(static_cast<int>(present.theme)));
   for (const NavigationStyleEntry& entry : kNavigationStyles) {
     const QAction* action = actions_[QLatin1String(entry.action)];
     navigation_->addItem(withoutMnemonic(action->text()), QLatin1String(entry.action));
@@ -105,11 +107,11 @@ Preferences PreferencesDialog::preferences() const {
           font_->value(),
           static_cast<LengthUnit>(unit_->currentData().toInt()),
           autosave_->value(),
-          {background_->colour(), path_->colour(), start_->colour(), goal_->colour()}};
+          {background_->colour(), path_->colour(), start_->colour(), goal_->colour()},
+          static_cast<ThemeChoice>(theme_->currentData().toInt())};
 }
 
 void PreferencesDialog::accept() {
-  actions_["view.dark"]->setChecked(theme_->currentIndex() == 1);
   actions_[navigation_->currentData().toString()]->setChecked(true);
   QDialog::accept();
 }

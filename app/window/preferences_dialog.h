@@ -11,7 +11,7 @@
 
 namespace glissade {
 
-/// What a user chooses for all scenarios. Theme and navigation are actions: the dialog sets these when it is accepted.
+/// What a user chooses for all scenarios. Navigation is an action: the dialog sets it when it is accepted.
 class PreferencesDialog final : public QDialog {
   Q_OBJECT
 

@@ -78,7 +78,7 @@ void RecordingController::keepJournals(const QString& folder) {
 }
 
 QString RecordingController::offerJournal(const QString& file) {
-  QMessageBox box(QMessageBox::Question, tr("A recording was left"),
+  QMessageBox box(QMessageBox::Question, tr("A recording was not saved"),
                   tr("Glissade ended unexpectedly with a recording that was not saved. It is still there."),
                   QMessageBox::NoButton, &bench_.window);
   const auto* saved = box.addButton(tr("&Save..."), QMessageBox::AcceptRole);

@@ -318,8 +318,7 @@ std::optional<Diagnostic> SequenceController::open(const QString& file) {
   const std::string name = file.toStdString();
   const ScenarioPtr& scenario = bench_.document.scenario();
   if (!scenario) {
-    return Diagnostic{ErrorKind::Usage, name, "", "there is no product that the plan could be of",
-                      "Open the product first."};
+    return Diagnostic{ErrorKind::Usage, name, "", "no product is open", "Open the product first."};
   }
   const auto plan = readPlan(name);
   if (!plan) return plan.error();

@@ -99,7 +99,7 @@ void SequenceEdits::addScriptCommands() {
 void SequenceEdits::set(const QString& text, const SequenceDemands& demands) {
   const Result<StepCost> cost = StepCost::of(demands);
   if (!cost) {
-    bench_.messages.showError(tr("The sequence cannot be planned so"), cost.error());
+    bench_.messages.showError(tr("The sequence cannot be planned with these demands"), cost.error());
     sequence_.panel()->setCost(bench_.document.demands().cost);
     return;
   }

@@ -25,9 +25,10 @@ void SequenceHand::begin() {
   const auto& steps = shown.plan->steps;
   if (run.step) {
     if (!steps[*run.step].with.empty()) {
-      bench_.messages.showError(tr("The step cannot be moved by hand"),
-                                {ErrorKind::Usage, "", "step", "its parts leave as one, and one part is in the hand",
-                                 "Choose a step of a single part."});
+      bench_.messages.showError(
+          tr("The step cannot be moved by hand"),
+          {ErrorKind::Usage, "", "step", "its parts leave together, and only one part can be moved by hand",
+           "Choose a step of a single part."});
       return;
     }
     run.body = steps[*run.step].body;
@@ -59,7 +60,7 @@ void SequenceHand::noteBegun() {
     run_->command = bench_.document.undoStack().index();
     const QString name = QString::fromStdString(shortNameOf(run_->body, *run_->plan.product));
     sequence_.panel()->setNotice(
-        tr("%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified "
+        tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
             .arg(name));
   }

@@ -39,8 +39,7 @@ QString statusText(const SessionSnapshot& snapshot) {
     if (why.location == "goal") {
       return say(QT_TRANSLATE_NOOP("Status", "The goal is refused: see the message over the scene."));
     }
-    const QString place =
-        why.location.empty() ? QString() : QString::fromStdString(why.location) + QStringLiteral(": ");
+    const QString place = why.location.empty() ? QString() : engineText(why.location) + QStringLiteral(": ");
     return place + diagnosticText(why);
   }
   switch (snapshot.state) {

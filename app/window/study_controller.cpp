@@ -158,7 +158,7 @@ void StudyController::watch(const SnapshotPtr& snapshot) {
   if (same) {
     browser_->setMessage(
         *same ? tr("Seed %1 ended as in the study: %2 nodes.").arg(shown_->seed).arg(snapshot->counts.nodes)
-              : tr("Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?")
+              : tr("Seed %1 ended differently from the study: %2 nodes. Is this another version of Glissade?")
                     .arg(shown_->seed)
                     .arg(snapshot->counts.nodes));
   }

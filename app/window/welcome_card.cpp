@@ -6,6 +6,7 @@
 #include <QTextLayout>
 
 #include "app/window/scenario_pictures.h"
+#include "widgets/commands/dark_palette.h"
 
 namespace glissade {
 namespace {
@@ -13,10 +14,7 @@ namespace {
 constexpr int kCardPadding = 8;
 constexpr int kCardRadius = 6;
 constexpr int kTextLines = 2;
-constexpr int kDarkLightness = 128;
 constexpr double kAwayOpacity = 0.35;
-
-bool isDark(const QPalette& palette) { return palette.color(QPalette::Window).lightness() < kDarkLightness; }
 
 QFont nameFont(const QWidget& card) {
   QFont font = card.font();

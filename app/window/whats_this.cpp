@@ -25,10 +25,9 @@ QString helpText(const char* text) { return QCoreApplication::translate("WhatsTh
 const std::vector<PartHelp>& panelHelp() {
   static const std::vector<PartHelp> panels{
       {"interaction",
-       QT_TRANSLATE_NOOP(
-           "WhatsThis",
-           "How the next run plans, and who steers. The strategy is the planner. The operator holds the "
-           "object: you, a device, or a simulated person. The sliders can be moved while a run goes on.")},
+       QT_TRANSLATE_NOOP("WhatsThis",
+                         "The settings of the next run. The strategy is the planner. The operator holds the object: "
+                         "you, a device, or a simulated person. The sliders can be moved during a run.")},
       {"scene-tree",
        QT_TRANSLATE_NOOP("WhatsThis",
                          "All bodies of the scenario: the object that moves with its start and goal, and the "
@@ -44,7 +43,7 @@ const std::vector<PartHelp>& panelHelp() {
       {"section", QT_TRANSLATE_NOOP(
                       "WhatsThis",
                       "Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene "
-                      "drag them. Planning does not know of them.")},
+                      "drag them. Planning ignores them.")},
       {"run", QT_TRANSLATE_NOOP("WhatsThis",
                                 "Figures of the run: iterations, nodes and edges of the two trees, configurations by "
                                 "who drew them, and the nearest obstacle of the object.")},
@@ -91,8 +90,9 @@ const std::vector<ColumnHelp>& columnHelp() {
       {"attributes",
        {QT_TRANSLATE_NOOP("WhatsThis", "The name of the attribute. Your own can be renamed and removed."),
         QT_TRANSLATE_NOOP("WhatsThis", "Its value for what is selected."),
-        QT_TRANSLATE_NOOP("WhatsThis", "Who says so: computed from geometry, a class of bodies, or you."),
-        QT_TRANSLATE_NOOP("WhatsThis", "Takes your value back.")}},
+        QT_TRANSLATE_NOOP("WhatsThis",
+                          "Where the value comes from: computed from geometry, a class of bodies, or you."),
+        QT_TRANSLATE_NOOP("WhatsThis", "Removes your value.")}},
       {"fits-table",
        {QT_TRANSLATE_NOOP("WhatsThis", "How they meet: planar, cylindrical, thread, press, overlap, contact or clash."),
         QT_TRANSLATE_NOOP("WhatsThis", "The distance of the surfaces; negative where the bodies overlap."),
@@ -105,7 +105,7 @@ const std::vector<ColumnHelp>& columnHelp() {
         QT_TRANSLATE_NOOP("WhatsThis", "The place that it leads to."),
         QT_TRANSLATE_NOOP("WhatsThis", "The planner that searches the step."),
         QT_TRANSLATE_NOOP("WhatsThis", "Random configurations that were drawn for the step."),
-        QT_TRANSLATE_NOOP("WhatsThis", "What came of the step.")}},
+        QT_TRANSLATE_NOOP("WhatsThis", "The result of the step.")}},
       {"kept-paths",
        {QT_TRANSLATE_NOOP("WhatsThis", "The name of the path. A checked box draws it."),
         QT_TRANSLATE_NOOP("WhatsThis", "Whether the path holds in the present arrangement."),

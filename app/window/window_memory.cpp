@@ -22,6 +22,7 @@ const QLatin1String kLanguage("preferences/language");
 const QLatin1String kFontPoints("preferences/font-points");
 const QLatin1String kLengthUnit("preferences/length-unit");
 const QLatin1String kAutosave("preferences/autosave-seconds");
+const QLatin1String kTheme("preferences/theme");
 const QLatin1String kColours("preferences/colours/");
 const QLatin1String kGhosts("path/ghosts-");
 const QLatin1String kChoices("choices/");
@@ -29,6 +30,9 @@ const QLatin1String kShortcuts("shortcuts/");
 
 /// In the order of LengthUnit.
 constexpr std::array<const char*, 4> kUnitNames{"fitting", "mm", "in", "m"};
+
+/// In the order of ThemeChoice.
+constexpr std::array<const char*, 3> kThemeNames{"desktop", "light", "dark"};
 
 LengthUnit unitNamed(const QString& name) {
   for (std::size_t i = 0; i < kUnitNames.size(); ++i) {
@@ -51,7 +55,7 @@ std::vector<QLatin1String> choiceIds() {
   std::vector<QLatin1String> ids;
   for (const ActionSpec& spec : actionSpecs()) {
     const QLatin1String id(spec.id);
-    if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.dark") ||
+    if (id.startsWith(QLatin1String("navigation.")) ||
         id == QLatin1String("view.orthographic") || id == QLatin1String("display.depth-shading") ||
         id == QLatin1String("path.follow") || id == QLatin1String("section.handles") ||
         id == QLatin1String("layer.grid")) {
@@ -155,6 +159,17 @@ void WindowMemory::saveGhosts(const PathSpacing& spacing) {
   settings_.setValue(kGhosts + QLatin1String("distance"), spacing.distance);
 }
 
+ThemeChoice WindowMemory::theme() const {
+  const QString name = settings_.value(kTheme).toString();
+  for (std::size_t i = 0; i < kThemeNames.size(); ++i) {
+    if (name == QLatin1String(kThemeNames[i])) return static_cast<ThemeChoice>(i);
+  }
+  // Before the desktop could be chosen, the theme was that of an action.
+  const QVariant dark = settings_.value(kChoices + QLatin1String("view.dark"));
+  if (dark.isNull()) return ThemeChoice::Desktop;
+  return dark.toBool() ? ThemeChoice::Dark : ThemeChoice::Light;
+}
+
 Preferences WindowMemory::preferences() const {
   Preferences preferences;
   preferences.language = settings_.value(kLanguage).toString();
@@ -163,6 +178,7 @@ Preferences WindowMemory::preferences() const {
   preferences.lengthUnit = unitNamed(settings_.value(kLengthUnit).toString());
   const int seconds = settings_.value(kAutosave, preferences.autosaveSeconds).toInt();
   if (seconds >= kLeastAutosaveSeconds && seconds <= kMostAutosaveSeconds) preferences.autosaveSeconds = seconds;
+  preferences.theme = theme();
   forEachColour(preferences.colours, [this](const char* name, std::optional<Colour>& colour) {
     const QColor kept(settings_.value(kColours + QLatin1String(name)).toString());
     if (kept.isValid()) colour = Colour{kept.redF(), kept.greenF(), kept.blueF()};
@@ -175,6 +191,7 @@ void WindowMemory::savePreferences(const Preferences& preferences) {
   settings_.setValue(kFontPoints, preferences.fontPoints);
   settings_.setValue(kLengthUnit, QLatin1String(kUnitNames[static_cast<std::size_t>(preferences.lengthUnit)]));
   settings_.setValue(kAutosave, preferences.autosaveSeconds);
+  settings_.setValue(kTheme, QLatin1String(kThemeNames[static_cast<std::size_t>(preferences.theme)]));
   forEachColour(preferences.colours, [this](const char* name, const std::optional<Colour>& colour) {
     const QString key = kColours + QLatin1String(name);
     if (colour) {

@@ -84,7 +84,7 @@ Result<std::optional<std::string>> presentContent(const SaveTarget& target, cons
   Diagnostic why = content.error();
   why.kind = ErrorKind::Internal;
   why.file = target.file;
-  why.reason = "cannot be saved: what is there " + why.reason;
+  why.reason = "cannot be saved over the present file: " + why.reason;
   return why;
 }
 
@@ -113,7 +113,7 @@ SaveResult replace(const SaveTarget& target, const std::string& content, const S
   if (!durable) return notSaved(durable.error());
   if (!*durable) {
     warnings.push_back(warning(target, "its folder could not be flushed to the disk",
-                               "After a power cut now the old content may be there. Save again."));
+                               "After a power failure the file may have its old content. Save again."));
   }
   return {SaveStatus::Saved, {}, std::move(warnings), sha256(content)};
 }

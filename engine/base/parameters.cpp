@@ -76,10 +76,9 @@ constexpr std::array<ParameterSpec, kParameterCount> kTable{{
 
 Diagnostic outOfRange(const ParameterSpec& spec, double value, const ParameterRange& range) {
   std::ostringstream reason;
-  reason << spec.label << " is " << value << (spec.integer ? ", which is not a whole number" : "")
-         << ", outside what is allowed";
+  reason << spec.label << " is " << value << ", which is not allowed";
   std::ostringstream advice;
-  advice << "Give a " << (spec.integer ? "whole number" : "number") << " from " << range.minimum << " to "
+  advice << "Give " << (spec.integer ? "a whole number" : "a number") << " from " << range.minimum << " to "
          << range.maximum << (spec.unit.empty() ? "" : " ") << spec.unit << ".";
   return {ErrorKind::Usage, "", std::string(spec.key), reason.str(), advice.str()};
 }

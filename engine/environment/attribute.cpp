@@ -86,8 +86,9 @@ Outcome checkValue(const AttributeDefinition& definition, const AttributeValue& 
     case AttributeType::Number: {
       const double* number = std::get_if<double>(&value);
       const bool whole = definition.type == AttributeType::Integer;
-      const std::string range = std::string(whole ? "Give a whole number from " : "Give a number from ") +
-                                toText(definition.minimum) + " to " + toText(definition.maximum) + ".";
+      const std::string kind = whole ? "a whole number" : "a number";
+      const std::string range =
+          "Give " + kind + " from " + toText(definition.minimum) + " to " + toText(definition.maximum) + ".";
       if (number == nullptr || !std::isfinite(*number)) return refusal(what + " is not a number", range);
       if (whole && *number != std::floor(*number)) return refusal(what + " is not a whole number", range);
       if (*number < definition.minimum || *number > definition.maximum) {

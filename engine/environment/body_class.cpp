@@ -26,11 +26,12 @@ Result<BodyClasses> BodyClasses::of(const std::vector<BodyClass>& classes) {
     std::size_t ancestors = 0;
     for (const BodyClass* at = &each; !at->of.empty(); ++ancestors) {
       if (ancestors == tree.classes_.size()) {
-        return refusedClass("the parents of the class '" + each.name + "' go in a circle", "Correct 'of'.");
+        return refusedClass("the parents of the class '" + each.name + "' form a cycle", "Correct 'of'.");
       }
       const BodyClass* parent = tree.find(at->of);
       if (parent == nullptr) {
-        return refusedClass("the class '" + at->name + "' is of '" + at->of + "', which is no class", "Correct 'of'.");
+        return refusedClass("the class '" + at->name + "' is of '" + at->of + "', which is not a class",
+                            "Correct 'of'.");
       }
       at = parent;
     }

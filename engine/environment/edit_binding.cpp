@@ -27,8 +27,8 @@ void warnOfSecondEdits(const std::vector<int>& bound, Warnings& warnings) {
     if (bound[i] == kNoPlace) continue;
     const auto [first, fresh] = firstOf.emplace(bound[i], i);
     if (fresh) continue;
-    warnings.push_back(warning("places", i, "is about the same place as /places/" + std::to_string(first->second),
-                               "Make one of the two: where they differ, the later one counts."));
+    warnings.push_back(warning("places", i, "edits the same place as /places/" + std::to_string(first->second),
+                               "Merge the two edits: where they differ, the later one applies."));
   }
 }
 
@@ -48,7 +48,7 @@ void warnOfSharedNames(const TopologicalMap& map, const SemanticEdits& edits, co
     if (bound[i] == kNoPlace || name.empty()) continue;
     if (placeNamed.emplace(name, bound[i]).first->second == bound[i]) continue;
     warnings.push_back(
-        warning("places", i, "has the name '" + name + "', which another place has, too", "Choose another name."));
+        warning("places", i, "has the name '" + name + "', which another place has already", "Choose another name."));
   }
 }
 
@@ -97,19 +97,20 @@ Warnings editWarnings(const TopologicalMap& map, const SemanticEdits& edits) {
     const Vector3& at = edits.places[i].at;
     bound.push_back(boundPlace(map, at));
     if (bound[i] == kNoPlace) {
-      warnings.push_back(warning("places", i, "lies in no place and near none, so it counts nowhere",
+      warnings.push_back(warning("places", i, "lies in no place and near none, so the edit has no effect",
                                  "Move its \"at\" into the place that it is about."));
     } else if (map.placeAt(at) == kNoPlace) {
-      warnings.push_back(warning("places", i,
-                                 "lies in no place; it counts for the nearest, " + placeOf(map, bound[i]).name,
-                                 "Edit that place once more, or move its \"at\" into the place that it is about."));
+      warnings.push_back(warning(
+          "places", i, "lies in no place; the edit applies to the nearest place, " + placeOf(map, bound[i]).name,
+          "Edit that place once more, or move its \"at\" into the place that it is about."));
     }
   }
   warnOfSecondEdits(bound, warnings);
   warnOfSharedNames(map, edits, bound, warnings);
   for (std::size_t i = 0; i < edits.milestones.size(); ++i) {
     if (!boundBorders(map, edits.milestones[i].at).empty()) continue;
-    warnings.push_back(warning("milestones", i, "lies in no border of two places and near none, so it counts nowhere",
+    warnings.push_back(warning("milestones", i,
+                               "lies in no border of two places and near none, so the edit has no effect",
                                "Move its \"at\" to where the two places meet."));
   }
   return warnings;

@@ -68,7 +68,7 @@ Outcome checkAttributes(const AttributeTable& table, AttributeOwner owner, const
   for (const auto& [name, value] : attributes) {
     const AttributeDefinition* definition = table.find(owner, name);
     if (definition == nullptr) {
-      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name, "is no attribute that is defined",
+      return Diagnostic{ErrorKind::MalformedInput, "", pointer + "/" + name, "is not a defined attribute",
                         "Define it under /attributes, or remove it."};
     }
     const Outcome sound = checkValue(*definition, value);
@@ -97,7 +97,7 @@ Outcome checkEdits(const SemanticEdits& edits, const std::vector<std::string>& b
   for (const auto& [id, attributes] : edits.bodies) {
     // A part "stand/bar" of a body has attributes of its own.
     if (std::find(bodyIds.begin(), bodyIds.end(), bodyIdOf(id)) == bodyIds.end()) {
-      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is no body of this scenario",
+      return Diagnostic{ErrorKind::MalformedInput, "", "/bodies/" + id, "is not a body of this scenario",
                         "Correct the id."};
     }
     const Outcome sound = checkAttributes(*table, AttributeOwner::Body, attributes, "/bodies/" + id + "/attributes");

@@ -99,7 +99,7 @@ std::optional<std::string> faultOf(const TriangleMesh& mesh) {
   constexpr double kLargestCoordinate = 1e9;
   for (const Vector3& vertex : mesh.vertices) {
     if (vertex.allFinite() && vertex.cwiseAbs().maxCoeff() <= kLargestCoordinate) continue;
-    return "has a vertex that is not a finite number, or beyond all measure";
+    return "has a vertex whose coordinates are not finite, or too large";
   }
   for (const TriangleIndices& triangle : mesh.triangles) {
     if (*std::max_element(triangle.begin(), triangle.end()) < mesh.vertices.size()) continue;

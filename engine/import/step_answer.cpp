@@ -64,7 +64,7 @@ class StepDecoder {
       const std::size_t tab = std::min(line.find('\t'), line.size());
       warnings.push_back({ErrorKind::MalformedInput, call_.file, line.substr(0, tab),
                           line.substr(std::min(tab + 1, line.size())) +
-                              ": the part is not closed there, and what is missing is free space to every proof",
+                              ": the part is not closed there; proofs take what is missing as free space",
                           "Do not trust paths near it; export it again, or as a mesh."});
     }
     return warnings;

@@ -158,7 +158,7 @@ class Composition {
 
   Diagnostic warningOf(const Missing& missing) const {
     return {ErrorKind::MalformedInput, content_.file, "part " + listed(missing.paths, 3),
-            "is missing, and is free space to every proof: its file '" + missing.name + "' " + missing.whyNot +
+            "is missing, and proofs take it as free space: its file '" + missing.name + "' " + missing.whyNot +
                 " (looked for in '" + folder_ + "')",
             kAdvice};
   }

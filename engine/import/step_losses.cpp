@@ -44,7 +44,7 @@ class LossSearch {
     for (int i = 1; i <= shell->NbCfsFaces(); ++i) {
       const Handle(StepShape_Face) face = shell->CfsFacesValue(i);
       if (face.IsNull()) {
-        note(shell, "number " + std::to_string(i) + " of its faces is no face", faceOf(shell));
+        note(shell, "number " + std::to_string(i) + " of its faces is not a face", faceOf(shell));
       } else if (!isMade(face)) {
         note(shell, "its face " + nameOf(face) + " could not be made", faceOf(shell));
       }

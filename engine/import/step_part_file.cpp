@@ -20,7 +20,7 @@ FoundStepPart findStepPart(const std::string& productFolder, const std::string& 
   std::string name = named;
   std::replace(name.begin(), name.end(), '\\', '/');
   if (!name.empty() && isFromAnotherMachine(name)) name = name.substr(name.find_last_of("/:") + 1);
-  if (name.empty()) return {named, "", "is no name of a file"};
+  if (name.empty()) return {named, "", "is not a file name"};
   FoundStepPart found{(fs::path(inFolder) / name).lexically_normal().generic_string(), "", ""};
   const auto file = resolveBelow(productFolder, found.name, "", "");
   std::error_code unknown;
@@ -29,7 +29,7 @@ FoundStepPart findStepPart(const std::string& productFolder, const std::string& 
   } else if (!fs::is_regular_file(*file, unknown)) {
     found.whyNot = "is not there";
   } else if (!hasStepEnding(name)) {
-    found.whyNot = "is no STEP file";
+    found.whyNot = "is not a STEP file";
   } else {
     found.file = *file;
   }

@@ -68,7 +68,7 @@ std::optional<Pose> poseOf(const Scenario& scenario, const AssemblyItem& item) {
 }
 
 Outcome place(const AssemblyItem& item, const Pose& X_WB, Scenario& scenario) {
-  if (!isValid(X_WB)) return refusal("", "this is not a place in space", "Give finite numbers.");
+  if (!isValid(X_WB)) return refusal("", "this is not a position in space", "Give finite numbers.");
   if (item.kind == AssemblyItem::Kind::Start) {
     scenario.start = X_WB;
   } else if (item.kind == AssemblyItem::Kind::Goal) {
@@ -93,7 +93,8 @@ Outcome removeBody(const std::string& bodyId, Scenario& scenario) {
 
 Outcome swapEnds(Scenario& scenario) {
   Pose* goal = std::get_if<Pose>(&scenario.goal);
-  if (goal == nullptr) return refusal("goal", "the goal is \"out\", not a place", "Give the goal a place first.");
+  if (goal == nullptr)
+    return refusal("goal", "the goal is \"out\", which has no position", "Give the goal a position first.");
   std::swap(scenario.start, *goal);
   return Done{};
 }

@@ -19,7 +19,7 @@ double readAllowance(const JsonCursor& at) {
 ContactKind readKind(const JsonCursor& at) {
   const auto kind = kindByName(at.text());
   if (!kind || *kind == ContactKind::Clearance) {
-    at.fail("is no kind of fit", "Give planar, cylindrical, thread, press, overlap, contact or clash.");
+    at.fail("is not a kind of fit", "Give planar, cylindrical, thread, press, overlap, contact or clash.");
   }
   return *kind;
 }
@@ -34,7 +34,7 @@ double readPitch(const JsonCursor& at, const FitEdit& pair) {
   const double value = at.coordinate();
   constexpr double kLeastPitch = 1e-5;
   if (std::abs(value) < kLeastPitch) {
-    at.fail("is no pitch", "Give metres a turn, 0.00001 or more; below zero for a left-handed thread.");
+    at.fail("is not a pitch", "Give metres a turn, 0.00001 or more; below zero for a left-handed thread.");
   }
   demandThread(at, pair);
   return value;

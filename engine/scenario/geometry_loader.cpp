@@ -285,12 +285,9 @@ void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyI
                         Warnings& warnings) {
   for (const GeometryPart& part : geometry.parts) {
     if (part.facesWithoutMesh == 0) continue;
-    const bool one = part.facesWithoutMesh == 1;
     warnings.push_back({ErrorKind::MalformedInput, file, "body '" + partId(bodyId, part) + "'",
-                        "lacks " + std::to_string(part.facesWithoutMesh) +
-                            (one ? " face or boundary" : " faces or boundaries") +
-                            " that could not be made: it is not closed there, and what is missing is free space to "
-                            "every proof",
+                        "is not closed: faces or boundaries that could not be made: " +
+                            std::to_string(part.facesWithoutMesh) + "; proofs take what is missing as free space",
                         "Do not trust paths near it; export it again, or as a mesh."});
   }
 }

@@ -148,7 +148,7 @@ Result<std::vector<PathPoint>> readPath(const std::string& file) {
   const auto exporter = pathExporterFor(file);
   const bool writtenOnly = exporter && !exporter->readBackError;
   if (writtenOnly || text->rfind("glTF", 0) == 0) {
-    return Diagnostic{ErrorKind::MalformedInput, file, "", "is in a format that is only written",
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "is in a format that can only be written",
                       "Give the path as one of: " + readablePathFormats() + "."};
   }
   const std::size_t first = text->find_first_not_of(" \t\r\n");

@@ -239,7 +239,7 @@ class PlanReader {
     for (std::size_t number = 1; !at && number <= plan_.steps.size(); ++number) after.push_back(number);
     for (std::size_t i = 0; at && i < at->sizeUpTo(limits::kMostBodies); ++i) {
       const std::uint64_t number = at->element(i).wholeNumber();
-      if (number == 0 || number > plan_.steps.size()) at->element(i).fail("is no earlier step");
+      if (number == 0 || number > plan_.steps.size()) at->element(i).fail("is not an earlier step");
       after.push_back(static_cast<std::size_t>(number));
     }
     return after;
@@ -260,14 +260,14 @@ class PlanReader {
   StepAllowance readAllowance(const JsonCursor& at) const {
     at.allowOnly({"body", "kind", "overlap_m", "allowance_m", "text", "moving", "yields", "pitch_m", "turns"});
     const auto kind = kindByName(at.at("kind").text());
-    if (!kind) at.at("kind").fail("is no kind of fit");
+    if (!kind) at.at("kind").fail("is not a kind of fit");
     StepAllowance allowance{readId(at.at("body")), *kind, readLength(at.at("overlap_m")),
                             readLength(at.at("allowance_m")), at.at("text").text()};
     if (const auto moving = at.find("moving")) allowance.moving = readId(*moving);
     if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
     if (const auto pitch = at.find("pitch_m")) {
       allowance.pitch = pitch->coordinate();
-      if (allowance.pitch == 0.0) pitch->fail("is no pitch");
+      if (allowance.pitch == 0.0) pitch->fail("is not a pitch");
     }
     if (const auto turns = at.find("turns")) {
       allowance.turns = readLength(*turns);

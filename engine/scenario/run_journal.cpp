@@ -77,8 +77,8 @@ class JournalMerger {
  private:
   Outcome begin(Result<Json>& line, bool whole, ChecksumState checksum) {
     if (!whole) {
-      return Diagnostic{ErrorKind::MalformedInput, file_, "line 1", "is damaged: it says what was run",
-                        "Use an undamaged copy."};
+      return Diagnostic{ErrorKind::MalformedInput, file_, "line 1",
+                        "is damaged, and names the scenario and the settings of the run", "Use an undamaged copy."};
     }
     record_ = std::move(*line);
     ofHead_ = checksum;

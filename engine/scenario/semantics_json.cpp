@@ -68,7 +68,7 @@ AttributeDefinition readDefinition(const JsonCursor& at) {
   definition.name = at.at("name").nonEmptyText();
   definition.label = at.has("label") ? at.at("label").text() : definition.name;
   const auto type = attributeTypeByName(at.at("type").text());
-  if (!type) at.at("type").fail("is no type of attribute", "Give bool, integer, number, text or choice.");
+  if (!type) at.at("type").fail("is not a type of attribute", "Give bool, integer, number, text or choice.");
   definition.type = *type;
   definition.owner = readOwner(at.at("of"));
   if (const auto unit = at.find("unit")) definition.unit = unit->text();

@@ -87,7 +87,7 @@ Diagnostic unknownClass(const std::string& id, const std::string& name, const Bo
   std::string known;
   for (const BodyClass& each : classes.all()) known += (known.empty() ? "" : ", ") + each.name;
   return {ErrorKind::MalformedInput, "", "/bodies",
-          "the class of '" + id + "' is '" + name + "', which is no class of bodies",
+          "the class of '" + id + "' is '" + name + "', which is not a class of bodies",
           "Choose one of " + known + ", or add it under /sequence/classes."};
 }
 

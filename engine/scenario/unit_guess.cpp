@@ -46,12 +46,12 @@ std::string sizeOf(const Box3& box) {
 
 Diagnostic warningOf(const UnitGuess& guess, const std::string& file, const Box3& box, std::size_t files) {
   const bool millimetres = guess.unit == kMillimetre;
-  const std::string taken = std::string("taken in ") + (millimetres ? "millimetres" : "metres");
-  return {ErrorKind::MalformedInput, file, "",
-          "does not say its unit, and is " + sizeOf(box) + ": " + taken +
-              (guess.inDoubt ? std::string(", in doubt") : " because of its size") +
-              (files > 1 ? ", as are the other " + std::to_string(files - 1) + " such files" : ""),
-          std::string("Give the unit: --unit ") + (millimetres ? "1mm, or --unit 1m." : "1m, or --unit 1mm.")};
+  std::string reason = "does not say its unit; its size is " + sizeOf(box);
+  reason += millimetres ? "; it is taken in millimetres" : "; it is taken in metres";
+  if (guess.inDoubt) reason += "; the size does not decide this";
+  if (files > 1) reason += "; the same holds for " + std::to_string(files - 1) + " more files";
+  return {ErrorKind::MalformedInput, file, "", reason,
+          millimetres ? "Give the unit: --unit 1mm, or --unit 1m." : "Give the unit: --unit 1m, or --unit 1mm."};
 }
 
 }  // namespace

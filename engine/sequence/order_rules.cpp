@@ -17,7 +17,7 @@ Diagnostic refusedDemand(const std::string& reason, const std::string& advice) {
 }
 
 Diagnostic unknownBody(const std::string& name) {
-  return refusedDemand("a demand names '" + name + "', which is no body of the product",
+  return refusedDemand("a demand names '" + name + "', which is not a body of the product",
                        "See 'glissade-cli fits' for the names.");
 }
 
@@ -97,7 +97,8 @@ Outcome addMotions(const SequenceDemands& demands, const AssembledProduct& produ
     if (!group) return group.error();
     const Outcome together = leaveTogether(*group, product, rules);
     if (!together) return together;
-    if (demand.path.size() < 2) return refusedDemand("a demanded motion goes nowhere", "Give two configurations.");
+    if (demand.path.size() < 2)
+      return refusedDemand("a demanded motion has fewer than two configurations", "Give two configurations.");
     if (rules.motionOf(*group) != nullptr) {
       return refusedDemand("'" + product.bodies[group->front()].id + "' has two demanded motions", "Remove one.");
     }
@@ -155,7 +156,7 @@ Result<BodySet> stayingBodies(const AssembledProduct& product, const std::vector
     const BodyGroup bodies = bodiesNamed(product, name);
     for (const std::size_t body : bodies) staying[body] = true;
     if (bodies.empty()) {
-      return Diagnostic{ErrorKind::Usage, "", "stay", "names '" + name + "', which is no body of the product",
+      return Diagnostic{ErrorKind::Usage, "", "stay", "names '" + name + "', which is not a body of the product",
                         "See 'glissade-cli fits' for the names."};
     }
   }
@@ -195,7 +196,7 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
     if (!added) return added.error();
   }
   if (isCircular(rules, product.bodies.size())) {
-    return refusedDemand("the demands about the order go in a circle", "Remove one of them.");
+    return refusedDemand("the demands about the order form a cycle", "Remove one of them.");
   }
   return rules;
 }

@@ -15,9 +15,9 @@
 namespace glissade {
 namespace {
 
-Diagnostic limit(const ParameterSpec& spec, const std::string& what) {
-  return {ErrorKind::LimitReached, "", "", what + " reached without a path",
-          "Raise " + std::string(spec.option) + ", take part with the device, or try another seed."};
+Diagnostic limit(const ParameterSpec& spec, const std::string& reason) {
+  return {ErrorKind::LimitReached, "", "", reason,
+          "Raise the limit (" + std::string(spec.option) + "), steer the object yourself, or try another seed."};
 }
 
 std::string grouped(std::uint64_t count) {
@@ -252,15 +252,16 @@ std::optional<Diagnostic> SessionCore::limitReached() const {
     return most > 0.0 && spent >= most;
   };
   if (reached(ParameterId::MaxSteps, static_cast<double>(counts.steps))) {
-    return limit(specOf(ParameterId::MaxSteps), "the step limit of " + grouped(counts.steps));
+    return limit(specOf(ParameterId::MaxSteps),
+                 "the step limit of " + grouped(counts.steps) + " was reached without a path");
   }
   if (reached(ParameterId::MaxSamples, static_cast<double>(counts.randomConfigurations))) {
-    return limit(specOf(ParameterId::MaxSamples),
-                 "the limit of " + grouped(counts.randomConfigurations) + " random configurations");
+    return limit(specOf(ParameterId::MaxSamples), "the limit of " + grouped(counts.randomConfigurations) +
+                                                      " random configurations was reached without a path");
   }
   if (reached(ParameterId::TimeLimit, planningSeconds())) {
     std::ostringstream what;
-    what << "the time limit of " << parameters_[ParameterId::TimeLimit] << " s";
+    what << "the time limit of " << parameters_[ParameterId::TimeLimit] << " s was reached without a path";
     return limit(specOf(ParameterId::TimeLimit), what.str());
   }
   return std::nullopt;

@@ -21,7 +21,7 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
   if (const auto body = query.collidingBody(q)) {
     return Diagnostic{ErrorKind::InCollision, "", which,
                       "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].name + "'",
-                      "Move the " + which + " to a free place."};
+                      "Move the " + which + " to a position clear of all bodies."};
   }
   const NearestObstacle nearest = query.nearestObstacle(q);
   if (nearest.distance < requiredClearance) {
@@ -48,9 +48,10 @@ Outcome checkStart(const Problem& problem, double requiredClearance) {
     return checkConfiguration(problem, *query, *goal, "goal", requiredClearance);
   }
   if (goalRoots(problem, *query).empty()) {
-    return Diagnostic{ErrorKind::MalformedInput, "", "goal",
-                      "'out' cannot be reached: the workspace holds no place clear of the obstacles' box",
-                      "Enlarge the workspace by the size of the object on one side at least."};
+    return Diagnostic{
+        ErrorKind::MalformedInput, "", "goal",
+        "the goal 'out' cannot be reached: the workspace has no room outside the box around the obstacles",
+        "Enlarge the workspace by the size of the object on one side at least."};
   }
   return Done{};
 }

@@ -4,22 +4,6 @@
 <context>
     <name>Actions</name>
     <message>
-        <source>Forbid</source>
-        <translation>Interdire</translation>
-    </message>
-    <message>
-        <source>Prefer</source>
-        <translation>Préférer</translation>
-    </message>
-    <message>
-        <source>Milestone</source>
-        <translation>Jalon</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Réinitialiser</translation>
-    </message>
-    <message>
         <source>Rename...</source>
         <translation>Renommer...</translation>
     </message>
@@ -33,11 +17,11 @@
     </message>
     <message>
         <source>Begin again when the path was played to its end</source>
-        <translation>Recommencer quand le chemin a été joué jusqu&apos;au bout</translation>
+        <translation>Reprendre la lecture du chemin au début quand elle arrive à la fin</translation>
     </message>
     <message>
         <source>Play the path from its goal to its start</source>
-        <translation>Jouer le chemin du but vers le départ</translation>
+        <translation>Lire le chemin du but vers le départ</translation>
     </message>
     <message>
         <source>Show the object at the place of the smallest clearance</source>
@@ -48,16 +32,12 @@
         <translation>&amp;Garder le graphe</translation>
     </message>
     <message>
-        <source>Draw the roadmap in full, not faint, while a path is shown</source>
-        <translation>Dessiner le graphe en entier, sans l&apos;estomper, pendant qu&apos;un chemin est affiché</translation>
-    </message>
-    <message>
         <source>&amp;Standard</source>
         <translation>&amp;Standard</translation>
     </message>
     <message>
         <source>Left orbits, middle or Shift + left pans, right zooms</source>
-        <translation>Gauche : tourner ; milieu ou Maj + gauche : déplacer ; droit : zoomer</translation>
+        <translation>Gauche : tourner ; milieu ou Maj + gauche : déplacer ; droit : zoomer</translation>
     </message>
     <message>
         <source>&amp;CAD</source>
@@ -65,7 +45,7 @@
     </message>
     <message>
         <source>Middle orbits, Ctrl + middle pans, Shift + middle zooms</source>
-        <translation>Milieu : tourner ; Ctrl + milieu : déplacer ; Maj + milieu : zoomer</translation>
+        <translation>Milieu : tourner ; Ctrl + milieu : déplacer ; Maj + milieu : zoomer</translation>
     </message>
     <message>
         <source>&amp;Blender</source>
@@ -73,7 +53,7 @@
     </message>
     <message>
         <source>Middle orbits, Shift + middle pans, Ctrl + middle zooms</source>
-        <translation>Milieu : tourner ; Maj + milieu : déplacer ; Ctrl + milieu : zoomer</translation>
+        <translation>Milieu : tourner ; Maj + milieu : déplacer ; Ctrl + milieu : zoomer</translation>
     </message>
     <message>
         <source>FreeCAD &amp;gesture</source>
@@ -81,7 +61,7 @@
     </message>
     <message>
         <source>Left orbits, right pans, both roll</source>
-        <translation>Gauche : tourner ; droit : déplacer ; les deux : incliner</translation>
+        <translation>Gauche : tourner ; droit : déplacer ; les deux : incliner</translation>
     </message>
     <message>
         <source>&amp;Trackball</source>
@@ -121,7 +101,7 @@
     </message>
     <message>
         <source>Draw only the edges of bodies; hidden edges are dashed</source>
-        <translation>Ne dessiner que les arêtes des corps ; les arêtes cachées sont en tirets</translation>
+        <translation>Ne dessiner que les arêtes des corps ; les arêtes cachées sont en tirets</translation>
     </message>
     <message>
         <source>Draw the selected bodies opaque, with their edges</source>
@@ -157,11 +137,11 @@
     </message>
     <message>
         <source>Plan with a fresh roadmap and the current seed</source>
-        <translation>Planifier avec un nouveau graphe et la graine courante</translation>
+        <translation>Planifier à partir d&apos;un graphe vide, avec la graine courante</translation>
     </message>
     <message>
         <source>Stop and start again with the same seed</source>
-        <translation>Arrêter et redémarrer avec la même graine</translation>
+        <translation>Arrêter le calcul et le redémarrer avec la même graine</translation>
     </message>
     <message>
         <source>Restart with a &amp;new seed</source>
@@ -169,19 +149,19 @@
     </message>
     <message>
         <source>Stop and start again with the next seed</source>
-        <translation>Arrêter et redémarrer avec la graine suivante</translation>
+        <translation>Arrêter le calcul et le redémarrer avec la graine suivante</translation>
     </message>
     <message>
         <source>&amp;Play the path</source>
-        <translation>&amp;Jouer le chemin</translation>
+        <translation>&amp;Lire le chemin</translation>
     </message>
     <message>
         <source>Show the bodies, the ends and the path, direction kept</source>
-        <translation>Montrer les corps, les extrémités et le chemin, sans changer de direction</translation>
+        <translation>Cadrer les corps, les extrémités et le chemin sans changer de direction</translation>
     </message>
     <message>
         <source>Look from a corner</source>
-        <translation>Regarder depuis un coin</translation>
+        <translation>Regarder depuis un coin de la scène</translation>
     </message>
     <message>
         <source>Look along y</source>
@@ -201,11 +181,11 @@
     </message>
     <message>
         <source>Look down</source>
-        <translation>Regarder vers le bas</translation>
+        <translation>Regarder de dessus</translation>
     </message>
     <message>
         <source>Look up</source>
-        <translation>Regarder vers le haut</translation>
+        <translation>Regarder de dessous</translation>
     </message>
     <message>
         <source>Show the obstacles</source>
@@ -213,11 +193,11 @@
     </message>
     <message>
         <source>Show start and goal as ghosts</source>
-        <translation>Montrer départ et but en transparence</translation>
+        <translation>Montrer le départ et le but en transparence</translation>
     </message>
     <message>
         <source>Show the bounds of the reference point</source>
-        <translation>Montrer les bornes du point de référence</translation>
+        <translation>Montrer les limites du point de référence</translation>
     </message>
     <message>
         <source>Show the trees</source>
@@ -237,7 +217,7 @@
     </message>
     <message>
         <source>How to steer, and all shortcuts</source>
-        <translation>Comment piloter, et tous les raccourcis</translation>
+        <translation>Le pilotage et tous les raccourcis</translation>
     </message>
     <message>
         <source>&amp;Change shortcuts...</source>
@@ -245,7 +225,7 @@
     </message>
     <message>
         <source>Give commands other shortcuts</source>
-        <translation>Donner d&apos;autres raccourcis aux commandes</translation>
+        <translation>Attribuer d&apos;autres raccourcis aux commandes</translation>
     </message>
     <message>
         <source>&amp;About Glissade</source>
@@ -253,7 +233,7 @@
     </message>
     <message>
         <source>Version, licence and the papers</source>
-        <translation>Version, licence et articles</translation>
+        <translation>Version, licence et articles scientifiques</translation>
     </message>
     <message>
         <source>Save the scenario with its attributes, strategy and parameters</source>
@@ -277,7 +257,7 @@
     </message>
     <message>
         <source>Build the environment model: octree, places, borders, compatibility</source>
-        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
+        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
     </message>
     <message>
         <source>&amp;Add attribute...</source>
@@ -285,19 +265,15 @@
     </message>
     <message>
         <source>Define an attribute of your own on places or bodies</source>
-        <translation>Définir un attribut à vous sur les lieux ou les corps</translation>
+        <translation>Définir un attribut personnel pour les lieux ou les corps</translation>
     </message>
     <message>
         <source>Rename the attribute of the current row, where it is your own</source>
-        <translation>Renommer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
+        <translation>Renommer l&apos;attribut de la ligne courante, s&apos;il est personnel</translation>
     </message>
     <message>
         <source>Remove the attribute of the current row, where it is your own</source>
-        <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est à vous</translation>
-    </message>
-    <message>
-        <source>Let no path lead through the selected places, or allow it again</source>
-        <translation>Ne laisser passer aucun chemin par les lieux choisis, ou le permettre à nouveau</translation>
+        <translation>Supprimer l&apos;attribut de la ligne courante, s&apos;il est personnel</translation>
     </message>
     <message>
         <source>Show the octree&apos;s free cells, the coarsest first</source>
@@ -313,11 +289,11 @@
     </message>
     <message>
         <source>Show the places, coloured by complexity; click to select</source>
-        <translation>Montrer les lieux, colorés selon leur complexité ; cliquer pour choisir</translation>
+        <translation>Montrer les lieux, colorés selon leur complexité ; cliquer pour sélectionner</translation>
     </message>
     <message>
         <source>Show where places meet</source>
-        <translation>Montrer où les lieux se touchent</translation>
+        <translation>Montrer où les lieux se rejoignent</translation>
     </message>
     <message>
         <source>Show the topological graph with its costs</source>
@@ -329,7 +305,7 @@
     </message>
     <message>
         <source>Show where the local planner of the chosen step searches</source>
-        <translation>Montrer où cherche le planificateur local de l&apos;étape choisie</translation>
+        <translation>Montrer où cherche le planificateur local de l&apos;étape sélectionnée</translation>
     </message>
     <message>
         <source>Bring the list of bodies to the front</source>
@@ -361,7 +337,7 @@
     </message>
     <message>
         <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
-        <translation>Montrer les configurations de passage ; faire glisser pour en déplacer une, Ctrl + glisser pour la tourner</translation>
+        <translation>Montrer les configurations de passage ; faire glisser un jalon pour le déplacer, avec Ctrl pour le tourner</translation>
     </message>
     <message>
         <source>Steer the &amp;camera</source>
@@ -373,15 +349,11 @@
     </message>
     <message>
         <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
-        <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
+        <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
     </message>
     <message>
         <source>Save &amp;recording...</source>
         <translation>Enregis&amp;trer l&apos;enregistrement...</translation>
-    </message>
-    <message>
-        <source>Save what was done in the last run, to replay it bit by bit</source>
-        <translation>Enregistrer ce qui a été fait au dernier calcul, pour le rejouer au bit près</translation>
     </message>
     <message>
         <source>Replay a recorded run</source>
@@ -392,20 +364,12 @@
         <translation>Rejouer le dernier &amp;calcul</translation>
     </message>
     <message>
-        <source>Run the last run, or the recording opened last, again bit by bit</source>
-        <translation>Refaire au bit près le dernier calcul, ou le dernier enregistrement ouvert</translation>
-    </message>
-    <message>
-        <source>What the same operator would have led to with the sliders as they are set</source>
-        <translation>Ce que le même opérateur aurait donné avec les curseurs tels qu&apos;ils sont</translation>
-    </message>
-    <message>
         <source>Show the next step of the replay</source>
         <translation>Montrer le pas suivant de la relecture</translation>
     </message>
     <message>
         <source>Show the step before</source>
-        <translation>Montrer le pas précédent</translation>
+        <translation>Montrer le pas précédent de la relecture</translation>
     </message>
     <message>
         <source>Show the replay from its beginning</source>
@@ -413,11 +377,11 @@
     </message>
     <message>
         <source>Go back to the session; its run and parameters are as they were left</source>
-        <translation>Revenir à la session ; son calcul et ses paramètres sont tels qu&apos;on les a laissés</translation>
+        <translation>Revenir à la session ; son calcul et ses paramètres n&apos;ont pas changé</translation>
     </message>
     <message>
         <source>Colour the path by who made each segment: computer, operator, contact</source>
-        <translation>Colorer le chemin selon l&apos;auteur de chaque segment : ordinateur, opérateur, contact</translation>
+        <translation>Colorer chaque segment du chemin selon son auteur : ordinateur, opérateur, contact</translation>
     </message>
     <message>
         <source>&amp;Open study results...</source>
@@ -433,39 +397,31 @@
     </message>
     <message>
         <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
-        <translation>Montrer ce qui guide la main : la force par une flèche, son intensité par une teinte</translation>
-    </message>
-    <message>
-        <source>Let α, N and d set themselves while planning, or take them back as you had them</source>
-        <translation>Laisser α, N et d se régler seuls pendant la planification, ou les reprendre tels que vous les aviez</translation>
+        <translation>Montrer la force de guidage : une flèche pour la force, une teinte pour son intensité</translation>
     </message>
     <message>
         <source>Empty the list of the files opened last</source>
-        <translation>Vider la liste des derniers fichiers ouverts</translation>
-    </message>
-    <message>
-        <source>End what is being done in the background: reading, smoothing, looking for reasons</source>
-        <translation>Arrêter ce qui se fait en arrière-plan : lecture, lissage, recherche des raisons</translation>
+        <translation>Vider la liste des fichiers récents</translation>
     </message>
     <message>
         <source>Turning about the line of sight rolls the camera, or the horizon stays level</source>
-        <translation>Tourner autour de l&apos;axe de visée fait rouler la caméra, sinon l&apos;horizon reste droit</translation>
+        <translation>Faire rouler la caméra autour de l&apos;axe de visée, ou garder l&apos;horizon horizontal</translation>
     </message>
     <message>
         <source>Shorten the path by shortcuts that are certified, or show it as planned</source>
-        <translation>Raccourcir le chemin par des raccourcis certifiés, ou le montrer tel que planifié</translation>
+        <translation>Raccourcir le chemin par des raccourcis certifiés, ou montrer le chemin tel qu&apos;il a été planifié</translation>
     </message>
     <message>
         <source>&amp;Why no path?</source>
-        <translation>&amp;Pourquoi pas de chemin ?</translation>
+        <translation>&amp;Pourquoi pas de chemin ?</translation>
     </message>
     <message>
         <source>Play the way of &amp;least penetration</source>
-        <translation>Jouer le chemin de &amp;moindre pénétration</translation>
+        <translation>Lire le chemin de moindre péné&amp;tration</translation>
     </message>
     <message>
         <source>Show all of the study&apos;s plot again after a rubber band or the wheel has enlarged a part</source>
-        <translation>Montrer de nouveau toute la courbe de l&apos;étude, après un agrandissement au rectangle ou à la molette</translation>
+        <translation>Revenir à la courbe entière après un agrandissement au rectangle ou à la molette</translation>
     </message>
     <message>
         <source>&amp;Copy plot</source>
@@ -473,7 +429,7 @@
     </message>
     <message>
         <source>Put the study&apos;s plot into the clipboard as it is seen</source>
-        <translation>Mettre la courbe de l&apos;étude dans le presse-papiers telle qu&apos;on la voit</translation>
+        <translation>Copier la courbe affichée dans le presse-papiers</translation>
     </message>
     <message>
         <source>&amp;Save plot...</source>
@@ -481,11 +437,11 @@
     </message>
     <message>
         <source>Save the study&apos;s plot as it is seen, as SVG or PNG</source>
-        <translation>Enregistrer la courbe de l&apos;étude telle qu&apos;on la voit, en SVG ou en PNG</translation>
+        <translation>Enregistrer la courbe affichée en SVG ou en PNG</translation>
     </message>
     <message>
         <source>&amp;Hide the selected bodies</source>
-        <translation>Cac&amp;her les corps sélectionnés</translation>
+        <translation>Mas&amp;quer les corps sélectionnés</translation>
     </message>
     <message>
         <source>&amp;Isolate the selected bodies</source>
@@ -493,7 +449,7 @@
     </message>
     <message>
         <source>Draw the selected obstacles and no others</source>
-        <translation>Dessiner les obstacles sélectionnés et aucun autre</translation>
+        <translation>N&apos;afficher que les obstacles sélectionnés</translation>
     </message>
     <message>
         <source>&amp;Show all bodies</source>
@@ -501,7 +457,7 @@
     </message>
     <message>
         <source>Draw all obstacles again</source>
-        <translation>Dessiner de nouveau tous les obstacles</translation>
+        <translation>Afficher de nouveau tous les obstacles</translation>
     </message>
     <message>
         <source>Put all panels where they were at first</source>
@@ -509,11 +465,11 @@
     </message>
     <message>
         <source>Show why no path was found: blocking body, gap, way of least penetration</source>
-        <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé : corps bloquant, lacune, chemin de moindre pénétration</translation>
+        <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé : corps bloquant, écart, chemin de moindre pénétration</translation>
     </message>
     <message>
         <source>Bring the reasons why no path was found to the front</source>
-        <translation>Mettre au premier plan les raisons pour lesquelles aucun chemin n&apos;a été trouvé</translation>
+        <translation>Mettre au premier plan les causes de l&apos;absence de chemin</translation>
     </message>
     <message>
         <source>&amp;New from parts...</source>
@@ -528,24 +484,16 @@
         <translation>Cette pièce &amp;bouge</translation>
     </message>
     <message>
-        <source>The selected body becomes the object, from where it lies to &quot;out&quot;; what moved until now stays where it started</source>
-        <translation>Le corps sélectionné devient l&apos;objet, de là où il est vers « dehors » ; ce qui bougeait reste à son départ</translation>
-    </message>
-    <message>
         <source>Click a plane or a cylinder: the numbers of the placement are those of its frame</source>
-        <translation>Cliquer un plan ou un cylindre : les nombres du placement sont ceux de son repère</translation>
+        <translation>Cliquer un plan ou un cylindre : les coordonnées affichées sont celles de son repère</translation>
     </message>
     <message>
         <source>&amp;Goal here</source>
-        <translation>&amp;But ici</translation>
+        <translation>Placer le &amp;but ici</translation>
     </message>
     <message>
         <source>Goal &amp;out</source>
-        <translation>But : de&amp;hors</translation>
-    </message>
-    <message>
-        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the least that is found</source>
-        <translation>Là où l&apos;objet touche ou pénètre un corps à son départ ou à son but, l&apos;écarter du moins possible</translation>
+        <translation>But « de&amp;hors »</translation>
     </message>
     <message>
         <source>S&amp;wap start and goal</source>
@@ -556,20 +504,16 @@
         <translation>Ajuster l&apos;&amp;espace de travail</translation>
     </message>
     <message>
-        <source>A workspace about all bodies, with room for the object to get out</source>
-        <translation>Un espace de travail autour de tous les corps, où l&apos;objet a la place de sortir</translation>
-    </message>
-    <message>
         <source>Read how the strategy weighs places and chooses planners, and change it</source>
-        <translation>Lire comment la stratégie pèse les lieux et choisit les planificateurs, et le changer</translation>
+        <translation>Lire et modifier la façon dont la stratégie évalue les lieux et choisit les planificateurs</translation>
     </message>
     <message>
         <source>Save the certified path: as data, or as an animation for 3D viewers</source>
-        <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
+        <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
     </message>
     <message>
         <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
-        <translation>Lire un chemin de ce scénario, prouver qu&apos;il tient ou voir où il est bloqué</translation>
+        <translation>Ouvrir un chemin de ce scénario, et prouver qu&apos;il est valide ou montrer où il est bloqué</translation>
     </message>
     <message>
         <source>&amp;Film of the path...</source>
@@ -577,7 +521,7 @@
     </message>
     <message>
         <source>Film the 3D view while the path is played: MP4, WebM or pictures</source>
-        <translation>Filmer la vue 3D pendant que le chemin est joué : MP4, WebM ou images</translation>
+        <translation>Filmer la vue 3D pendant la lecture du chemin : MP4, WebM ou images</translation>
     </message>
     <message>
         <source>&amp;Report of the path...</source>
@@ -585,15 +529,11 @@
     </message>
     <message>
         <source>Write problem, certificate, clearance and pictures of the path as HTML or PDF</source>
-        <translation>Écrire le problème, le certificat, le jeu et des images du chemin en HTML ou en PDF</translation>
-    </message>
-    <message>
-        <source>Show all that the object covers along the path, never less</source>
-        <translation>Afficher tout ce que l&apos;objet couvre le long du chemin, jamais moins</translation>
+        <translation>Écrire en HTML ou en PDF le problème, le certificat, le jeu et des images du chemin</translation>
     </message>
     <message>
         <source>Write the swept volume as triangles: STL or GLB</source>
-        <translation>Écrire le volume balayé en triangles : STL ou GLB</translation>
+        <translation>Exporter le volume balayé sous forme de triangles : STL ou GLB</translation>
     </message>
     <message>
         <source>Show the object at the first place where the path is blocked</source>
@@ -601,11 +541,11 @@
     </message>
     <message>
         <source>List the pairs of bodies that touch or overlap, with their kind and allowance</source>
-        <translation>Lister les paires de corps qui se touchent ou se recouvrent, avec leur type et leur tolérance</translation>
+        <translation>Lister les paires de corps qui se touchent ou se recouvrent, avec leur type et leur amincissement</translation>
     </message>
     <message>
         <source>Draw the two bodies of the chosen fit and no other obstacles</source>
-        <translation>Dessiner les deux corps de l&apos;ajustement choisi et aucun autre obstacle</translation>
+        <translation>N&apos;afficher que les deux corps de l&apos;ajustement sélectionné</translation>
     </message>
     <message>
         <source>Accept the &amp;clash</source>
@@ -613,11 +553,11 @@
     </message>
     <message>
         <source>Allow the overlap of the chosen pair; results state it</source>
-        <translation>Tolérer le recouvrement de la paire choisie ; les résultats l&apos;indiquent</translation>
+        <translation>Admettre le recouvrement de la paire sélectionnée ; les résultats l&apos;indiquent</translation>
     </message>
     <message>
         <source>The chosen pair is a thread that is drawn as cylinders</source>
-        <translation>La paire choisie est un filetage dessiné en cylindres</translation>
+        <translation>La paire sélectionnée est un filetage représenté par des cylindres</translation>
     </message>
     <message>
         <source>Bring the table of fits to the front</source>
@@ -641,23 +581,19 @@
     </message>
     <message>
         <source>Play, smooth or export the selected kept path</source>
-        <translation>Jouer, lisser ou exporter le chemin conservé sélectionné</translation>
+        <translation>Faire du chemin conservé sélectionné celui que l&apos;on lit, lisse ou exporte</translation>
     </message>
     <message>
         <source>Show the figures and curves of the selected paths side by side; of all where fewer than two are selected</source>
-        <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés ; de tous si moins de deux sont sélectionnés</translation>
+        <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés ; de tous si moins de deux sont sélectionnés</translation>
     </message>
     <message>
         <source>Give the selected kept path another name</source>
         <translation>Donner un autre nom au chemin conservé sélectionné</translation>
     </message>
     <message>
-        <source>Let the selected kept paths stay at the top of the list, or no longer</source>
-        <translation>Garder les chemins sélectionnés en tête de la liste, ou ne plus les y garder</translation>
-    </message>
-    <message>
         <source>Remove the selected paths from the scenario; Undo brings them back</source>
-        <translation>Supprimer du scénario les chemins sélectionnés ; Annuler les rétablit</translation>
+        <translation>Supprimer du scénario les chemins sélectionnés ; Annuler les rétablit</translation>
     </message>
     <message>
         <source>&amp;Zoom to the selection</source>
@@ -665,11 +601,11 @@
     </message>
     <message>
         <source>Bring the selected bodies near, direction kept</source>
-        <translation>Rapprocher la vue des corps sélectionnés sans changer de direction</translation>
+        <translation>Zoomer sur les corps sélectionnés sans changer de direction</translation>
     </message>
     <message>
         <source>Draw without perspective, so that lengths across the view are to scale</source>
-        <translation>Dessiner sans perspective : les longueurs parallèles à l&apos;écran sont à l&apos;échelle</translation>
+        <translation>Dessiner sans perspective : les longueurs parallèles à l&apos;écran sont à l&apos;échelle</translation>
     </message>
     <message>
         <source>Measure a &amp;distance</source>
@@ -677,7 +613,7 @@
     </message>
     <message>
         <source>Click two vertices, edges or faces; the pointer snaps to them</source>
-        <translation>Cliquer deux sommets, arêtes ou faces ; le pointeur s&apos;y accroche</translation>
+        <translation>Cliquer deux sommets, arêtes ou faces ; le pointeur s&apos;y accroche</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
@@ -701,7 +637,7 @@
     </message>
     <message>
         <source>Click two bodies: their smallest distance</source>
-        <translation>Cliquer deux corps : leur plus petite distance</translation>
+        <translation>Cliquer deux corps : leur plus petite distance</translation>
     </message>
     <message>
         <source>Remove the mea&amp;surement</source>
@@ -753,7 +689,7 @@
     </message>
     <message>
         <source>&amp;Go on planning</source>
-        <translation>&amp;Continuer la planification</translation>
+        <translation>&amp;Continuer la planification de la séquence</translation>
     </message>
     <message>
         <source>Go on with the sequence where planning was stopped</source>
@@ -761,7 +697,7 @@
     </message>
     <message>
         <source>Keep the selected bodies in the product when the sequence is planned, or not</source>
-        <translation>Garder les corps sélectionnés dans le produit quand la séquence est planifiée, ou non</translation>
+        <translation>Laisser les corps sélectionnés dans le produit quand la séquence est planifiée, ou les laisser sortir</translation>
     </message>
     <message>
         <source>Read an assembly plan of this product, and prove each step again</source>
@@ -769,7 +705,7 @@
     </message>
     <message>
         <source>Save the plan, its work instruction, its table of steps or its animation</source>
-        <translation>Enregistrer le plan, sa gamme de montage, sa table d&apos;étapes ou son animation</translation>
+        <translation>Enregistrer le plan d&apos;assemblage, la gamme de montage, le tableau des étapes ou l&apos;animation</translation>
     </message>
     <message>
         <source>Show the steps as they are assembled, or as they are removed</source>
@@ -788,24 +724,8 @@
         <translation>Ordre en &amp;graphe</translation>
     </message>
     <message>
-        <source>Show which step makes way for which, and who blocks the parts that are stuck</source>
-        <translation>Montrer quelle étape fait place à quelle autre, et ce qui bloque les pièces bloquées</translation>
-    </message>
-    <message>
-        <source>Move the chosen step of the sequence one row up; the rest is planned anew</source>
-        <translation>Monter l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
-    </message>
-    <message>
-        <source>Move the chosen step of the sequence one row down; the rest is planned anew</source>
-        <translation>Descendre l&apos;étape choisie de la séquence d&apos;une ligne ; le reste est planifié de nouveau</translation>
-    </message>
-    <message>
-        <source>The chosen steps keep their places and motions, or not any more</source>
-        <translation>Les étapes choisies gardent leurs places et leurs mouvements, ou ne les gardent plus</translation>
-    </message>
-    <message>
         <source>Of several chosen steps, each is to leave before the next one</source>
-        <translation>De plusieurs étapes choisies, chacune doit précéder la suivante</translation>
+        <translation>Chaque étape sélectionnée doit précéder la suivante</translation>
     </message>
     <message>
         <source>&amp;Take the path as the step</source>
@@ -825,23 +745,19 @@
     </message>
     <message>
         <source>Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or the body itself</source>
-        <translation>Déplacer et tourner les corps, le départ et le but dans la vue : par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
+        <translation>Déplacer et tourner les corps, le départ et le but dans la vue : par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
     </message>
     <message>
         <source>Put an axis onto an axis, or a face onto a face: click that of what moves, then that of another body</source>
-        <translation>Mettre un axe sur un axe, ou une face sur une face : cliquer celle de ce qui bouge, puis celle d&apos;un autre corps</translation>
+        <translation>Aligner deux axes ou deux faces : cliquer d&apos;abord sur l&apos;élément à déplacer, puis sur celui d&apos;un autre corps</translation>
     </message>
     <message>
         <source>Flip the ali&amp;gnment</source>
         <translation>&amp;Retourner l&apos;alignement</translation>
     </message>
     <message>
-        <source>Turn what was aligned last round: the axis, or the face, looks the other way</source>
-        <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté</translation>
-    </message>
-    <message>
         <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
-        <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
+        <translation>Déplacer et tourner par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
@@ -869,7 +785,7 @@
     </message>
     <message>
         <source>End the run; what was found is still shown</source>
-        <translation>Terminer ; ce qui a été trouvé reste affiché</translation>
+        <translation>Arrêter le calcul ; ce qui a été trouvé reste affiché</translation>
     </message>
     <message>
         <source>Move the object back to the start</source>
@@ -877,7 +793,7 @@
     </message>
     <message>
         <source>Move the object along the path, or pause</source>
-        <translation>Déplacer l&apos;objet le long du chemin, ou l&apos;arrêter</translation>
+        <translation>Déplacer l&apos;objet le long du chemin, ou suspendre la lecture</translation>
     </message>
     <message>
         <source>Light texts on a dark background</source>
@@ -893,43 +809,43 @@
     </message>
     <message>
         <source>Redo the edit that was undone</source>
-        <translation>Refaire ce qui a été annulé</translation>
+        <translation>Rétablir la modification annulée</translation>
     </message>
     <message>
         <source>Prefer ways through the selected places, or no longer</source>
-        <translation>Favoriser le passage par les lieux choisis, ou ne plus le faire</translation>
+        <translation>Favoriser le passage par les lieux sélectionnés, ou ne plus le favoriser</translation>
     </message>
     <message>
         <source>Let the chosen step end at the present pose of the object</source>
-        <translation>Faire finir l&apos;étape choisie à la pose actuelle de l&apos;objet</translation>
+        <translation>Terminer l&apos;étape sélectionnée à la position actuelle de l&apos;objet</translation>
     </message>
     <message>
         <source>Let the planner choose where the chosen step ends</source>
-        <translation>Laisser le planificateur choisir où l&apos;étape choisie finit</translation>
+        <translation>Laisser le planificateur choisir où finit l&apos;étape sélectionnée</translation>
     </message>
     <message>
         <source>Play the replayed run, or pause it</source>
-        <translation>Faire défiler le calcul rejoué, ou le mettre en pause</translation>
+        <translation>Lancer ou suspendre la relecture</translation>
     </message>
     <message>
         <source>Find the tightest passage, and by how much bodies overlap on the way of least penetration</source>
-        <translation>Trouver le passage le plus étroit, et de combien les corps se recouvrent sur le chemin de moindre pénétration</translation>
+        <translation>Trouver le passage le plus étroit, et le recouvrement des corps sur le chemin de moindre pénétration</translation>
     </message>
     <message>
         <source>Move the object along the way of least penetration, or pause</source>
-        <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou mettre en pause</translation>
+        <translation>Déplacer l&apos;objet le long du chemin de moindre pénétration, ou suspendre la lecture</translation>
     </message>
     <message>
         <source>Hide the selected obstacles; planning still takes them into account</source>
-        <translation>Cacher les obstacles sélectionnés ; la planification en tient toujours compte</translation>
+        <translation>Masquer les obstacles sélectionnés ; la planification en tient toujours compte</translation>
     </message>
     <message>
         <source>Make a scenario from STEP, mesh or URDF files, one of which moves</source>
-        <translation>Faire un scénario à partir de fichiers STEP, de maillage ou URDF, dont l&apos;un bouge</translation>
+        <translation>Créer un scénario à partir de fichiers STEP, de maillages ou URDF, dont une pièce bouge</translation>
     </message>
     <message>
         <source>Add parts from STEP, mesh or URDF files to the scene</source>
-        <translation>Ajouter à la scène des pièces de fichiers STEP, de maillage ou URDF</translation>
+        <translation>Ajouter au scénario des pièces de fichiers STEP, de maillages ou URDF</translation>
     </message>
     <message>
         <source>Remove the selected bodies from the scene</source>
@@ -937,15 +853,15 @@
     </message>
     <message>
         <source>Make the present pose of the object the start</source>
-        <translation>Prendre la pose actuelle de l&apos;objet comme départ</translation>
+        <translation>Prendre la position actuelle de l&apos;objet comme départ</translation>
     </message>
     <message>
         <source>Make the present pose of the object the goal</source>
-        <translation>Prendre la pose actuelle de l&apos;objet comme but</translation>
+        <translation>Prendre la position actuelle de l&apos;objet comme but</translation>
     </message>
     <message>
         <source>The goal is any pose clear of the other bodies</source>
-        <translation>Le but est toute pose à l&apos;écart des autres corps</translation>
+        <translation>Le but est toute position à l&apos;écart des autres corps</translation>
     </message>
     <message>
         <source>Plan the insertion instead of the removal, or the other way round</source>
@@ -961,27 +877,27 @@
     </message>
     <message>
         <source>Give the chosen pair no allowance: it must keep the required clearance</source>
-        <translation>Ne donner aucune tolérance à la paire choisie : elle doit garder le jeu exigé</translation>
+        <translation>N&apos;admettre aucun amincissement pour la paire sélectionnée : elle doit garder le jeu exigé</translation>
     </message>
     <message>
         <source>Undo the decision about the chosen pair</source>
-        <translation>Annuler la décision sur la paire choisie</translation>
+        <translation>Annuler la décision prise pour la paire sélectionnée</translation>
     </message>
     <message>
         <source>Zoom to what is refused: the bodies, and where they overlap</source>
-        <translation>Zoomer sur ce qui est refusé : les corps, et l&apos;endroit où ils se recouvrent</translation>
+        <translation>Zoomer sur le refus : les corps, et l&apos;endroit où ils se recouvrent</translation>
     </message>
     <message>
         <source>Give the object an allowance against the bodies that it overlaps there; results state it</source>
-        <translation>Donner à l&apos;objet une tolérance contre les corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
+        <translation>Amincir l&apos;objet face aux corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
     </message>
     <message>
         <source>Show all steps one after the other, or pause</source>
-        <translation>Montrer toutes les étapes l&apos;une après l&apos;autre, ou mettre en pause</translation>
+        <translation>Montrer toutes les étapes l&apos;une après l&apos;autre, ou suspendre la lecture</translation>
     </message>
     <message>
         <source>Draw removed parts where their motion ends, or hide them</source>
-        <translation>Dessiner les pièces sorties là où leur mouvement finit, ou les cacher</translation>
+        <translation>Montrer les pièces sorties là où leur mouvement finit, ou les masquer</translation>
     </message>
     <message>
         <source>Forbid this &amp;direction of removal</source>
@@ -989,15 +905,15 @@
     </message>
     <message>
         <source>Do not let the parts of the chosen step leave in its direction</source>
-        <translation>Les pièces de l&apos;étape choisie ne doivent pas sortir dans sa direction</translation>
+        <translation>Interdire aux pièces de l&apos;étape sélectionnée de sortir dans sa direction</translation>
     </message>
     <message>
         <source>Remove the demands on the chosen parts: places, motions, directions, order</source>
-        <translation>Retirer ce qui est exigé des pièces choisies : places, mouvements, directions, ordre</translation>
+        <translation>Supprimer les exigences sur les pièces sélectionnées : places, mouvements, directions, ordre</translation>
     </message>
     <message>
         <source>Move the part of the chosen step by hand, among the parts that are present at that step</source>
-        <translation>Déplacer à la main la pièce de l&apos;étape choisie, parmi les pièces présentes à cette étape</translation>
+        <translation>Déplacer à la main la pièce de l&apos;étape sélectionnée, parmi les pièces présentes à cette étape</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
@@ -1005,11 +921,11 @@
     </message>
     <message>
         <source>Show the first steps in the window: places and strategies, then parts</source>
-        <translation>Montrer les premières étapes dans la fenêtre : lieux et stratégies, puis pièces</translation>
+        <translation>Montrer les premières étapes dans la fenêtre : lieux et stratégies, puis pièces</translation>
     </message>
     <message>
         <source>&amp;What&apos;s this?</source>
-        <translation>&amp;Qu&apos;est-ce que c&apos;est ?</translation>
+        <translation>&amp;Qu&apos;est-ce que c&apos;est ?</translation>
     </message>
     <message>
         <source>Click anything in the window to read what it is for</source>
@@ -1033,7 +949,7 @@
     </message>
     <message>
         <source>Go to, rename and remove named views</source>
-        <translation>Rappeler, renommer et supprimer des vues nommées</translation>
+        <translation>Afficher, renommer et supprimer des vues nommées</translation>
     </message>
     <message>
         <source>Keep the object in the middle of the view while the path is played</source>
@@ -1046,10 +962,6 @@
     <message>
         <source>Draw corners, holes and gaps darker</source>
         <translation>Assombrir les coins, les trous et les interstices</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Exporter</translation>
     </message>
     <message>
         <source>New seed</source>
@@ -1647,6 +1559,110 @@
         <source>Put what was measured into the clipboard, as text</source>
         <translation>Mettre ce qui a été mesuré dans le presse-papiers, comme texte</translation>
     </message>
+    <message>
+        <source>Forbid place</source>
+        <translation>Interdire le lieu</translation>
+    </message>
+    <message>
+        <source>Prefer place</source>
+        <translation>Préférer le lieu</translation>
+    </message>
+    <message>
+        <source>Set milestone</source>
+        <translation>Placer le jalon</translation>
+    </message>
+    <message>
+        <source>Reset milestone</source>
+        <translation>Réinitialiser le jalon</translation>
+    </message>
+    <message>
+        <source>Draw the roadmap in full colours while a path is shown</source>
+        <translation>Garder le graphe bien visible pendant qu&apos;un chemin est affiché</translation>
+    </message>
+    <message>
+        <source>Forbid paths through the selected places, or allow them again</source>
+        <translation>Interdire tout chemin par les lieux sélectionnés, ou les autoriser de nouveau</translation>
+    </message>
+    <message>
+        <source>Save the recording of the last run, to replay it exactly</source>
+        <translation>Sauvegarder l&apos;enregistrement du dernier calcul, pour le rejouer à l&apos;identique</translation>
+    </message>
+    <message>
+        <source>Replay the last run, or the recording opened last, exactly</source>
+        <translation>Rejouer à l&apos;identique le dernier calcul, ou le dernier enregistrement ouvert</translation>
+    </message>
+    <message>
+        <source>Replay the same input of the operator with the present values of the sliders</source>
+        <translation>Rejouer les gestes de l&apos;opérateur avec les réglages actuels des curseurs</translation>
+    </message>
+    <message>
+        <source>Let the program set α, N and d while planning, or use your values again</source>
+        <translation>Laisser le programme régler α, N et d pendant la planification, ou reprendre vos valeurs</translation>
+    </message>
+    <message>
+        <source>Cancel the work in the background: reading, smoothing, looking for reasons</source>
+        <translation>Arrêter le travail en arrière-plan : lecture, lissage, recherche des causes</translation>
+    </message>
+    <message>
+        <source>Why there i&amp;s no path</source>
+        <translation>Cau&amp;ses de l&apos;absence de chemin</translation>
+    </message>
+    <message>
+        <source>The selected body becomes the object, from its present pose to &quot;out&quot;; the former object stays at its start</source>
+        <translation>Le corps sélectionné devient l&apos;objet, de sa position actuelle vers « dehors » ; l&apos;ancien objet reste à son départ</translation>
+    </message>
+    <message>
+        <source>Where the object touches or overlaps a body at its start or goal, move it clear by the smallest distance that is found</source>
+        <translation>Si l&apos;objet touche ou recouvre un corps à son départ ou à son but, l&apos;écarter de la plus petite distance trouvée</translation>
+    </message>
+    <message>
+        <source>Fit the workspace to all bodies, with room for the object to leave</source>
+        <translation>Ajuster l&apos;espace de travail à tous les corps, avec la place nécessaire à la sortie de l&apos;objet</translation>
+    </message>
+    <message>
+        <source>Show the swept volume: all that the object covers along the path</source>
+        <translation>Montrer tout le volume que l&apos;objet occupe le long du chemin, sans rien en omettre</translation>
+    </message>
+    <message>
+        <source>Mark as a t&amp;hread</source>
+        <translation>Déclarer comme &amp;filetage</translation>
+    </message>
+    <message>
+        <source>&amp;Use the measured fit</source>
+        <translation>&amp;Utiliser l&apos;ajustement mesuré</translation>
+    </message>
+    <message>
+        <source>Keep the selected paths at the top of the list, or unpin them</source>
+        <translation>Épingler les chemins sélectionnés en tête de la liste, ou les détacher</translation>
+    </message>
+    <message>
+        <source>Show &amp;removed parts aside</source>
+        <translation>Pièces so&amp;rties à côté du produit</translation>
+    </message>
+    <message>
+        <source>Show which step makes way for which, and which parts block the stuck ones</source>
+        <translation>Montrer quelle étape libère quelle autre, et quelles pièces bloquent celles qui ne sortent pas</translation>
+    </message>
+    <message>
+        <source>Move the chosen step of the sequence one row up; the other steps are planned again</source>
+        <translation>Monter d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
+    </message>
+    <message>
+        <source>Move the chosen step of the sequence one row down; the other steps are planned again</source>
+        <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
+    </message>
+    <message>
+        <source>Keep the places and motions of the chosen steps, or release them</source>
+        <translation>Garder la place et le mouvement des étapes sélectionnées, ou les libérer</translation>
+    </message>
+    <message>
+        <source>Reverse the last alignment: the axis or the face points the other way</source>
+        <translation>Retourner ce qui vient d&apos;être aligné : l&apos;axe ou la face change de sens</translation>
+    </message>
+    <message>
+        <source>Export path</source>
+        <translation>Exporter le chemin</translation>
+    </message>
 </context>
 <context>
     <name>Attributes</name>
@@ -1676,15 +1692,15 @@
     </message>
     <message>
         <source>Stays</source>
-        <translation>Reste</translation>
+        <translation>Reste en place</translation>
     </message>
     <message>
         <source>Goes with</source>
-        <translation>Va avec</translation>
+        <translation>Sort avec</translation>
     </message>
     <message>
         <source>Goes before</source>
-        <translation>Va avant</translation>
+        <translation>Sort avant</translation>
     </message>
     <message>
         <source>Needs tool</source>
@@ -1692,35 +1708,35 @@
     </message>
     <message>
         <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
-        <translation>Classe du corps, dont il a les attributs : screw, seal, base_part.</translation>
+        <translation>Classe du corps, dont il reprend les attributs : screw, seal, base_part.</translation>
     </message>
     <message>
         <source>Mass of the body. 0: by its volume and density.</source>
-        <translation>Masse du corps. 0 : d'après son volume et sa masse volumique.</translation>
+        <translation>Masse du corps. 0 : d'après son volume et sa masse volumique.</translation>
     </message>
     <message>
         <source>The body leaves as early as it can, and is put in as late as it can.</source>
-        <translation>Le corps part aussi tôt que possible, et est monté aussi tard que possible.</translation>
+        <translation>Le corps sort aussi tôt que possible, et il est monté aussi tard que possible.</translation>
     </message>
     <message>
         <source>The assembly begins with the body: it does not leave.</source>
-        <translation>L'assemblage commence par le corps : il ne part pas.</translation>
+        <translation>L&apos;assemblage commence par ce corps : il ne sort pas.</translation>
     </message>
     <message>
         <source>The body does not leave.</source>
-        <translation>Le corps ne part pas.</translation>
+        <translation>Le corps ne sort pas.</translation>
     </message>
     <message>
         <source>Bodies that leave together with this one, with commas.</source>
-        <translation>Corps qui partent avec celui-ci, séparés par des virgules.</translation>
+        <translation>Corps qui sortent avec celui-ci, séparés par des virgules.</translation>
     </message>
     <message>
         <source>Bodies that leave after this one, with commas.</source>
-        <translation>Corps qui partent après celui-ci, séparés par des virgules.</translation>
+        <translation>Corps qui sortent après celui-ci, séparés par des virgules.</translation>
     </message>
     <message>
         <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
-        <translation>Outil qui tourne le corps : by_shape, none, ou l'un des outils.</translation>
+        <translation>Outil qui fait tourner le corps : by_shape, none, ou l&apos;un des outils.</translation>
     </message>
     <message>
         <source>Narrowness</source>
@@ -1748,7 +1764,7 @@
     </message>
     <message>
         <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
-        <translation>Difficulté de traverser le lieu : 1 pour le plus large, un de plus chaque fois que la largeur est divisée par deux.</translation>
+        <translation>Difficulté de traversée du lieu : 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
     </message>
     <message>
         <source>Mobile bodies are in the place.</source>
@@ -1756,15 +1772,15 @@
     </message>
     <message>
         <source>Diameter of the largest ball that fits at the widest spot.</source>
-        <translation>Diamètre de la plus grande boule qui tient à l&apos;endroit le plus large.</translation>
+        <translation>Diamètre de la plus grande boule qui tient à l&apos;endroit le plus large du lieu.</translation>
     </message>
     <message>
         <source>Shape of the place&apos;s section, as the objects&apos; shapes are called.</source>
-        <translation>Forme de la section du lieu, nommée comme celles des objets.</translation>
+        <translation>Forme de la section du lieu, avec les mêmes noms que les formes des objets.</translation>
     </message>
     <message>
         <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
-        <translation>Si l&apos;objet passe : 0 pas du tout, à partir de 0,5 il passe, 1 aisément.</translation>
+        <translation>Aptitude de l&apos;objet à passer : 0, il ne passe pas ; à partir de 0,5, il passe ; 1, il passe aisément.</translation>
     </message>
     <message>
         <source>No path may lead through the place.</source>
@@ -1772,15 +1788,15 @@
     </message>
     <message>
         <source>Ways through the place count this many times shorter.</source>
-        <translation>Les passages par le lieu comptent pour autant de fois plus courts.</translation>
+        <translation>Les trajets par le lieu comptent pour autant de fois plus courts.</translation>
     </message>
     <message>
         <source>Static bodies shape the places; mobile ones clutter them.</source>
-        <translation>Les corps statiques forment les lieux ; les mobiles les encombrent.</translation>
+        <translation>Les corps statiques délimitent les lieux ; les corps mobiles les encombrent.</translation>
     </message>
     <message>
         <source>What the body is shaped like.</source>
-        <translation>La forme du corps.</translation>
+        <translation>Forme du corps.</translation>
     </message>
 </context>
 <context>
@@ -1819,23 +1835,23 @@
     </message>
     <message>
         <source>A person: keys, 6D mouse and gamepad together.</source>
-        <translation>Une personne : clavier, souris 6D et manette ensemble.</translation>
+        <translation>Une personne : clavier, souris 6D et manette ensemble.</translation>
     </message>
     <message>
         <source>A person: the keys of the window.</source>
-        <translation>Une personne : les touches de la fenêtre.</translation>
+        <translation>Une personne : les touches de la fenêtre.</translation>
     </message>
     <message>
         <source>A person: a 3Dconnexion mouse.</source>
-        <translation>Une personne : une souris 3Dconnexion.</translation>
+        <translation>Une personne : une souris 3Dconnexion.</translation>
     </message>
     <message>
         <source>A person: a game controller.</source>
-        <translation>Une personne : une manette de jeu.</translation>
+        <translation>Une personne : une manette de jeu.</translation>
     </message>
     <message>
         <source>Follows the way-points fast and exactly.</source>
-        <translation>Suit les points de passage vite et exactement.</translation>
+        <translation>Suit les points de passage vite et avec précision.</translation>
     </message>
     <message>
         <source>Follows the way-points.</source>
@@ -1847,7 +1863,7 @@
     </message>
     <message>
         <source>Draws the object along the way-points and feels the obstacles.</source>
-        <translation>Tire l&apos;objet le long des points de passage et sent les obstacles.</translation>
+        <translation>Tire l&apos;objet le long des points de passage et perçoit les obstacles.</translation>
     </message>
 </context>
 <context>
@@ -1858,27 +1874,19 @@
     </message>
     <message>
         <source>the object penetrates &apos;%1&apos;</source>
-        <translation>l&apos;objet pénètre dans « %1 »</translation>
+        <translation>l&apos;objet pénètre dans « %1 »</translation>
     </message>
     <message>
         <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
-        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
-    </message>
-    <message>
-        <source>Move the start to a free place.</source>
-        <translation>Placer le départ à un endroit libre.</translation>
-    </message>
-    <message>
-        <source>Move the goal to a free place.</source>
-        <translation>Placer le but à un endroit libre.</translation>
+        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
     </message>
     <message>
         <source>Move the start away or lower the required clearance.</source>
-        <translation>Éloigner le départ ou réduire le jeu exigé.</translation>
+        <translation>Éloignez le départ, ou réduisez le jeu exigé.</translation>
     </message>
     <message>
         <source>Move the goal away or lower the required clearance.</source>
-        <translation>Éloigner le but ou réduire le jeu exigé.</translation>
+        <translation>Éloignez le but, ou réduisez le jeu exigé.</translation>
     </message>
     <message>
         <source>lies outside the workspace bounds</source>
@@ -1886,35 +1894,15 @@
     </message>
     <message>
         <source>Enlarge the workspace or move the start inside.</source>
-        <translation>Agrandir l&apos;espace de travail ou y placer le départ.</translation>
+        <translation>Agrandissez l&apos;espace de travail, ou placez-y le départ.</translation>
     </message>
     <message>
         <source>Enlarge the workspace or move the goal inside.</source>
-        <translation>Agrandir l&apos;espace de travail ou y placer le but.</translation>
-    </message>
-    <message>
-        <source>&apos;out&apos; cannot be reached: the workspace holds no place clear of the obstacles&apos; box</source>
-        <translation>« dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a aucune place hors de la boîte des obstacles</translation>
+        <translation>Agrandissez l&apos;espace de travail, ou placez-y le but.</translation>
     </message>
     <message>
         <source>Enlarge the workspace by the size of the object on one side at least.</source>
-        <translation>Agrandir l&apos;espace de travail de la taille de l&apos;objet, d&apos;un côté au moins.</translation>
-    </message>
-    <message>
-        <source>the step limit of %1 reached without a path</source>
-        <translation>la limite de %1 pas est atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>the limit of %1 random configurations reached without a path</source>
-        <translation>la limite de %1 configurations aléatoires est atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>the time limit of %1 s reached without a path</source>
-        <translation>la limite de temps de %1 s est atteinte sans chemin</translation>
-    </message>
-    <message>
-        <source>Raise %1, take part with the device, or try another seed.</source>
-        <translation>Augmenter %1, participer avec le périphérique, ou essayer une autre graine.</translation>
+        <translation>Agrandissez l&apos;espace de travail de la taille de l&apos;objet, d&apos;un côté au moins.</translation>
     </message>
     <message>
         <source>no direct motion is free</source>
@@ -1922,11 +1910,7 @@
     </message>
     <message>
         <source>Choose a planner that searches.</source>
-        <translation>Choisir une stratégie qui cherche.</translation>
-    </message>
-    <message>
-        <source>there is no configuration outside within the bounds</source>
-        <translation>aucune configuration dehors n&apos;est dans les limites</translation>
+        <translation>Choisissez une stratégie qui cherche.</translation>
     </message>
     <message>
         <source>strategy G found no path within its limit of samples</source>
@@ -1935,10 +1919,6 @@
     <message>
         <source>there is no such planner</source>
         <translation>cette stratégie n&apos;existe pas</translation>
-    </message>
-    <message>
-        <source>it was stopped</source>
-        <translation>l&apos;opération a été arrêtée</translation>
     </message>
     <message>
         <source>there is no path to export</source>
@@ -1958,15 +1938,15 @@
     </message>
     <message>
         <source>Install the package ffmpeg, or give a name that ends with .png for a series of pictures.</source>
-        <translation>Installer le paquet ffmpeg, ou donner un nom qui finit par .png pour une série d&apos;images.</translation>
+        <translation>Installez le paquet ffmpeg, ou donnez un nom qui finit par .png pour une série d&apos;images.</translation>
     </message>
     <message>
         <source>ffmpeg could not write the film: %1</source>
-        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
+        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
     </message>
     <message>
         <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
-        <translation>Vérifier le dossier, sa place libre, et que ffmpeg a les codecs libx264 et libvpx-vp9.</translation>
+        <translation>Vérifiez le dossier, sa place libre, et la présence des codecs libx264 et libvpx-vp9 dans ffmpeg.</translation>
     </message>
     <message>
         <source>films are not written in this format</source>
@@ -1974,27 +1954,19 @@
     </message>
     <message>
         <source>Choose one of: .mp4, .webm, .png.</source>
-        <translation>Choisir parmi : .mp4, .webm, .png.</translation>
+        <translation>Choisissez parmi : .mp4, .webm, .png.</translation>
     </message>
     <message>
         <source>Solve first.</source>
-        <translation>Chercher d&apos;abord un chemin.</translation>
-    </message>
-    <message>
-        <source>there is no scenario that the path could be of</source>
-        <translation>il n&apos;y a pas de scénario dont ce pourrait être un chemin</translation>
+        <translation>Cherchez d&apos;abord un chemin.</translation>
     </message>
     <message>
         <source>Open its scenario first.</source>
-        <translation>Ouvrir d&apos;abord son scénario.</translation>
-    </message>
-    <message>
-        <source>a path is being looked for</source>
-        <translation>une recherche de chemin est en cours</translation>
+        <translation>Ouvrez d&apos;abord son scénario.</translation>
     </message>
     <message>
         <source>Stop the run first.</source>
-        <translation>Arrêter d&apos;abord le calcul.</translation>
+        <translation>Arrêtez d&apos;abord le calcul.</translation>
     </message>
     <message>
         <source>a recording is shown</source>
@@ -2002,7 +1974,7 @@
     </message>
     <message>
         <source>Close the replay first.</source>
-        <translation>Fermer d&apos;abord la relecture.</translation>
+        <translation>Fermez d&apos;abord la relecture.</translation>
     </message>
     <message>
         <source>cannot be read</source>
@@ -2018,19 +1990,7 @@
     </message>
     <message>
         <source>Correct the file.</source>
-        <translation>Corriger le fichier.</translation>
-    </message>
-    <message>
-        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is not there (looked for in &apos;%2&apos;)</source>
-        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » n&apos;existe pas (cherché dans « %2 »)</translation>
-    </message>
-    <message>
-        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is outside its folder (looked for in &apos;%2&apos;)</source>
-        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » est hors du dossier (cherché dans « %2 »)</translation>
-    </message>
-    <message>
-        <source>is missing, and is free space to every proof: its file &apos;%1&apos; is no STEP file (looked for in &apos;%2&apos;)</source>
-        <translation>manque et compte comme espace libre pour toute preuve : son fichier « %1 » n&apos;est pas un fichier STEP (cherché dans « %2 »)</translation>
+        <translation>Corrigez le fichier.</translation>
     </message>
     <message>
         <source>%1 more files of its parts are missing</source>
@@ -2038,27 +1998,27 @@
     </message>
     <message>
         <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
-        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
+        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
     </message>
     <message>
         <source>Put the files there and load again, or export the product as one file.</source>
-        <translation>Y placer les fichiers et recharger, ou exporter le produit en un seul fichier.</translation>
+        <translation>Placez-y les fichiers et rechargez, ou exportez le produit en un seul fichier.</translation>
     </message>
     <message>
         <source>names &apos;%1&apos; for a part, which holds this file itself</source>
-        <translation>nomme « %1 » pour une pièce, qui contient ce fichier lui-même</translation>
+        <translation>nomme pour une pièce le fichier « %1 », qui contient le présent fichier</translation>
     </message>
     <message>
         <source>Export the product as one file.</source>
-        <translation>Exporter le produit en un seul fichier.</translation>
+        <translation>Exportez le produit en un seul fichier.</translation>
     </message>
     <message>
         <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
-        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
+        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
     </message>
     <message>
         <source>Look at them: what is behind a closed hole is solid.</source>
-        <translation>À vérifier : ce qui est derrière un trou fermé est plein.</translation>
+        <translation>Vérifiez-les : ce qui est derrière un trou fermé est plein.</translation>
     </message>
     <message>
         <source>is not a closed surface</source>
@@ -2066,11 +2026,11 @@
     </message>
     <message>
         <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
-        <translation>Se trouver à l&apos;intérieur n&apos;est pas vu comme une collision ; fermer sa surface, ou faire fermer les trous plans (--close-holes).</translation>
+        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision ; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
     </message>
     <message>
         <source>edits cannot be saved automatically: %1</source>
-        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
+        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
     </message>
     <message>
         <source>Save the scenario.</source>
@@ -2094,15 +2054,11 @@
     </message>
     <message>
         <source>another object moves now</source>
-        <translation>un autre objet est mobile maintenant</translation>
-    </message>
-    <message>
-        <source>Let &apos;%1&apos; move first.</source>
-        <translation>Rendez d&apos;abord « %1 » mobile.</translation>
+        <translation>l&apos;objet n&apos;est plus le même</translation>
     </message>
     <message>
         <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec « %1 »</translation>
+        <translation>le jalon serait en collision avec « %1 »</translation>
     </message>
     <message>
         <source>Drop it where the object is free.</source>
@@ -2126,7 +2082,7 @@
     </message>
     <message>
         <source>Start one first.</source>
-        <translation>Lancez-en d&apos;abord une.</translation>
+        <translation>Lancez d&apos;abord un calcul.</translation>
     </message>
     <message>
         <source>there is no plan to write</source>
@@ -2137,16 +2093,8 @@
         <translation>Planifiez d&apos;abord la séquence.</translation>
     </message>
     <message>
-        <source>there is no product that the plan could be of</source>
-        <translation>il n&apos;y a pas de produit auquel le plan pourrait se rapporter</translation>
-    </message>
-    <message>
         <source>Open the product first.</source>
         <translation>Ouvrez d&apos;abord le produit.</translation>
-    </message>
-    <message>
-        <source>its parts leave as one, and one part is in the hand</source>
-        <translation>ses pièces sortent ensemble, et la main ne tient qu&apos;une pièce</translation>
     </message>
     <message>
         <source>Choose a step of a single part.</source>
@@ -2158,7 +2106,7 @@
     </message>
     <message>
         <source>Choose one of: %1</source>
-        <translation>Choisissez parmi : %1</translation>
+        <translation>Choisissez parmi : %1</translation>
     </message>
     <message>
         <source>Choose one of %1</source>
@@ -2170,7 +2118,7 @@
     </message>
     <message>
         <source>Put the old one back, or make the study again.</source>
-        <translation>Remettez l&apos;ancien, ou refaites l&apos;étude.</translation>
+        <translation>Remettez l&apos;ancien scénario, ou refaites l&apos;étude.</translation>
     </message>
     <message>
         <source>is a run of a sequence, which is not shown as a path</source>
@@ -2182,11 +2130,11 @@
     </message>
     <message>
         <source>was not saved: another program has changed the file since it was read</source>
-        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
     </message>
     <message>
         <source>was not saved: the file has been removed or renamed since it was read</source>
-        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
     </message>
     <message>
         <source>Save under another name, or open the file again.</source>
@@ -2202,23 +2150,15 @@
     </message>
     <message>
         <source>cannot be saved: %1</source>
-        <translation>ne peut pas être enregistré : %1</translation>
+        <translation>ne peut pas être enregistré : %1</translation>
     </message>
     <message>
         <source>out of memory</source>
         <translation>mémoire insuffisante</translation>
     </message>
     <message>
-        <source>there was not enough memory while %1</source>
-        <translation>la mémoire n&apos;a pas suffi pour ce travail : %1</translation>
-    </message>
-    <message>
         <source>Close other programs or use coarser parts, then try again.</source>
         <translation>Fermez d&apos;autres programmes ou prenez des pièces moins fines, puis réessayez.</translation>
-    </message>
-    <message>
-        <source>an error occurred while %1</source>
-        <translation>une erreur est survenue pendant ce travail : %1</translation>
     </message>
     <message>
         <source>Try again. If it happens again, report it with the scenario and the seed.</source>
@@ -2237,16 +2177,8 @@
         <translation>Donnez-lui une taille.</translation>
     </message>
     <message>
-        <source>is no attribute that is defined</source>
-        <translation>n&apos;est pas un attribut défini</translation>
-    </message>
-    <message>
         <source>Define it under /attributes, or remove it.</source>
         <translation>Définissez-le sous /attributes, ou supprimez-le.</translation>
-    </message>
-    <message>
-        <source>is no body of this scenario</source>
-        <translation>n&apos;est pas un corps de ce scénario</translation>
     </message>
     <message>
         <source>Correct the id.</source>
@@ -2270,7 +2202,7 @@
     </message>
     <message>
         <source>is of a kind that is not read (&apos;%1&apos;)</source>
-        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
+        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
     </message>
     <message>
         <source>is a building model (IFC), not a product</source>
@@ -2305,10 +2237,6 @@
         <translation>Activez les ajustements, placez l&apos;objet ailleurs, ou vérifiez les pièces et leur unité.</translation>
     </message>
     <message>
-        <source>the way of the smaller object could not be widened</source>
-        <translation>le trajet de l&apos;objet réduit n&apos;a pas pu être élargi</translation>
-    </message>
-    <message>
         <source>Start again with another seed.</source>
         <translation>Recommencez avec une autre graine.</translation>
     </message>
@@ -2326,7 +2254,7 @@
     </message>
     <message>
         <source>Correct the rule: %1</source>
-        <translation>Corrigez la règle : %1</translation>
+        <translation>Corrigez la règle : %1</translation>
     </message>
     <message>
         <source>has no last rule that always holds</source>
@@ -2334,11 +2262,11 @@
     </message>
     <message>
         <source>there is no local planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
+        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
     </message>
     <message>
         <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
-        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
+        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
     </message>
     <message>
         <source>OMPL&apos;s planner was given no free start within the bounds</source>
@@ -2410,7 +2338,7 @@
     </message>
     <message>
         <source>They have no area, so that no surface is missing.</source>
-        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
+        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
     </message>
     <message>
         <source>the bodies have too many triangles for a GLB file (4 GiB)</source>
@@ -2422,11 +2350,11 @@
     </message>
     <message>
         <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
-        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
+        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
     </message>
     <message>
         <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
-        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
+        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
     </message>
     <message>
         <source>holds a number that is out of range</source>
@@ -2454,7 +2382,7 @@
     </message>
     <message>
         <source>has no ending that says in which format the path is to be written</source>
-        <translation>n&apos;a pas d&apos;extension qui donne le format du chemin</translation>
+        <translation>n&apos;a pas d&apos;extension qui indique le format du chemin</translation>
     </message>
     <message>
         <source>the path holds no configuration</source>
@@ -2469,16 +2397,12 @@
         <translation>Donnez un chemin.</translation>
     </message>
     <message>
-        <source>is in a format that is only written</source>
-        <translation>est dans un format qui ne peut qu&apos;être écrit</translation>
-    </message>
-    <message>
         <source>Give the product that was planned.</source>
         <translation>Donnez le produit qui a été planifié.</translation>
     </message>
     <message>
         <source>holds one body: there is nothing to take apart</source>
-        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
+        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
     </message>
     <message>
         <source>Give a product of several parts.</source>
@@ -2490,11 +2414,11 @@
     </message>
     <message>
         <source>the journal cannot be written: %1</source>
-        <translation>le journal ne peut pas être écrit : %1</translation>
+        <translation>le journal ne peut pas être écrit : %1</translation>
     </message>
     <message>
         <source>is damaged: %1</source>
-        <translation>est endommagé : %1</translation>
+        <translation>est endommagé : %1</translation>
     </message>
     <message>
         <source>Use an undamaged copy.</source>
@@ -2554,7 +2478,7 @@
     </message>
     <message>
         <source>there is nothing that moves</source>
-        <translation>rien ne se déplace</translation>
+        <translation>aucun corps ne se déplace</translation>
     </message>
     <message>
         <source>Give a body with triangles and a path.</source>
@@ -2578,7 +2502,7 @@
     </message>
     <message>
         <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
-        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
+        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
     </message>
     <message>
         <source>Change the rule first.</source>
@@ -2586,7 +2510,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation>« %1 » n&apos;est pas un nombre</translation>
+        <translation>« %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>Write it like 0.25.</source>
@@ -2599,6 +2523,2794 @@
     <message>
         <source>Choose a name that ends in .png or .jpg.</source>
         <translation>Choisissez un nom qui finit par .png ou .jpg.</translation>
+    </message>
+    <message>
+        <source>Move the start to a position clear of all bodies.</source>
+        <translation>Placez le départ à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>Move the goal to a position clear of all bodies.</source>
+        <translation>Placez le but à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
+        <translation>le but « dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
+    </message>
+    <message>
+        <source>the step limit of %1 was reached without a path</source>
+        <translation>la limite de %1 pas a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the limit of %1 random configurations was reached without a path</source>
+        <translation>la limite de %1 configurations aléatoires a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>the time limit of %1 s was reached without a path</source>
+        <translation>la limite de temps de %1 s a été atteinte sans chemin</translation>
+    </message>
+    <message>
+        <source>Raise the limit (%1), steer the object yourself, or try another seed.</source>
+        <translation>Augmentez la limite (%1), guidez l&apos;objet vous-même, ou essayez une autre graine.</translation>
+    </message>
+    <message>
+        <source>the workspace has no configuration outside the product</source>
+        <translation>l&apos;espace de travail n&apos;a aucune configuration hors du produit</translation>
+    </message>
+    <message>
+        <source>the operation was stopped</source>
+        <translation>l&apos;opération a été arrêtée</translation>
+    </message>
+    <message>
+        <source>no scenario is open</source>
+        <translation>aucun scénario n&apos;est ouvert</translation>
+    </message>
+    <message>
+        <source>a run is going on</source>
+        <translation>un calcul est en cours</translation>
+    </message>
+    <message>
+        <source>Make &apos;%1&apos; the object first.</source>
+        <translation>Faites d&apos;abord de « %1 » l&apos;objet.</translation>
+    </message>
+    <message>
+        <source>no product is open</source>
+        <translation>aucun produit n&apos;est ouvert</translation>
+    </message>
+    <message>
+        <source>its parts leave together, and only one part can be moved by hand</source>
+        <translation>ses pièces sortent ensemble, et une seule pièce peut être déplacée à la main</translation>
+    </message>
+    <message>
+        <source>is not a defined attribute</source>
+        <translation>n&apos;est pas un attribut défini</translation>
+    </message>
+    <message>
+        <source>is not a body of this scenario</source>
+        <translation>n&apos;est pas un corps de ce scénario</translation>
+    </message>
+    <message>
+        <source>the path of the shrunk object could not be repaired for the full-size object</source>
+        <translation>le chemin de l&apos;objet réduit n&apos;a pas pu être adapté à l&apos;objet réel</translation>
+    </message>
+    <message>
+        <source>is in a format that can only be written</source>
+        <translation>est dans un format qui ne peut qu&apos;être écrit</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1 ; %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>its input and output cannot be made</source>
+        <translation>ses flux d&apos;entrée et de sortie ne peuvent pas être créés</translation>
+    </message>
+    <message>
+        <source>no process can be made</source>
+        <translation>aucun processus ne peut être créé</translation>
+    </message>
+    <message>
+        <source>it cannot have a session of its own</source>
+        <translation>il ne peut pas avoir sa propre session</translation>
+    </message>
+    <message>
+        <source>its limits cannot be set</source>
+        <translation>ses limites ne peuvent pas être fixées</translation>
+    </message>
+    <message>
+        <source>its open files cannot be closed</source>
+        <translation>ses fichiers ouverts ne peuvent pas être fermés</translation>
+    </message>
+    <message>
+        <source>its file cannot be run</source>
+        <translation>son fichier ne peut pas être exécuté</translation>
+    </message>
+    <message>
+        <source>cannot be started: %1: %2</source>
+        <translation>ne peut pas être lancé : %1 : %2</translation>
+    </message>
+    <message>
+        <source>Install the program again.</source>
+        <translation>Réinstallez le programme.</translation>
+    </message>
+    <message>
+        <source>Run fewer programs at once, or free some memory.</source>
+        <translation>Exécutez moins de programmes en même temps, ou libérez de la mémoire.</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>ne peut pas être lu : %1</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>est trop grand</translation>
+    </message>
+    <message>
+        <source>Give a file of its kind.</source>
+        <translation>Donnez un fichier du type voulu.</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ne peut pas être ouvert : %1</translation>
+    </message>
+    <message>
+        <source>Check the name and the folder.</source>
+        <translation>Vérifiez le nom et le dossier.</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>n&apos;est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>Give a file, not a folder, a pipe or a device.</source>
+        <translation>Donnez un fichier, et non un dossier, un tube ou un périphérique.</translation>
+    </message>
+    <message>
+        <source>its group</source>
+        <translation>son groupe</translation>
+    </message>
+    <message>
+        <source>its owner</source>
+        <translation>son propriétaire</translation>
+    </message>
+    <message>
+        <source>its owner and group</source>
+        <translation>son propriétaire et son groupe</translation>
+    </message>
+    <message>
+        <source>%1 could not be kept</source>
+        <translation>%1 n&apos;ont pas pu être conservés</translation>
+    </message>
+    <message>
+        <source>Ask the former owner if others read the file.</source>
+        <translation>Si d&apos;autres personnes lisent ce fichier, adressez-vous à l&apos;ancien propriétaire.</translation>
+    </message>
+    <message>
+        <source>its permissions cannot be set</source>
+        <translation>ses droits d&apos;accès ne peuvent pas être fixés</translation>
+    </message>
+    <message>
+        <source>its access control list could not be kept</source>
+        <translation>sa liste de contrôle d&apos;accès n&apos;a pas pu être conservée</translation>
+    </message>
+    <message>
+        <source>Set it again.</source>
+        <translation>Fixez-la de nouveau.</translation>
+    </message>
+    <message>
+        <source>the file has %1 more names (hard links), which keep the old content</source>
+        <translation>le fichier a %1 autres noms (liens physiques), qui gardent l&apos;ancien contenu</translation>
+    </message>
+    <message>
+        <source>Copy the file over them, or link them again.</source>
+        <translation>Copiez le fichier à leur place, ou refaites les liens.</translation>
+    </message>
+    <message>
+        <source>cannot be saved over the present file: %1</source>
+        <translation>ne peut pas remplacer le fichier présent : %1</translation>
+    </message>
+    <message>
+        <source>its folder could not be flushed to the disk</source>
+        <translation>son dossier n&apos;a pas pu être écrit sur le disque</translation>
+    </message>
+    <message>
+        <source>After a power failure the file may have its old content. Save again.</source>
+        <translation>Après une coupure de courant, le fichier pourrait avoir son ancien contenu. Enregistrez de nouveau.</translation>
+    </message>
+    <message>
+        <source>no earlier version was kept</source>
+        <translation>aucune version antérieure n&apos;a été conservée</translation>
+    </message>
+    <message>
+        <source>It could not be read.</source>
+        <translation>Elle n&apos;a pas pu être lue.</translation>
+    </message>
+    <message>
+        <source>no earlier version was kept: %1</source>
+        <translation>aucune version antérieure n&apos;a été conservée : %1</translation>
+    </message>
+    <message>
+        <source>its folder of earlier versions cannot be made</source>
+        <translation>son dossier de versions antérieures ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>the permissions of its earlier version cannot be set</source>
+        <translation>les droits d&apos;accès de sa version antérieure ne peuvent pas être fixés</translation>
+    </message>
+    <message>
+        <source>its earlier version cannot be flushed to the disk</source>
+        <translation>sa version antérieure ne peut pas être écrite sur le disque</translation>
+    </message>
+    <message>
+        <source>there was not enough memory while %1 (%2)</source>
+        <translation>la mémoire n&apos;a pas suffi pour cette opération : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>an error occurred while %1: %2</source>
+        <translation>une erreur est survenue pendant cette opération : %1 (%2)</translation>
+    </message>
+    <message>
+        <source>of an unknown kind</source>
+        <translation>de nature inconnue</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is not allowed</source>
+        <translation>%1 vaut %2, ce qui n&apos;est pas admis</translation>
+    </message>
+    <message>
+        <source>Give %1 from %2 to %3.</source>
+        <translation>Donnez %1 de %2 à %3.</translation>
+    </message>
+    <message>
+        <source>the folder takes no new file</source>
+        <translation>le dossier n&apos;accepte pas de nouveau fichier</translation>
+    </message>
+    <message>
+        <source>writing failed</source>
+        <translation>l&apos;écriture a échoué</translation>
+    </message>
+    <message>
+        <source>flushing to the disk failed</source>
+        <translation>l&apos;écriture sur le disque a échoué</translation>
+    </message>
+    <message>
+        <source>closing failed</source>
+        <translation>la fermeture a échoué</translation>
+    </message>
+    <message>
+        <source>what was written reads back differently</source>
+        <translation>ce qui a été écrit n&apos;est pas relu à l&apos;identique</translation>
+    </message>
+    <message>
+        <source>giving it its name failed</source>
+        <translation>il n&apos;a pas pu recevoir son nom</translation>
+    </message>
+    <message>
+        <source>What was there is untouched.</source>
+        <translation>Le contenu précédent est intact.</translation>
+    </message>
+    <message>
+        <source>What was there is untouched. %1</source>
+        <translation>Le contenu précédent est intact. %1</translation>
+    </message>
+    <message>
+        <source>Free some space, or save on another disk.</source>
+        <translation>Libérez de la place, ou enregistrez sur un autre disque.</translation>
+    </message>
+    <message>
+        <source>Raise the limit of the file size, or save on another disk.</source>
+        <translation>Relevez la limite de taille des fichiers, ou enregistrez sur un autre disque.</translation>
+    </message>
+    <message>
+        <source>Save into a folder that you may write to.</source>
+        <translation>Enregistrez dans un dossier où vous avez le droit d&apos;écrire.</translation>
+    </message>
+    <message>
+        <source>The file system is read-only. Save into another folder.</source>
+        <translation>Le système de fichiers est en lecture seule. Enregistrez dans un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Choose a shorter name.</source>
+        <translation>Choisissez un nom plus court.</translation>
+    </message>
+    <message>
+        <source>Create the folder, or choose another one.</source>
+        <translation>Créez le dossier, ou choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>The disk may be failing. Save on another disk.</source>
+        <translation>Le disque est peut-être défaillant. Enregistrez sur un autre disque.</translation>
+    </message>
+    <message>
+        <source>Save into another folder.</source>
+        <translation>Enregistrez dans un autre dossier.</translation>
+    </message>
+    <message>
+        <source>it cannot be looked at</source>
+        <translation>il ne peut pas être examiné</translation>
+    </message>
+    <message>
+        <source>its links cannot be followed</source>
+        <translation>ses liens ne peuvent pas être suivis</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>it is a pipe</source>
+        <translation>c&apos;est un tube</translation>
+    </message>
+    <message>
+        <source>it is a socket</source>
+        <translation>c&apos;est un socket</translation>
+    </message>
+    <message>
+        <source>it is a device</source>
+        <translation>c&apos;est un périphérique</translation>
+    </message>
+    <message>
+        <source>it is read-only</source>
+        <translation>il est en lecture seule</translation>
+    </message>
+    <message>
+        <source>Save under another name, or make the file writable.</source>
+        <translation>Enregistrez sous un autre nom, ou rendez le fichier modifiable.</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>il n&apos;a pas de nom</translation>
+    </message>
+    <message>
+        <source>Give a name.</source>
+        <translation>Donnez un nom.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>ligne %1, colonne %2</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>ligne %1 : %2</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>octet %1</translation>
+    </message>
+    <message>
+        <source>body &apos;%1&apos;</source>
+        <translation>corps « %1 »</translation>
+    </message>
+    <message>
+        <source>part &apos;%1&apos;</source>
+        <translation>pièce « %1 »</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>pièce %1</translation>
+    </message>
+    <message>
+        <source>asset &apos;%1&apos;</source>
+        <translation>asset « %1 »</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;</source>
+        <translation>corps URDF « %1 »</translation>
+    </message>
+    <message>
+        <source>joint &apos;%1&apos;</source>
+        <translation>liaison « %1 »</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>« %1 » et « %2 »</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 et %2 autres</translation>
+    </message>
+    <message>
+        <source>holds no triangle</source>
+        <translation>ne contient aucun triangle</translation>
+    </message>
+    <message>
+        <source>needs more than the %1 MiB of memory that a file of its size may take on this machine</source>
+        <translation>demande plus que les %1 Mio de mémoire admis sur cette machine pour un fichier de cette taille</translation>
+    </message>
+    <message>
+        <source>it needs more than %1 triangles</source>
+        <translation>il demande plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>it is empty or too large</source>
+        <translation>il est vide ou trop grand</translation>
+    </message>
+    <message>
+        <source>its shapes cannot be computed (%1)</source>
+        <translation>ses formes ne peuvent pas être calculées (%1)</translation>
+    </message>
+    <message>
+        <source>it needs more memory than an import may take</source>
+        <translation>il demande plus de mémoire qu&apos;un import n&apos;en peut prendre</translation>
+    </message>
+    <message>
+        <source>a limit cannot be set</source>
+        <translation>une limite ne peut pas être fixée</translation>
+    </message>
+    <message>
+        <source>the time cannot be limited</source>
+        <translation>le temps ne peut pas être limité</translation>
+    </message>
+    <message>
+        <source>the memory cannot be limited</source>
+        <translation>la mémoire ne peut pas être limitée</translation>
+    </message>
+    <message>
+        <source>the capabilities cannot be given up</source>
+        <translation>les privilèges ne peuvent pas être abandonnés</translation>
+    </message>
+    <message>
+        <source>new privileges cannot be given up</source>
+        <translation>l&apos;obtention de nouveaux privilèges ne peut pas être interdite</translation>
+    </message>
+    <message>
+        <source>is too large: it has %1, and at most %2 are read with the memory of this machine</source>
+        <translation>est trop grand : il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
+    </message>
+    <message>
+        <source>takes too long to read: it is too complex or malformed</source>
+        <translation>est trop long à lire : il est trop complexe ou mal formé</translation>
+    </message>
+    <message>
+        <source>was not read: the library that reads this format crashed on it%1</source>
+        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement%1</translation>
+    </message>
+    <message>
+        <source>the importer failed on it</source>
+        <translation>l&apos;importateur a échoué sur ce fichier</translation>
+    </message>
+    <message>
+        <source>was not read: the importing process cannot give up its rights (%1)</source>
+        <translation>n&apos;a pas été lu : le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
+    </message>
+    <message>
+        <source>Files are read only where the kernel permits seccomp filters: use another machine or container.</source>
+        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp : utilisez une autre machine ou un autre conteneur.</translation>
+    </message>
+    <message>
+        <source>holds %1 vertices and %2 triangles; at most %3 of each are read</source>
+        <translation>contient %1 sommets et %2 triangles ; au plus %3 de chaque sont lus</translation>
+    </message>
+    <message>
+        <source>has a vertex whose coordinates are not finite, or too large</source>
+        <translation>a un sommet dont les coordonnées ne sont pas finies ou sont trop grandes</translation>
+    </message>
+    <message>
+        <source>has a triangle with a corner that does not exist</source>
+        <translation>a un triangle dont un sommet n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>holds 32-bit coordinates whose spacing of %1 is too coarse for a part with a diagonal of %2 (units of the file)</source>
+        <translation>contient des coordonnées sur 32 bits dont l&apos;espacement de %1 est trop grossier pour une pièce de diagonale %2 (unités du fichier)</translation>
+    </message>
+    <message>
+        <source>Export the part nearer to its origin, or as STL text, OBJ or PLY text with enough digits.</source>
+        <translation>Exportez la pièce plus près de son origine, ou en texte STL, OBJ ou PLY avec assez de chiffres.</translation>
+    </message>
+    <message>
+        <source>Use STL, OBJ, PLY, DAE, glTF or GLB; &quot;step&quot; and &quot;urdf&quot; are shapes of their own in a scenario.</source>
+        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB ; dans un scénario, « step » et « urdf » sont des formes à part.</translation>
+    </message>
+    <message>
+        <source>Export the part again, for example as binary STL or GLB.</source>
+        <translation>Exportez de nouveau la pièce, par exemple en STL binaire ou en GLB.</translation>
+    </message>
+    <message>
+        <source>Buffers in files of their own are not read: export it as one .glb file.</source>
+        <translation>Les tampons dans des fichiers séparés ne sont pas lus : exportez-le en un seul fichier .glb.</translation>
+    </message>
+    <message>
+        <source>is not &apos;key = value&apos;</source>
+        <translation>n&apos;est pas de la forme « clé = valeur »</translation>
+    </message>
+    <message>
+        <source>gives &apos;%1&apos; a second time</source>
+        <translation>donne « %1 » une seconde fois</translation>
+    </message>
+    <message>
+        <source>is missing or empty</source>
+        <translation>manque ou est vide</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>manque</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>is beyond 1e9</source>
+        <translation>dépasse 1e9</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>est nul</translation>
+    </message>
+    <message>
+        <source>has a minimum above its maximum</source>
+        <translation>a un minimum supérieur à son maximum</translation>
+    </message>
+    <message>
+        <source>the file name &apos;%1&apos; leaves the folder</source>
+        <translation>le nom de fichier « %1 » sort du dossier</translation>
+    </message>
+    <message>
+        <source>Put the file beside the scenario or below it and name it relative to it.</source>
+        <translation>Mettez le fichier à côté du scénario ou au-dessous, et nommez-le relativement à lui.</translation>
+    </message>
+    <message>
+        <source>has no face that could be tessellated</source>
+        <translation>n&apos;a aucune face qui ait pu être triangulée</translation>
+    </message>
+    <message>
+        <source>%1: the part is not closed there; proofs take what is missing as free space</source>
+        <translation>%1 : la pièce n&apos;y est pas fermée ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+    </message>
+    <message>
+        <source>Do not trust paths near it; export it again, or as a mesh.</source>
+        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle ; exportez-la de nouveau, ou en maillage.</translation>
+    </message>
+    <message>
+        <source>has a part that is at no place in space</source>
+        <translation>a une pièce sans position dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>its assemblies are nested too deeply, or hold themselves</source>
+        <translation>ses assemblages sont trop imbriqués, ou se contiennent eux-mêmes</translation>
+    </message>
+    <message>
+        <source>it has more than %1 assemblies and parts</source>
+        <translation>il a plus de %1 assemblages et pièces</translation>
+    </message>
+    <message>
+        <source>it has more than %1 parts</source>
+        <translation>il a plus de %1 pièces</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
+        <translation>« %1 » est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>%1 more could not be made</source>
+        <translation>%1 autres n&apos;ont pas pu être construits</translation>
+    </message>
+    <message>
+        <source>standard input</source>
+        <translation>entrée standard</translation>
+    </message>
+    <message>
+        <source>it is not sound STEP text</source>
+        <translation>ce n&apos;est pas un texte STEP correct</translation>
+    </message>
+    <message>
+        <source>it holds no product that can be understood</source>
+        <translation>il ne contient aucun produit interprétable</translation>
+    </message>
+    <message>
+        <source>it holds neither a solid nor a face</source>
+        <translation>il ne contient ni solide ni face</translation>
+    </message>
+    <message>
+        <source>has more than %1 parts</source>
+        <translation>a plus de %1 pièces</translation>
+    </message>
+    <message>
+        <source>places other files more than %1 times, those that they place counted</source>
+        <translation>place plus de %1 fois d&apos;autres fichiers, en comptant ceux que ces fichiers placent</translation>
+    </message>
+    <message>
+        <source>is nested too deeply in other files</source>
+        <translation>est trop imbriqué dans d&apos;autres fichiers</translation>
+    </message>
+    <message>
+        <source>names more than %1 files</source>
+        <translation>nomme plus de %1 fichiers</translation>
+    </message>
+    <message>
+        <source>and the files that it names have more than %1</source>
+        <translation>a, avec les fichiers qu&apos;il nomme, plus de %1</translation>
+    </message>
+    <message>
+        <source>needs more than %1 triangles</source>
+        <translation>demande plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
+        <translation>manque, et les preuves la prennent pour de l&apos;espace libre : son fichier « %1 » %2 (cherché dans « %3 »)</translation>
+    </message>
+    <message>
+        <source>ends before END-ISO-10303-21: it is cut off</source>
+        <translation>finit avant END-ISO-10303-21 : il est tronqué</translation>
+    </message>
+    <message>
+        <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
+        <translation>Exportez-le de nouveau en STEP AP214 ou AP242, ou ses pièces en maillages.</translation>
+    </message>
+    <message>
+        <source>the solid could not be made</source>
+        <translation>le solide n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>number %1 of its faces is not a face</source>
+        <translation>sa face numéro %1 n&apos;est pas une face</translation>
+    </message>
+    <message>
+        <source>its face %1 could not be made</source>
+        <translation>sa face %1 n&apos;a pas pu être construite</translation>
+    </message>
+    <message>
+        <source>number %1 of its boundaries could not be made</source>
+        <translation>son contour numéro %1 n&apos;a pas pu être construit</translation>
+    </message>
+    <message>
+        <source>more than %1 of its faces could not be made</source>
+        <translation>plus de %1 de ses faces n&apos;ont pas pu être construites</translation>
+    </message>
+    <message>
+        <source>%1 %2 a part in a way that cannot be read: write it as a part of its own</source>
+        <translation>%1 %2 une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+    </message>
+    <message>
+        <source>%1 places a part that could not be made</source>
+        <translation>%1 place une pièce qui n&apos;a pas pu être construite</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is distorted by its assembly</source>
+        <translation>« %1 » est déformée par son assemblage</translation>
+    </message>
+    <message>
+        <source>a mirrored or scaled part was not found in its assembly</source>
+        <translation>une pièce symétrisée ou mise à l&apos;échelle n&apos;a pas été trouvée dans son assemblage</translation>
+    </message>
+    <message>
+        <source>is not a file name</source>
+        <translation>n&apos;est pas un nom de fichier</translation>
+    </message>
+    <message>
+        <source>is outside its folder</source>
+        <translation>est hors de son dossier</translation>
+    </message>
+    <message>
+        <source>is not there</source>
+        <translation>n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is not a STEP file</source>
+        <translation>n&apos;est pas un fichier STEP</translation>
+    </message>
+    <message>
+        <source>#%1 is there twice</source>
+        <translation>#%1 y est deux fois</translation>
+    </message>
+    <message>
+        <source>%1 refers to #%2, which is not in the file</source>
+        <translation>%1 renvoie à #%2, qui n&apos;est pas dans le fichier</translation>
+    </message>
+    <message>
+        <source>%1 refers to %2, which refers back to it</source>
+        <translation>%1 renvoie à %2, qui renvoie à lui</translation>
+    </message>
+    <message>
+        <source>parentheses are nested more than %1 deep</source>
+        <translation>les parenthèses sont imbriquées sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>a list has more than %1 values</source>
+        <translation>une liste a plus de %1 valeurs</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a value</source>
+        <translation>« %1 » n&apos;est pas une valeur</translation>
+    </message>
+    <message>
+        <source>a number has %1 characters</source>
+        <translation>un nombre a %1 caractères</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>« %1 » n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the filter of system calls cannot be loaded: %1</source>
+        <translation>le filtre des appels système ne peut pas être chargé : %1</translation>
+    </message>
+    <message>
+        <source>has a link that is the child of two joints</source>
+        <translation>a un corps qui dépend de deux liaisons</translation>
+    </message>
+    <message>
+        <source>has more than %1 triangles</source>
+        <translation>a plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>is not fixed: only rigid bodies are read</source>
+        <translation>n&apos;est pas fixe : seuls les corps rigides sont lus</translation>
+    </message>
+    <message>
+        <source>has links that no joint connects to its root</source>
+        <translation>a des corps qu&apos;aucune liaison ne relie à sa racine</translation>
+    </message>
+    <message>
+        <source>holds no shape</source>
+        <translation>ne contient aucune forme</translation>
+    </message>
+    <message>
+        <source>has a shape whose size is not a positive number from 1e-12 m to 1e9 m</source>
+        <translation>a une forme dont la taille n&apos;est pas un nombre positif de 1e-12 m à 1e9 m</translation>
+    </message>
+    <message>
+        <source>has an unknown shape</source>
+        <translation>a une forme inconnue</translation>
+    </message>
+    <message>
+        <source>has a mesh whose scale is not a number from 1e-12 to 1e9</source>
+        <translation>a un maillage dont l&apos;échelle n&apos;est pas un nombre de 1e-12 à 1e9</translation>
+    </message>
+    <message>
+        <source>has an origin that is not finite, or beyond 1e9 m</source>
+        <translation>a une origine qui n&apos;est pas finie ou dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>has more than %1 links</source>
+        <translation>a plus de %1 corps</translation>
+    </message>
+    <message>
+        <source>is not a URDF file</source>
+        <translation>n&apos;est pas un fichier URDF</translation>
+    </message>
+    <message>
+        <source>has a shape that cannot be read</source>
+        <translation>a une forme qui ne peut pas être lue</translation>
+    </message>
+    <message>
+        <source>ends inside the element &apos;%1&apos;</source>
+        <translation>finit à l&apos;intérieur de l&apos;élément « %1 »</translation>
+    </message>
+    <message>
+        <source>is not valid UTF-8 text</source>
+        <translation>n&apos;est pas un texte UTF-8 valide</translation>
+    </message>
+    <message>
+        <source>a CDATA section</source>
+        <translation>une section CDATA</translation>
+    </message>
+    <message>
+        <source>a comment</source>
+        <translation>un commentaire</translation>
+    </message>
+    <message>
+        <source>has a document type, which is not read</source>
+        <translation>a un type de document, ce qui n&apos;est pas lu</translation>
+    </message>
+    <message>
+        <source>has %1 that does not end</source>
+        <translation>a %1 qui ne finit pas</translation>
+    </message>
+    <message>
+        <source>has a processing instruction that does not end with its first &apos;&gt;&apos;</source>
+        <translation>a une instruction de traitement qui ne finit pas à son premier « &gt; »</translation>
+    </message>
+    <message>
+        <source>has the end tag of an element that is not open</source>
+        <translation>a la balise de fin d&apos;un élément qui n&apos;est pas ouvert</translation>
+    </message>
+    <message>
+        <source>has a tag that does not end</source>
+        <translation>a une balise qui ne finit pas</translation>
+    </message>
+    <message>
+        <source>has more than %1 elements</source>
+        <translation>a plus de %1 éléments</translation>
+    </message>
+    <message>
+        <source>is nested too deeply (more than %1 elements)</source>
+        <translation>est trop imbriqué (plus de %1 éléments)</translation>
+    </message>
+    <message>
+        <source>has a tag that is not valid XML</source>
+        <translation>a une balise qui n&apos;est pas du XML valide</translation>
+    </message>
+    <message>
+        <source>has an element with more than %1 attributes</source>
+        <translation>a un élément avec plus de %1 attributs</translation>
+    </message>
+    <message>
+        <source>has an attribute without a value</source>
+        <translation>a un attribut sans valeur</translation>
+    </message>
+    <message>
+        <source>has an attribute whose value is not quoted</source>
+        <translation>a un attribut dont la valeur n&apos;est pas entre guillemets</translation>
+    </message>
+    <message>
+        <source>has an attribute whose value does not end</source>
+        <translation>a un attribut dont la valeur ne finit pas</translation>
+    </message>
+    <message>
+        <source>has &apos;&lt;&apos; in the value of an attribute, which XML writes as &amp;lt;</source>
+        <translation>a « &lt; » dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
+    </message>
+    <message>
+        <source>has a tag or an attribute without a name</source>
+        <translation>a une balise ou un attribut sans nom</translation>
+    </message>
+    <message>
+        <source>holds no geometry</source>
+        <translation>ne contient aucune géométrie</translation>
+    </message>
+    <message>
+        <source>ends before its last chunk</source>
+        <translation>finit avant son dernier bloc</translation>
+    </message>
+    <message>
+        <source>has the unknown component type %1</source>
+        <translation>a le type de composante inconnu %1</translation>
+    </message>
+    <message>
+        <source>goes beyond the end of its data</source>
+        <translation>va au-delà de la fin de ses données</translation>
+    </message>
+    <message>
+        <source>has no whole number &apos;%1&apos;</source>
+        <translation>n&apos;a pas de nombre entier « %1 »</translation>
+    </message>
+    <message>
+        <source>is not a glTF file: its JSON is malformed or cut off</source>
+        <translation>n&apos;est pas un fichier glTF : son JSON est mal formé ou tronqué</translation>
+    </message>
+    <message>
+        <source>is of version %1; only 2 is read</source>
+        <translation>est de la version %1 ; seule la version 2 est lue</translation>
+    </message>
+    <message>
+        <source>claims a length of %1 bytes but is only %2 bytes long</source>
+        <translation>annonce %1 octets mais n&apos;en a que %2</translation>
+    </message>
+    <message>
+        <source>has a &apos;uri&apos; that is no text</source>
+        <translation>a un « uri » qui n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>keeps its data in a file of its own (%1)</source>
+        <translation>garde ses données dans un fichier séparé (%1)</translation>
+    </message>
+    <message>
+        <source>a file of its own</source>
+        <translation>un fichier séparé</translation>
+    </message>
+    <message>
+        <source>file of its own</source>
+        <translation>fichier séparé</translation>
+    </message>
+    <message>
+        <source>holds data that is not base64</source>
+        <translation>contient des données qui ne sont pas en base64</translation>
+    </message>
+    <message>
+        <source>names a buffer that does not exist</source>
+        <translation>nomme un tampon qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>is not of the type %1</source>
+        <translation>n&apos;est pas du type %1</translation>
+    </message>
+    <message>
+        <source>has no data</source>
+        <translation>n&apos;a pas de données</translation>
+    </message>
+    <message>
+        <source>has no element</source>
+        <translation>n&apos;a aucun élément</translation>
+    </message>
+    <message>
+        <source>claims %1 elements, more than its data holds</source>
+        <translation>annonce %1 éléments, plus que ses données n&apos;en contiennent</translation>
+    </message>
+    <message>
+        <source>has no indices or no values</source>
+        <translation>n&apos;a pas d&apos;indices ou pas de valeurs</translation>
+    </message>
+    <message>
+        <source>claims more elements than the file has bytes</source>
+        <translation>annonce plus d&apos;éléments que le fichier n&apos;a d&apos;octets</translation>
+    </message>
+    <message>
+        <source>has an index that does not exist</source>
+        <translation>a un indice qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>requires the extension %1, which is not read</source>
+        <translation>exige l&apos;extension %1, qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>has a &apos;%1&apos; that is not %2 numbers</source>
+        <translation>a un « %1 » qui n&apos;est pas fait de %2 nombres</translation>
+    </message>
+    <message>
+        <source>has a rotation of length zero</source>
+        <translation>a une rotation de norme nulle</translation>
+    </message>
+    <message>
+        <source>has %1 corners, which are not whole triangles</source>
+        <translation>a %1 sommets, qui ne font pas des triangles entiers</translation>
+    </message>
+    <message>
+        <source>names a node that is no number</source>
+        <translation>nomme un nœud qui n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>names node %1, which is in the scene already</source>
+        <translation>nomme le nœud %1, qui est déjà dans la scène</translation>
+    </message>
+    <message>
+        <source>has instances by the extension &apos;EXT_mesh_gpu_instancing&apos;, which is not read</source>
+        <translation>a des instances par l&apos;extension « EXT_mesh_gpu_instancing », qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>%1: has a skin, which is not applied</source>
+        <translation>%1 : a une peau (« skin »), qui n&apos;est pas appliquée</translation>
+    </message>
+    <message>
+        <source>has no primitives</source>
+        <translation>n&apos;a pas de primitives</translation>
+    </message>
+    <message>
+        <source>has the unknown mode %1</source>
+        <translation>a le mode inconnu %1</translation>
+    </message>
+    <message>
+        <source>%1: has morph targets, which are not applied</source>
+        <translation>%1 : a des cibles de morphage, qui ne sont pas appliquées</translation>
+    </message>
+    <message>
+        <source>has a position that is not a finite number</source>
+        <translation>a une position qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>has vertex %1 in its indices, but %2 vertices</source>
+        <translation>a le sommet %1 dans ses indices, mais %2 sommets</translation>
+    </message>
+    <message>
+        <source>has JSON values of the wrong types</source>
+        <translation>a des valeurs JSON de mauvais type</translation>
+    </message>
+    <message>
+        <source>the last line has no end; the file may be cut off</source>
+        <translation>la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+    </message>
+    <message>
+        <source>line %1: the last line has no end; the file may be cut off</source>
+        <translation>ligne %1 : la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+    </message>
+    <message>
+        <source>has a free-form curve or surface (%1), which is not read</source>
+        <translation>a une courbe ou une surface de forme libre (%1), qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>begins with %1, which is not a statement of an OBJ file</source>
+        <translation>commence par %1, qui n&apos;est pas une instruction d&apos;un fichier OBJ</translation>
+    </message>
+    <message>
+        <source>the coordinate</source>
+        <translation>la coordonnée</translation>
+    </message>
+    <message>
+        <source>the weight</source>
+        <translation>le poids</translation>
+    </message>
+    <message>
+        <source>the number</source>
+        <translation>le nombre</translation>
+    </message>
+    <message>
+        <source>has a vertex with a weight other than 1</source>
+        <translation>a un sommet dont le poids n&apos;est pas 1</translation>
+    </message>
+    <message>
+        <source>has a face of %1</source>
+        <translation>a une face de %1</translation>
+    </message>
+    <message>
+        <source>has a face whose outline crosses itself</source>
+        <translation>a une face dont le contour se recoupe</translation>
+    </message>
+    <message>
+        <source>has the corner %1, which is not of the form a/b/c</source>
+        <translation>a le coin %1, qui n&apos;est pas de la forme a/b/c</translation>
+    </message>
+    <message>
+        <source>texture coordinate</source>
+        <translation>coordonnée de texture</translation>
+    </message>
+    <message>
+        <source>has %1 where the number of a %2 is expected</source>
+        <translation>a %1 là où un numéro est attendu (%2)</translation>
+    </message>
+    <message>
+        <source>has a face with %1 %2, but the file has %3</source>
+        <translation>a une face avec %1 %2, mais le fichier en a %3</translation>
+    </message>
+    <message>
+        <source>has %1 where a type of numbers is expected</source>
+        <translation>a %1 là où un type de nombres est attendu</translation>
+    </message>
+    <message>
+        <source>has the unknown format %1</source>
+        <translation>a le format inconnu %1</translation>
+    </message>
+    <message>
+        <source>has %1 where a number of elements is expected</source>
+        <translation>a %1 là où un nombre d&apos;éléments est attendu</translation>
+    </message>
+    <message>
+        <source>has a property without a name</source>
+        <translation>a une propriété sans nom</translation>
+    </message>
+    <message>
+        <source>claims %1 of %2 but is only %3 bytes long</source>
+        <translation>annonce %1 de %2 mais n&apos;a que %3 octets</translation>
+    </message>
+    <message>
+        <source>does not begin with &apos;ply&apos;</source>
+        <translation>ne commence pas par « ply »</translation>
+    </message>
+    <message>
+        <source>has a property before any element</source>
+        <translation>a une propriété avant tout élément</translation>
+    </message>
+    <message>
+        <source>does not say its format before &apos;end_header&apos;</source>
+        <translation>n&apos;indique pas son format avant « end_header »</translation>
+    </message>
+    <message>
+        <source>ends after its header</source>
+        <translation>finit après son en-tête</translation>
+    </message>
+    <message>
+        <source>has %1 in its header</source>
+        <translation>a %1 dans son en-tête</translation>
+    </message>
+    <message>
+        <source>ends before &apos;end_header&apos;</source>
+        <translation>finit avant « end_header »</translation>
+    </message>
+    <message>
+        <source>ends before its last element</source>
+        <translation>finit avant son dernier élément</translation>
+    </message>
+    <message>
+        <source>has a number that is not finite</source>
+        <translation>a un nombre qui n&apos;est pas fini</translation>
+    </message>
+    <message>
+        <source>holds triangle strips, which are not read</source>
+        <translation>contient des bandes de triangles, qui ne sont pas lues</translation>
+    </message>
+    <message>
+        <source>goes on after the elements that its header claims</source>
+        <translation>continue après les éléments qu&apos;annonce son en-tête</translation>
+    </message>
+    <message>
+        <source>has a list of an impossible length</source>
+        <translation>a une liste d&apos;une longueur impossible</translation>
+    </message>
+    <message>
+        <source>has vertices without x, y and z</source>
+        <translation>a des sommets sans x, y et z</translation>
+    </message>
+    <message>
+        <source>has faces before its vertices</source>
+        <translation>a des faces avant ses sommets</translation>
+    </message>
+    <message>
+        <source>has faces without a list &apos;vertex_indices&apos;</source>
+        <translation>a des faces sans liste « vertex_indices »</translation>
+    </message>
+    <message>
+        <source>has a face of %1 corners</source>
+        <translation>a une face de %1 sommets</translation>
+    </message>
+    <message>
+        <source>has a face with vertex %1, but the file has %2</source>
+        <translation>a une face avec le sommet %1, mais le fichier en a %2</translation>
+    </message>
+    <message>
+        <source>has a facet with more than three corners</source>
+        <translation>a une facette de plus de trois sommets</translation>
+    </message>
+    <message>
+        <source>has a facet normal with fewer than three numbers</source>
+        <translation>a une normale de facette de moins de trois nombres</translation>
+    </message>
+    <message>
+        <source>ends before &apos;endsolid&apos;</source>
+        <translation>finit avant « endsolid »</translation>
+    </message>
+    <message>
+        <source>ends before %1</source>
+        <translation>finit avant %1</translation>
+    </message>
+    <message>
+        <source>has %1 where &apos;%2&apos; is expected</source>
+        <translation>a %1 là où « %2 » est attendu</translation>
+    </message>
+    <message>
+        <source>is too short for an STL file</source>
+        <translation>est trop court pour un fichier STL</translation>
+    </message>
+    <message>
+        <source>claims %1 triangles but is only %2 bytes long</source>
+        <translation>annonce %1 triangles mais n&apos;a que %2 octets</translation>
+    </message>
+    <message>
+        <source>goes on after the %1 triangles that it claims to have</source>
+        <translation>continue après les %1 triangles qu&apos;il annonce</translation>
+    </message>
+    <message>
+        <source>has a coordinate that is not a finite number</source>
+        <translation>a une coordonnée qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a number</source>
+        <translation>%1 %2 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a finite number</source>
+        <translation>%1 %2 n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>%1 is neither true nor false</source>
+        <translation>%1 n&apos;est ni vrai ni faux</translation>
+    </message>
+    <message>
+        <source>Give true or false.</source>
+        <translation>Donnez true ou false.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 n&apos;est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which is out of range</source>
+        <translation>%1 vaut %2, ce qui est hors limites</translation>
+    </message>
+    <message>
+        <source>%1 is not a text</source>
+        <translation>%1 n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>Give a text.</source>
+        <translation>Donnez un texte.</translation>
+    </message>
+    <message>
+        <source>%1 is not one of its choices</source>
+        <translation>%1 n&apos;est pas l&apos;un de ses choix</translation>
+    </message>
+    <message>
+        <source>Give one of %1.</source>
+        <translation>Donnez l&apos;une de ces valeurs : %1.</translation>
+    </message>
+    <message>
+        <source>the attribute name &apos;%1&apos; is not a word</source>
+        <translation>le nom d&apos;attribut « %1 » n&apos;est pas un mot</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and &apos;_&apos;, a letter first.</source>
+        <translation>Utilisez des minuscules, des chiffres et « _ », en commençant par une lettre.</translation>
+    </message>
+    <message>
+        <source>there is an attribute &apos;%1&apos; already</source>
+        <translation>il y a déjà un attribut « %1 »</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has no choices</source>
+        <translation>l&apos;attribut « %1 » n&apos;a pas de choix</translation>
+    </message>
+    <message>
+        <source>Give at least one.</source>
+        <translation>Donnez-en au moins un.</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has a choice without a name</source>
+        <translation>l&apos;attribut « %1 » a un choix sans nom</translation>
+    </message>
+    <message>
+        <source>Remove it.</source>
+        <translation>Supprimez-le.</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has the choice &apos;%2&apos; twice</source>
+        <translation>l&apos;attribut « %1 » a deux fois le choix « %2 »</translation>
+    </message>
+    <message>
+        <source>Remove one.</source>
+        <translation>Supprimez-en un.</translation>
+    </message>
+    <message>
+        <source>the attribute &apos;%1&apos; has a minimum above its maximum</source>
+        <translation>l&apos;attribut « %1 » a un minimum supérieur à son maximum</translation>
+    </message>
+    <message>
+        <source>Swap them.</source>
+        <translation>Échangez-les.</translation>
+    </message>
+    <message>
+        <source>the parents of the class &apos;%1&apos; form a cycle</source>
+        <translation>les classes mères de la classe « %1 » forment un cycle</translation>
+    </message>
+    <message>
+        <source>Correct &apos;of&apos;.</source>
+        <translation>Corrigez « of ».</translation>
+    </message>
+    <message>
+        <source>the class &apos;%1&apos; is of &apos;%2&apos;, which is not a class</source>
+        <translation>la classe « %1 » est de « %2 », qui n&apos;est pas une classe</translation>
+    </message>
+    <message>
+        <source>edits the same place as /places/%1</source>
+        <translation>modifie le même lieu que /places/%1</translation>
+    </message>
+    <message>
+        <source>Merge the two edits: where they differ, the later one applies.</source>
+        <translation>Réunissez les deux modifications : là où elles diffèrent, la seconde s&apos;applique.</translation>
+    </message>
+    <message>
+        <source>has the name &apos;%1&apos;, which another place has already</source>
+        <translation>porte le nom « %1 », qu&apos;un autre lieu porte déjà</translation>
+    </message>
+    <message>
+        <source>lies in no place and near none, so the edit has no effect</source>
+        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun : la modification n&apos;a pas d&apos;effet</translation>
+    </message>
+    <message>
+        <source>Move its &quot;at&quot; into the place that it is about.</source>
+        <translation>Déplacez son « at » dans le lieu concerné.</translation>
+    </message>
+    <message>
+        <source>lies in no place; the edit applies to the nearest place, %1</source>
+        <translation>n&apos;est dans aucun lieu ; la modification s&apos;applique au lieu le plus proche, %1</translation>
+    </message>
+    <message>
+        <source>Edit that place once more, or move its &quot;at&quot; into the place that it is about.</source>
+        <translation>Modifiez de nouveau ce lieu, ou déplacez son « at » dans le lieu concerné.</translation>
+    </message>
+    <message>
+        <source>lies in no border of two places and near none, so the edit has no effect</source>
+        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune : la modification n&apos;a pas d&apos;effet</translation>
+    </message>
+    <message>
+        <source>Move its &quot;at&quot; to where the two places meet.</source>
+        <translation>Déplacez son « at » là où les deux lieux se touchent.</translation>
+    </message>
+    <message>
+        <source>is too small for this workspace</source>
+        <translation>est trop petit pour cet espace de travail</translation>
+    </message>
+    <message>
+        <source>Give 0, or at least %1.</source>
+        <translation>Donnez 0, ou au moins %1.</translation>
+    </message>
+    <message>
+        <source>is out of range</source>
+        <translation>est hors limites</translation>
+    </message>
+    <message>
+        <source>names no way to find places: &apos;%1&apos;</source>
+        <translation>ne nomme aucune méthode de recherche des lieux : « %1 »</translation>
+    </message>
+    <message>
+        <source>Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2).</source>
+        <translation>Fait croître les lieux à partir des cellules libres les plus grosses (Cailhol et al. 2019, section 5.1.2).</translation>
+    </message>
+    <message>
+        <source>Floods the distance transform from its widest spots (Meyer 1994).</source>
+        <translation>Inonde la transformée de distance à partir de ses points les plus larges (Meyer 1994).</translation>
+    </message>
+    <message>
+        <source>reading the gamepad</source>
+        <translation>lecture de la manette</translation>
+    </message>
+    <message>
+        <source>disconnecting the gamepad</source>
+        <translation>déconnexion de la manette</translation>
+    </message>
+    <message>
+        <source>reading the 6D mouse</source>
+        <translation>lecture de la souris 6D</translation>
+    </message>
+    <message>
+        <source>disconnecting the 6D mouse</source>
+        <translation>déconnexion de la souris 6D</translation>
+    </message>
+    <message>
+        <source>stopping the haptic device</source>
+        <translation>arrêt du périphérique haptique</translation>
+    </message>
+    <message>
+        <source>the direct way to the goal is blocked</source>
+        <translation>le trajet direct vers le but est bloqué</translation>
+    </message>
+    <message>
+        <source>the direct way to the goal is not free</source>
+        <translation>le trajet direct vers le but n&apos;est pas libre</translation>
+    </message>
+    <message>
+        <source>Linear interpolation</source>
+        <translation>Interpolation linéaire</translation>
+    </message>
+    <message>
+        <source>The straight motion, where it is free.</source>
+        <translation>Le mouvement rectiligne, là où il est libre.</translation>
+    </message>
+    <message>
+        <source>One tree (LaValle 1998).</source>
+        <translation>Un seul arbre (LaValle 1998).</translation>
+    </message>
+    <message>
+        <source>Potential field</source>
+        <translation>Champ de potentiel</translation>
+    </message>
+    <message>
+        <source>Down the slope to the goal (Khatib 1985).</source>
+        <translation>Descente du gradient vers le but (Khatib 1985).</translation>
+    </message>
+    <message>
+        <source>the object is in the thread of %1, which would turn with it</source>
+        <translation>l&apos;objet est dans le filetage de %1, qui tournerait avec lui</translation>
+    </message>
+    <message>
+        <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
+        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps : leurs axes ou leurs pas diffèrent</translation>
+    </message>
+    <message>
+        <source>the object cannot be turned out of the thread of %1, because %2</source>
+        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1 : %2</translation>
+    </message>
+    <message>
+        <source>it has no room</source>
+        <translation>il n&apos;a pas la place</translation>
+    </message>
+    <message>
+        <source>%1 is in the way</source>
+        <translation>%1 fait obstacle</translation>
+    </message>
+    <message>
+        <source>Remove what is named first, or change the thread.</source>
+        <translation>Retirez d&apos;abord ce qui est nommé, ou changez le filetage.</translation>
+    </message>
+    <message>
+        <source>no screw motion out of the modelled thread is free</source>
+        <translation>aucun mouvement de dévissage du filetage modélisé n&apos;est libre</translation>
+    </message>
+    <message>
+        <source>no clear position was found within %1 mm</source>
+        <translation>aucune position dégagée n&apos;a été trouvée à moins de %1 mm</translation>
+    </message>
+    <message>
+        <source>the object is nearer to &apos;%1&apos; than the required clearance</source>
+        <translation>l&apos;objet est plus près de « %1 » que le jeu exigé</translation>
+    </message>
+    <message>
+        <source>the object touches &apos;%1&apos;</source>
+        <translation>l&apos;objet touche « %1 »</translation>
+    </message>
+    <message>
+        <source>the object overlaps &apos;%1&apos; by %2 mm</source>
+        <translation>l&apos;objet recouvre « %1 » de %2 mm</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; was not expected</source>
+        <translation>« %1 » n&apos;était pas attendu</translation>
+    </message>
+    <message>
+        <source>%1 stands where a number is needed</source>
+        <translation>%1 est là où il faut un nombre</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>« %1 » manque</translation>
+    </message>
+    <message>
+        <source>the rule ends too early</source>
+        <translation>la règle finit trop tôt</translation>
+    </message>
+    <message>
+        <source>a text is not closed</source>
+        <translation>un texte n&apos;est pas fermé</translation>
+    </message>
+    <message>
+        <source>the name &apos;%1&apos; is unknown</source>
+        <translation>le nom « %1 » est inconnu</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has the wrong number of arguments</source>
+        <translation>« %1 » n&apos;a pas le bon nombre d&apos;arguments</translation>
+    </message>
+    <message>
+        <source>the rule is nested too deeply</source>
+        <translation>la règle est trop imbriquée</translation>
+    </message>
+    <message>
+        <source>End it with {&quot;when&quot;: &quot;1&quot;, ...}.</source>
+        <translation>Terminez-la par {&quot;when&quot;: &quot;1&quot;, ...}.</translation>
+    </message>
+    <message>
+        <source>divides by zero %1</source>
+        <translation>divise par zéro %1</translation>
+    </message>
+    <message>
+        <source>gives the negative cost %1 %2</source>
+        <translation>donne le coût négatif %1 %2</translation>
+    </message>
+    <message>
+        <source>A cost is 0 or more: correct the rule %1</source>
+        <translation>Un coût vaut 0 ou plus : corrigez la règle %1</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>in place %1</source>
+        <translation>dans le lieu %1</translation>
+    </message>
+    <message>
+        <source>the topological graph has no way from start to goal</source>
+        <translation>le graphe topologique n&apos;a aucun trajet du départ au but</translation>
+    </message>
+    <message>
+        <source>forbidden: %1</source>
+        <translation>interdits : %1</translation>
+    </message>
+    <message>
+        <source>of infinite cost by the rules: %1</source>
+        <translation>de coût infini d&apos;après les règles : %1</translation>
+    </message>
+    <message>
+        <source>Check the semantic attributes of the places, or use strategy G.</source>
+        <translation>Vérifiez les attributs sémantiques des lieux, ou prenez la stratégie G.</translation>
+    </message>
+    <message>
+        <source>no free milestone in border %1</source>
+        <translation>pas de jalon libre dans la frontière %1</translation>
+    </message>
+    <message>
+        <source>crossed before</source>
+        <translation>déjà traversé</translation>
+    </message>
+    <message>
+        <source>place %1 was not crossed</source>
+        <translation>le lieu %1 n&apos;a pas été traversé</translation>
+    </message>
+    <message>
+        <source>Change the semantic attributes, or use strategy GTS.</source>
+        <translation>Changez les attributs sémantiques, ou prenez la stratégie GTS.</translation>
+    </message>
+    <message>
+        <source>the whole workspace</source>
+        <translation>tout l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>searched from start to goal after the coarse paths</source>
+        <translation>recherche du départ au but après les chemins grossiers</translation>
+    </message>
+    <message>
+        <source>the steps together cannot be certified</source>
+        <translation>les étapes ensemble ne peuvent pas être certifiées</translation>
+    </message>
+    <message>
+        <source>Please report it with the scenario and the seed.</source>
+        <translation>Signalez-le avec le scénario et la graine.</translation>
+    </message>
+    <message>
+        <source>geometrical planner, then %1</source>
+        <translation>planificateur géométrique, puis %1</translation>
+    </message>
+    <message>
+        <source>a straight crossing fits, so linear</source>
+        <translation>une traversée rectiligne convient, donc linear</translation>
+    </message>
+    <message>
+        <source>complexity %1, cluttered, so %2</source>
+        <translation>complexité %1, encombré, donc %2</translation>
+    </message>
+    <message>
+        <source>complexity %1, so %2</source>
+        <translation>complexité %1, donc %2</translation>
+    </message>
+    <message>
+        <source>blocked, so %1</source>
+        <translation>bloqué, donc %1</translation>
+    </message>
+    <message>
+        <source>preparing OMPL&apos;s planner</source>
+        <translation>préparation du planificateur d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>planning with OMPL</source>
+        <translation>planification avec OMPL</translation>
+    </message>
+    <message>
+        <source>reading OMPL&apos;s roadmap</source>
+        <translation>lecture du graphe d&apos;OMPL</translation>
+    </message>
+    <message>
+        <source>Choose another planner.</source>
+        <translation>Choisissez une autre stratégie.</translation>
+    </message>
+    <message>
+        <source>Lower %1, or plan with &apos;auto&apos;.</source>
+        <translation>Réduisez %1, ou planifiez avec « auto ».</translation>
+    </message>
+    <message>
+        <source>names the body &apos;%1&apos;, which is not there</source>
+        <translation>nomme le corps « %1 », qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli fits&apos; for the names.</source>
+        <translation>Les noms sont ceux de « glissade-cli fits ».</translation>
+    </message>
+    <message>
+        <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
+        <translation>donne un amincissement à « %1 » et « %2 », qui ne se touchent pas en position assemblée</translation>
+    </message>
+    <message>
+        <source>Remove the allowance.</source>
+        <translation>Supprimez l&apos;amincissement.</translation>
+    </message>
+    <message>
+        <source>allows %1, more than the thickness of &apos;%2&apos; gives</source>
+        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de « %2 »</translation>
+    </message>
+    <message>
+        <source>Give at most %1.</source>
+        <translation>Donnez au plus %1.</translation>
+    </message>
+    <message>
+        <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
+        <translation>donne « %1 » et « %2 » pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Give another kind.</source>
+        <translation>Donnez un autre type.</translation>
+    </message>
+    <message>
+        <source>overlap by %1, which is a clash</source>
+        <translation>se recouvrent de %1, ce qui est une collision</translation>
+    </message>
+    <message>
+        <source>Accept it (--accept-clashes %1), or mend the parts.</source>
+        <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>touch, and the object cannot be taken thinner because its surface is not closed</source>
+        <translation>se touchent, et l&apos;objet ne peut pas être aminci car sa surface n&apos;est pas fermée</translation>
+    </message>
+    <message>
+        <source>Close the object&apos;s surface.</source>
+        <translation>Fermez la surface de l&apos;objet.</translation>
+    </message>
+    <message>
+        <source>fit so that the object would have to be taken %1 thinner, which its local thickness or its shape does not give: it counts as a clash</source>
+        <translation>s&apos;ajustent de telle sorte que l&apos;objet devrait être aminci de %1, ce que son épaisseur locale ou sa forme ne permet pas : c&apos;est une collision</translation>
+    </message>
+    <message>
+        <source>Mend the parts.</source>
+        <translation>Corrigez les pièces.</translation>
+    </message>
+    <message>
+        <source>against %1</source>
+        <translation>face à %1</translation>
+    </message>
+    <message>
+        <source>it was to leave as step %1, and no motion was found there</source>
+        <translation>elle devait sortir à l&apos;étape %1, et aucun mouvement n&apos;y a été trouvé</translation>
+    </message>
+    <message>
+        <source>it is demanded that %1 leaves before</source>
+        <translation>il est exigé que %1 sorte avant</translation>
+    </message>
+    <message>
+        <source>it and %1 hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
+        <translation>elle et %1 se bloquent mutuellement : aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble ; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
+    </message>
+    <message>
+        <source>the motion that a person gave it is not free</source>
+        <translation>le mouvement donné à la main n&apos;est pas libre</translation>
+    </message>
+    <message>
+        <source>no motion was found in a direction that is not forbidden</source>
+        <translation>aucun mouvement n&apos;a été trouvé dans une direction permise</translation>
+    </message>
+    <message>
+        <source>no motion was found, alone or with others</source>
+        <translation>aucun mouvement n&apos;a été trouvé, ni seule ni avec d&apos;autres</translation>
+    </message>
+    <message>
+        <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
+        <translation>une exigence nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>a demand about a step names no body</source>
+        <translation>une exigence sur une étape ne nomme aucun corps</translation>
+    </message>
+    <message>
+        <source>Name the bodies that leave.</source>
+        <translation>Nommez les corps qui sortent.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
+        <translation>« %1 » est dans deux étapes ou groupes exigés</translation>
+    </message>
+    <message>
+        <source>Name the same bodies in both, or remove one.</source>
+        <translation>Nommez les mêmes corps dans les deux, ou supprimez-en un.</translation>
+    </message>
+    <message>
+        <source>two steps are demanded at place %1</source>
+        <translation>deux étapes sont exigées à la place %1</translation>
+    </message>
+    <message>
+        <source>Give each a place of its own, from 1.</source>
+        <translation>Donnez à chacune sa propre place, à partir de 1.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is demanded at two places</source>
+        <translation>« %1 » est exigé à deux places</translation>
+    </message>
+    <message>
+        <source>Remove one of them.</source>
+        <translation>Supprimez l&apos;une d&apos;elles.</translation>
+    </message>
+    <message>
+        <source>a demanded motion has fewer than two configurations</source>
+        <translation>un mouvement exigé a moins de deux configurations</translation>
+    </message>
+    <message>
+        <source>Give two configurations.</source>
+        <translation>Donnez deux configurations.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has two demanded motions</source>
+        <translation>« %1 » a deux mouvements exigés</translation>
+    </message>
+    <message>
+        <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
+        <translation>une direction interdite à « %1 » est de longueur nulle</translation>
+    </message>
+    <message>
+        <source>Give three numbers, as 0 0 -1.</source>
+        <translation>Donnez trois nombres, comme 0 0 -1.</translation>
+    </message>
+    <message>
+        <source>names &apos;%1&apos;, which is not a body of the product</source>
+        <translation>nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is demanded to leave with others twice</source>
+        <translation>« %1 » est deux fois exigé dans un groupe</translation>
+    </message>
+    <message>
+        <source>Name each body once.</source>
+        <translation>Nommez chaque corps une seule fois.</translation>
+    </message>
+    <message>
+        <source>the demands about the order form a cycle</source>
+        <translation>les exigences sur l&apos;ordre forment un cycle</translation>
+    </message>
+    <message>
+        <source>it leaves in a direction that is forbidden</source>
+        <translation>elle sort dans une direction interdite</translation>
+    </message>
+    <message>
+        <source>%1 is demanded to leave before, and the step does not say that it does not</source>
+        <translation>%1 doit sortir avant, et l&apos;étape ne signale pas le contraire</translation>
+    </message>
+    <message>
+        <source>it is demanded as step %1</source>
+        <translation>elle est exigée comme étape %1</translation>
+    </message>
+    <message>
+        <source>another motion is demanded of it</source>
+        <translation>un autre mouvement lui est exigé</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
+        <translation>« %1 » reste, et doit sortir à l&apos;étape %2</translation>
+    </message>
+    <message>
+        <source>is unknown: %1</source>
+        <translation>est inconnu : %1</translation>
+    </message>
+    <message>
+        <source>Choose greedy or best-first.</source>
+        <translation>Choisissez greedy ou best-first.</translation>
+    </message>
+    <message>
+        <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
+        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord ; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
+    </message>
+    <message>
+        <source>Best first</source>
+        <translation>Meilleur d&apos;abord</translation>
+    </message>
+    <message>
+        <source>The motions of the greedy strategy in the order that costs least: length, changes of direction and of tools, bodies that would fall.</source>
+        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux : longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
+    </message>
+    <message>
+        <source>Few changes of tools</source>
+        <translation>Peu de changements d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Short motions</source>
+        <translation>Mouvements courts</translation>
+    </message>
+    <message>
+        <source>Fragile parts leave first</source>
+        <translation>Pièces fragiles d&apos;abord</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
+        <translation>« %1 » demande l&apos;outil « %2 », qui est inconnu</translation>
+    </message>
+    <message>
+        <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
+        <translation>Choisissez hex_key, socket, screwdriver, open_wrench ou none.</translation>
+    </message>
+    <message>
+        <source>Choose a device again.</source>
+        <translation>Choisissez de nouveau un périphérique.</translation>
+    </message>
+    <message>
+        <source>moving the object with the device</source>
+        <translation>déplacement de l&apos;objet avec le périphérique</translation>
+    </message>
+    <message>
+        <source>stopping the planner</source>
+        <translation>arrêt du planificateur</translation>
+    </message>
+    <message>
+        <source>starting the planner</source>
+        <translation>démarrage du planificateur</translation>
+    </message>
+    <message>
+        <source>smoothing the path</source>
+        <translation>lissage du chemin</translation>
+    </message>
+    <message>
+        <source>examining the path</source>
+        <translation>examen du chemin</translation>
+    </message>
+    <message>
+        <source>changing the settings of the run</source>
+        <translation>changement des réglages du calcul</translation>
+    </message>
+    <message>
+        <source>completing the roadmap</source>
+        <translation>achèvement du graphe</translation>
+    </message>
+    <message>
+        <source>publishing the roadmap</source>
+        <translation>publication du graphe</translation>
+    </message>
+    <message>
+        <source>announcing a snapshot</source>
+        <translation>annonce d&apos;un état du calcul</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, graine %2</translation>
+    </message>
+    <message>
+        <source>Enlarge the workspace or move the %1 inside.</source>
+        <translation>Agrandissez l&apos;espace de travail, ou placez-y %1.</translation>
+    </message>
+    <message>
+        <source>Move the %1 to a position clear of all bodies.</source>
+        <translation>Placez %1 à l&apos;écart de tous les corps.</translation>
+    </message>
+    <message>
+        <source>Move the %1 away or lower the required clearance.</source>
+        <translation>Éloignez %1, ou réduisez le jeu exigé.</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>le but</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>l&apos;espace de travail</translation>
+    </message>
+    <message>
+        <source>bounds</source>
+        <translation>les bornes</translation>
+    </message>
+    <message>
+        <source>there is no such body</source>
+        <translation>ce corps n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>Choose one of the scene panel.</source>
+        <translation>Choisissez-en un dans le panneau Scène.</translation>
+    </message>
+    <message>
+        <source>this is not a position in space</source>
+        <translation>ce n&apos;est pas une position dans l&apos;espace</translation>
+    </message>
+    <message>
+        <source>Give finite numbers.</source>
+        <translation>Donnez des nombres finis.</translation>
+    </message>
+    <message>
+        <source>the goal is &quot;out&quot;, which has no position</source>
+        <translation>le but est « dehors », qui n&apos;a pas de position</translation>
+    </message>
+    <message>
+        <source>Give the goal a position first.</source>
+        <translation>Donnez d&apos;abord une position au but.</translation>
+    </message>
+    <message>
+        <source>the new file cannot be locked</source>
+        <translation>le nouveau fichier ne peut pas être verrouillé</translation>
+    </message>
+    <message>
+        <source>The edits cannot be restored.</source>
+        <translation>Les modifications ne peuvent pas être rétablies.</translation>
+    </message>
+    <message>
+        <source>is not unsaved edits of Glissade</source>
+        <translation>n&apos;est pas un fichier de modifications non enregistrées de Glissade</translation>
+    </message>
+    <message>
+        <source>is not 1</source>
+        <translation>n&apos;est pas 1</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>est 0</translation>
+    </message>
+    <message>
+        <source>Use a newer Glissade.</source>
+        <translation>Utilisez une version plus récente de Glissade.</translation>
+    </message>
+    <message>
+        <source>is not screw, nut, washer, pin or none</source>
+        <translation>n&apos;est pas screw, nut, washer, pin ou none</translation>
+    </message>
+    <message>
+        <source>reaches %1 m from the world&apos;s origin, beyond 1e9 m</source>
+        <translation>s&apos;étend à %1 m de l&apos;origine du monde, au-delà de 1e9 m</translation>
+    </message>
+    <message>
+        <source>has a radius of %1 m, which is not from 1e-12 m to 1e9 m</source>
+        <translation>a un rayon de %1 m, qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>is below zero</source>
+        <translation>est négatif</translation>
+    </message>
+    <message>
+        <source>Give metres, 0 or more.</source>
+        <translation>Donnez des mètres, 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>is not a kind of fit</source>
+        <translation>n&apos;est pas un type d&apos;ajustement</translation>
+    </message>
+    <message>
+        <source>Give planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <translation>Donnez planar, cylindrical, thread, press, overlap, contact ou clash.</translation>
+    </message>
+    <message>
+        <source>has no effect, because the pair is not marked as a thread</source>
+        <translation>n&apos;a pas d&apos;effet, car la paire n&apos;est pas marquée comme filetage</translation>
+    </message>
+    <message>
+        <source>Add &quot;kind&quot;: &quot;thread&quot;, or remove it.</source>
+        <translation>Ajoutez &quot;kind&quot;: &quot;thread&quot;, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>is not a pitch</source>
+        <translation>n&apos;est pas un pas de filetage</translation>
+    </message>
+    <message>
+        <source>Give metres a turn, 0.00001 or more; below zero for a left-handed thread.</source>
+        <translation>Donnez des mètres par tour, 0.00001 ou plus ; négatif pour un filetage à gauche.</translation>
+    </message>
+    <message>
+        <source>is neither of the two bodies</source>
+        <translation>n&apos;est aucun des deux corps</translation>
+    </message>
+    <message>
+        <source>Name the body that is turned.</source>
+        <translation>Nommez le corps que l&apos;on tourne.</translation>
+    </message>
+    <message>
+        <source>is the same body as &apos;a&apos;</source>
+        <translation>est le même corps que « a »</translation>
+    </message>
+    <message>
+        <source>is neither &quot;on&quot; nor &quot;off&quot;</source>
+        <translation>n&apos;est ni « on » ni « off »</translation>
+    </message>
+    <message>
+        <source>is about a pair that was there before</source>
+        <translation>concerne une paire déjà donnée</translation>
+    </message>
+    <message>
+        <source>has %1 triangles with two equal corners, which were left out</source>
+        <translation>a %1 triangles à deux sommets égaux, qui ont été omis</translation>
+    </message>
+    <message>
+        <source>was closed along %1 edges on which vertices of neighbouring faces lie (T-junctions)</source>
+        <translation>a été fermé le long de %1 arêtes où se trouvent des sommets de faces voisines (jonctions en T)</translation>
+    </message>
+    <message>
+        <source>The surface has moved by at most %1 micrometres.</source>
+        <translation>La surface s&apos;est déplacée d&apos;au plus %1 micromètres.</translation>
+    </message>
+    <message>
+        <source>has a unit or an up-axis, but a %1 file says itself what its numbers mean, and is z up</source>
+        <translation>a une unité ou un axe vertical, mais un fichier %1 donne lui-même le sens de ses nombres, avec z vers le haut</translation>
+    </message>
+    <message>
+        <source>Leave out &apos;unit&apos; and &apos;up_axis&apos;.</source>
+        <translation>Omettez « unit » et « up_axis ».</translation>
+    </message>
+    <message>
+        <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
+        <translation>n&apos;est pas fermé : %1 faces ou contours n&apos;ont pas pu être construits ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+    </message>
+    <message>
+        <source>is several parts in one body of the scenario, of which &apos;%1&apos; cannot be moved alone</source>
+        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont « %1 » ne peut pas être déplacée seule</translation>
+    </message>
+    <message>
+        <source>is not an object</source>
+        <translation>n&apos;est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>is an unknown key</source>
+        <translation>est une clé inconnue</translation>
+    </message>
+    <message>
+        <source>Remove it, or use one of: %1.</source>
+        <translation>Supprimez-la, ou utilisez l&apos;une de : %1.</translation>
+    </message>
+    <message>
+        <source>Add it.</source>
+        <translation>Ajoutez-le.</translation>
+    </message>
+    <message>
+        <source>is not a list</source>
+        <translation>n&apos;est pas une liste</translation>
+    </message>
+    <message>
+        <source>has more than %1 entries</source>
+        <translation>a plus de %1 éléments</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>n&apos;est pas un texte</translation>
+    </message>
+    <message>
+        <source>holds a zero byte, which no file&apos;s name can</source>
+        <translation>contient un octet nul, ce qu&apos;aucun nom de fichier ne peut</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>n&apos;est pas un nombre</translation>
+    </message>
+    <message>
+        <source>is not above zero</source>
+        <translation>n&apos;est pas supérieur à zéro</translation>
+    </message>
+    <message>
+        <source>is beyond 1e9 m</source>
+        <translation>dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>Give metres; check the unit.</source>
+        <translation>Donnez des mètres ; vérifiez l&apos;unité.</translation>
+    </message>
+    <message>
+        <source>is not from 1e-12 m to 1e9 m</source>
+        <translation>n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>is not a whole number of zero or more</source>
+        <translation>n&apos;est pas un nombre entier positif ou nul</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>n&apos;est ni true ni false</translation>
+    </message>
+    <message>
+        <source>is not a list of three numbers</source>
+        <translation>n&apos;est pas une liste de trois nombres</translation>
+    </message>
+    <message>
+        <source>is not a quaternion x, y, z, w</source>
+        <translation>n&apos;est pas un quaternion x, y, z, w</translation>
+    </message>
+    <message>
+        <source>is not a unit quaternion (its length is %1)</source>
+        <translation>n&apos;est pas un quaternion unitaire (sa norme est %1)</translation>
+    </message>
+    <message>
+        <source>Divide its four numbers by that length.</source>
+        <translation>Divisez ses quatre nombres par cette norme.</translation>
+    </message>
+    <message>
+        <source>is nested too deeply</source>
+        <translation>est trop imbriqué</translation>
+    </message>
+    <message>
+        <source>holds too many values</source>
+        <translation>contient trop de valeurs</translation>
+    </message>
+    <message>
+        <source>holds the key &apos;%1&apos; twice in one object</source>
+        <translation>contient deux fois la clé « %1 » dans un objet</translation>
+    </message>
+    <message>
+        <source>holds an object with more than %1 keys</source>
+        <translation>contient un objet de plus de %1 clés</translation>
+    </message>
+    <message>
+        <source>is not computer, operator or contact</source>
+        <translation>n&apos;est pas computer, operator ou contact</translation>
+    </message>
+    <message>
+        <source>Give a path, or remove it.</source>
+        <translation>Donnez un chemin, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>is the name of a path before it</source>
+        <translation>est déjà le nom d&apos;un chemin précédent</translation>
+    </message>
+    <message>
+        <source>Give every path a name of its own.</source>
+        <translation>Donnez à chaque chemin un nom différent.</translation>
+    </message>
+    <message>
+        <source>there is no part</source>
+        <translation>il n&apos;y a aucune pièce</translation>
+    </message>
+    <message>
+        <source>Give the files of the parts.</source>
+        <translation>Donnez les fichiers des pièces.</translation>
+    </message>
+    <message>
+        <source>has a unit that is not from 1e-12 m to 1e9 m</source>
+        <translation>a une unité qui n&apos;est pas entre 1e-12 m et 1e9 m</translation>
+    </message>
+    <message>
+        <source>Give the metres in a unit of the file.</source>
+        <translation>Donnez la valeur en mètres d&apos;une unité du fichier.</translation>
+    </message>
+    <message>
+        <source>no part moves</source>
+        <translation>aucune pièce ne bouge</translation>
+    </message>
+    <message>
+        <source>Choose the part that moves.</source>
+        <translation>Choisissez la pièce qui bouge.</translation>
+    </message>
+    <message>
+        <source>is the second part that moves</source>
+        <translation>est la seconde pièce qui bouge</translation>
+    </message>
+    <message>
+        <source>Choose one part that moves.</source>
+        <translation>Choisissez une seule pièce qui bouge.</translation>
+    </message>
+    <message>
+        <source>cannot be what moves: the scenario has its object</source>
+        <translation>ne peut pas être la pièce qui bouge : le scénario a déjà son objet</translation>
+    </message>
+    <message>
+        <source>Make it static or mobile.</source>
+        <translation>Rendez-la statique ou mobile.</translation>
+    </message>
+    <message>
+        <source>has no part that the scenario does not have</source>
+        <translation>n&apos;a aucune pièce que le scénario n&apos;ait déjà</translation>
+    </message>
+    <message>
+        <source>Name the part to have it twice.</source>
+        <translation>Nommez la pièce pour l&apos;avoir deux fois.</translation>
+    </message>
+    <message>
+        <source>paths are not written as &apos;.%1&apos;</source>
+        <translation>les chemins ne s&apos;écrivent pas en « .%1 »</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1.</source>
+        <translation>Choisissez parmi : %1.</translation>
+    </message>
+    <message>
+        <source>a position of the path is beyond single precision</source>
+        <translation>une position du chemin dépasse la simple précision</translation>
+    </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation>dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>is one too many: a path has at most %1 configurations</source>
+        <translation>est de trop : un chemin a au plus %1 configurations</translation>
+    </message>
+    <message>
+        <source>Each line holds %1.</source>
+        <translation>Chaque ligne contient %1.</translation>
+    </message>
+    <message>
+        <source>Each line holds x y z qx qy qz qw; a CSV begins with its header.</source>
+        <translation>Chaque ligne contient x y z qx qy qz qw ; un CSV commence par son en-tête.</translation>
+    </message>
+    <message>
+        <source>does not have %1 columns</source>
+        <translation>n&apos;a pas %1 colonnes</translation>
+    </message>
+    <message>
+        <source>holds %1, which is not a finite number</source>
+        <translation>contient %1, qui n&apos;est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>holds %1, which is beyond 1e9 m</source>
+        <translation>contient %1, qui dépasse 1e9 m</translation>
+    </message>
+    <message>
+        <source>has an orientation that is not a unit quaternion</source>
+        <translation>a une orientation qui n&apos;est pas un quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>names an unknown author %1</source>
+        <translation>nomme un auteur inconnu %1</translation>
+    </message>
+    <message>
+        <source>Plan again. To check an edited path, remove its checksum.</source>
+        <translation>Planifiez de nouveau. Pour vérifier un chemin modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>Give the path as one of: %1.</source>
+        <translation>Donnez le chemin dans l&apos;un de ces formats : %1.</translation>
+    </message>
+    <message>
+        <source>Plan again. To use an edited plan, remove its checksum.</source>
+        <translation>Planifiez de nouveau. Pour utiliser un plan modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>is about a product that has &apos;%1&apos;</source>
+        <translation>concerne un produit qui a « %1 »</translation>
+    </message>
+    <message>
+        <source>is about a product with other bodies</source>
+        <translation>concerne un produit qui a d&apos;autres corps</translation>
+    </message>
+    <message>
+        <source>a position of the plan is beyond single precision</source>
+        <translation>une position du plan dépasse la simple précision</translation>
+    </message>
+    <message>
+        <source>Export the plan as JSON.</source>
+        <translation>Exportez le plan en JSON.</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>y est deux fois</translation>
+    </message>
+    <message>
+        <source>is not complete, stuck, time_limit or interrupted</source>
+        <translation>n&apos;est pas complete, stuck, time_limit ou interrupted</translation>
+    </message>
+    <message>
+        <source>is none of the plan&apos;s bodies</source>
+        <translation>n&apos;est pas un corps du plan</translation>
+    </message>
+    <message>
+        <source>is more than the steps before it</source>
+        <translation>dépasse le nombre d&apos;étapes précédentes</translation>
+    </message>
+    <message>
+        <source>stays, or has left before</source>
+        <translation>reste, ou est déjà sorti</translation>
+    </message>
+    <message>
+        <source>is not before, fastener, standing or place</source>
+        <translation>n&apos;est pas before, fastener, standing ou place</translation>
+    </message>
+    <message>
+        <source>is not hex_key, socket, screwdriver, open_wrench or none</source>
+        <translation>n&apos;est pas hex_key, socket, screwdriver, open_wrench ou none</translation>
+    </message>
+    <message>
+        <source>is not not_asked, free or blocked</source>
+        <translation>n&apos;est pas not_asked, free ou blocked</translation>
+    </message>
+    <message>
+        <source>is not an earlier step</source>
+        <translation>n&apos;est pas une étape précédente</translation>
+    </message>
+    <message>
+        <source>is without a pitch</source>
+        <translation>n&apos;a pas de pas de filetage</translation>
+    </message>
+    <message>
+        <source>stays, or has left</source>
+        <translation>reste, ou est sorti</translation>
+    </message>
+    <message>
+        <source>is a scenario, which states the deflection of each of its assets</source>
+        <translation>est un scénario, qui donne lui-même la flèche de chacun de ses assets</translation>
+    </message>
+    <message>
+        <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
+        <translation>Changez-y « deflection » de l&apos;asset, ou donnez le fichier de la pièce.</translation>
+    </message>
+    <message>
+        <source>is damaged, and names the scenario and the settings of the run</source>
+        <translation>est endommagée, alors qu&apos;elle nomme le scénario et les réglages du calcul</translation>
+    </message>
+    <message>
+        <source>the folder refuses a new file</source>
+        <translation>le dossier refuse un nouveau fichier</translation>
+    </message>
+    <message>
+        <source>cannot be locked</source>
+        <translation>ne peut pas être verrouillé</translation>
+    </message>
+    <message>
+        <source>Use an undamaged copy. To replay an edited recording, remove its checksum.</source>
+        <translation>Utilisez une copie intacte. Pour rejouer un enregistrement modifié, supprimez sa somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>is damaged: %1 lines of the journal are lost</source>
+        <translation>est endommagé : %1 lignes du journal sont perdues</translation>
+    </message>
+    <message>
+        <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
+        <translation>Rien ne manque jusqu&apos;au pas %1 ; ensuite la relecture peut différer du calcul.</translation>
+    </message>
+    <message>
+        <source>Name the scenario that the run was recorded on, as it was then.</source>
+        <translation>Donnez le scénario sur lequel le calcul a été enregistré, tel qu&apos;il était alors.</translation>
+    </message>
+    <message>
+        <source>the run was recorded on another scenario than &apos;%1&apos;</source>
+        <translation>le calcul a été enregistré sur un autre scénario que « %1 »</translation>
+    </message>
+    <message>
+        <source>the asset &apos;%1&apos; has changed since the run was recorded</source>
+        <translation>l&apos;asset « %1 » a changé depuis l&apos;enregistrement du calcul</translation>
+    </message>
+    <message>
+        <source>there is no planner &apos;%1&apos;</source>
+        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
+    </message>
+    <message>
+        <source>Replay it with the Glissade that recorded it: %1.</source>
+        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré : %1.</translation>
+    </message>
+    <message>
+        <source>names the unknown parameter &apos;%1&apos;</source>
+        <translation>nomme le paramètre inconnu « %1 »</translation>
+    </message>
+    <message>
+        <source>comes before the step above it</source>
+        <translation>vient avant le pas qui le précède</translation>
+    </message>
+    <message>
+        <source>is not a number of 16 hexadecimal digits</source>
+        <translation>n&apos;est pas un nombre de 16 chiffres hexadécimaux</translation>
+    </message>
+    <message>
+        <source>is neither [step] nor [step, x, y, z, qx, qy, qz, qw]</source>
+        <translation>n&apos;est ni [step] ni [step, x, y, z, qx, qy, qz, qw]</translation>
+    </message>
+    <message>
+        <source>holds no unit quaternion</source>
+        <translation>ne contient pas de quaternion unitaire</translation>
+    </message>
+    <message>
+        <source>comes before the last checkpoint</source>
+        <translation>vient avant le dernier point de contrôle</translation>
+    </message>
+    <message>
+        <source>is neither 1 nor 2</source>
+        <translation>n&apos;est ni 1 ni 2</translation>
+    </message>
+    <message>
+        <source>Imported from OMPL.app</source>
+        <translation>Importé d&apos;OMPL.app</translation>
+    </message>
+    <message>
+        <source>Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.</source>
+        <translation>Faites-en un scénario : glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
+    </message>
+    <message>
+        <source>is not a colour: three numbers from 0 to 1</source>
+        <translation>n&apos;est pas une couleur : trois nombres de 0 à 1</translation>
+    </message>
+    <message>
+        <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
+        <translation>n&apos;est ni « y » ni « z »</translation>
+    </message>
+    <message>
+        <source>does not name exactly one shape</source>
+        <translation>ne nomme pas exactement une forme</translation>
+    </message>
+    <message>
+        <source>names the asset &apos;%1&apos;, which is not in /assets</source>
+        <translation>nomme l&apos;asset « %1 », qui n&apos;est pas dans /assets</translation>
+    </message>
+    <message>
+        <source>Add the asset.</source>
+        <translation>Ajoutez l&apos;asset.</translation>
+    </message>
+    <message>
+        <source>has a size that is not above zero, or below 1e-12 m</source>
+        <translation>a une taille nulle, négative ou inférieure à 1e-12 m</translation>
+    </message>
+    <message>
+        <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
+        <translation>n&apos;est ni « static » ni « mobile »</translation>
+    </message>
+    <message>
+        <source>is for mesh files only</source>
+        <translation>ne vaut que pour les fichiers de maillage</translation>
+    </message>
+    <message>
+        <source>is said twice: there is &apos;centre_on_vertex_mean&apos;</source>
+        <translation>est dit deux fois : il y a « centre_on_vertex_mean »</translation>
+    </message>
+    <message>
+        <source>is neither a configuration nor &quot;out&quot;</source>
+        <translation>n&apos;est ni une configuration ni « out »</translation>
+    </message>
+    <message>
+        <source>is not a parameter</source>
+        <translation>n&apos;est pas un paramètre</translation>
+    </message>
+    <message>
+        <source>Remove it, or see &apos;glissade-cli plan --help&apos;.</source>
+        <translation>Supprimez-le, ou voyez « glissade-cli plan --help ».</translation>
+    </message>
+    <message>
+        <source>holds a &apos;/&apos;</source>
+        <translation>contient un « / »</translation>
+    </message>
+    <message>
+        <source>Leave it out.</source>
+        <translation>Omettez-le.</translation>
+    </message>
+    <message>
+        <source>has the id &apos;%1&apos; a second time</source>
+        <translation>a une seconde fois l&apos;identifiant « %1 »</translation>
+    </message>
+    <message>
+        <source>Give every one an id of its own.</source>
+        <translation>Donnez à chacun un identifiant différent.</translation>
+    </message>
+    <message>
+        <source>is not &quot;%1&quot;</source>
+        <translation>n&apos;est pas « %1 »</translation>
+    </message>
+    <message>
+        <source>is version %1; this program reads up to version %2</source>
+        <translation>est de la version %1 ; ce programme lit jusqu&apos;à la version %2</translation>
+    </message>
+    <message>
+        <source>Check the scenario, then save it again or remove the checksum.</source>
+        <translation>Vérifiez le scénario, puis enregistrez-le de nouveau ou supprimez la somme de contrôle.</translation>
+    </message>
+    <message>
+        <source>Give metres, or 0 for as fine as the memory allows.</source>
+        <translation>Donnez des mètres, ou 0 pour la plus grande finesse que permet la mémoire.</translation>
+    </message>
+    <message>
+        <source>names no way to find places</source>
+        <translation>ne nomme aucune méthode de recherche des lieux</translation>
+    </message>
+    <message>
+        <source>Give region-growing or watershed.</source>
+        <translation>Donnez region-growing ou watershed.</translation>
+    </message>
+    <message>
+        <source>Give 1 to 4096 MiB.</source>
+        <translation>Donnez 1 à 4096 Mio.</translation>
+    </message>
+    <message>
+        <source>Give 2 to 8.</source>
+        <translation>Donnez 2 à 8.</translation>
+    </message>
+    <message>
+        <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
+        <translation>n&apos;est ni « place » ni « body »</translation>
+    </message>
+    <message>
+        <source>is not a type of attribute</source>
+        <translation>n&apos;est pas un type d&apos;attribut</translation>
+    </message>
+    <message>
+        <source>Give bool, integer, number, text or choice.</source>
+        <translation>Donnez bool, integer, number, text ou choice.</translation>
+    </message>
+    <message>
+        <source>names fewer than %1 bodies</source>
+        <translation>nomme moins de %1 corps</translation>
+    </message>
+    <message>
+        <source>is not three numbers</source>
+        <translation>n&apos;est pas fait de trois nombres</translation>
+    </message>
+    <message>
+        <source>has no direction</source>
+        <translation>n&apos;a pas de direction</translation>
+    </message>
+    <message>
+        <source>is not two texts</source>
+        <translation>n&apos;est pas fait de deux textes</translation>
+    </message>
+    <message>
+        <source>is not a body and screw, nut, washer, pin or none</source>
+        <translation>n&apos;est pas un corps suivi de screw, nut, washer, pin ou none</translation>
+    </message>
+    <message>
+        <source>is not 1 or more</source>
+        <translation>n&apos;est pas au moins 1</translation>
+    </message>
+    <message>
+        <source>has fewer than two configurations</source>
+        <translation>a moins de deux configurations</translation>
+    </message>
+    <message>
+        <source>is not two names</source>
+        <translation>n&apos;est pas fait de deux noms</translation>
+    </message>
+    <message>
+        <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
+        <translation>la classe de « %1 » est « %2 », qui n&apos;est pas une classe de corps</translation>
+    </message>
+    <message>
+        <source>Choose one of %1, or add it under /sequence/classes.</source>
+        <translation>Choisissez parmi %1, ou ajoutez-la sous /sequence/classes.</translation>
+    </message>
+    <message>
+        <source>Give the whole name: %1.</source>
+        <translation>Donnez le nom entier : %1.</translation>
+    </message>
+    <message>
+        <source>The file holds one part: leave out the name.</source>
+        <translation>Le fichier contient une seule pièce : omettez le nom.</translation>
+    </message>
+    <message>
+        <source>It holds: %1.</source>
+        <translation>Il contient : %1.</translation>
+    </message>
+    <message>
+        <source>STL is little-endian</source>
+        <translation>le STL est petit-boutiste</translation>
+    </message>
+    <message>
+        <source>does not say its unit; its size is %1</source>
+        <translation>ne dit pas son unité ; sa taille est %1</translation>
+    </message>
+    <message>
+        <source>it is taken in millimetres</source>
+        <translation>il est pris en millimètres</translation>
+    </message>
+    <message>
+        <source>it is taken in metres</source>
+        <translation>il est pris en mètres</translation>
+    </message>
+    <message>
+        <source>the size does not decide this</source>
+        <translation>la taille ne permet pas d&apos;en décider</translation>
+    </message>
+    <message>
+        <source>the same holds for %1 more files</source>
+        <translation>il en va de même pour %1 autres fichiers</translation>
+    </message>
+    <message>
+        <source>Give the unit: --unit 1mm, or --unit 1m.</source>
+        <translation>Donnez l&apos;unité : --unit 1mm, ou --unit 1m.</translation>
+    </message>
+    <message>
+        <source>Give the unit: --unit 1m, or --unit 1mm.</source>
+        <translation>Donnez l&apos;unité : --unit 1m, ou --unit 1mm.</translation>
+    </message>
+    <message>
+        <source>the bound of the swept volume is not above 0</source>
+        <translation>la borne du volume balayé n&apos;est pas supérieure à 0</translation>
+    </message>
+    <message>
+        <source>Give a length as 0.5mm.</source>
+        <translation>Donnez une longueur, comme 0.5mm.</translation>
+    </message>
+    <message>
+        <source>Give at least %1 mm.</source>
+        <translation>Donnez au moins %1 mm.</translation>
+    </message>
+    <message>
+        <source>Remove it to mean any.</source>
+        <translation>Supprimez-le pour admettre tout.</translation>
+    </message>
+    <message>
+        <source>has no meaning beside a number</source>
+        <translation>n&apos;a pas de sens à côté d&apos;un nombre</translation>
+    </message>
+    <message>
+        <source>Put it into &quot;than&quot;.</source>
+        <translation>Mettez-le dans « than ».</translation>
+    </message>
+    <message>
+        <source>names the unknown %1 &apos;%2&apos;</source>
+        <translation>nomme %1 inconnu « %2 »</translation>
+    </message>
+    <message>
+        <source>kind of runs</source>
+        <translation>type d&apos;essais</translation>
+    </message>
+    <message>
+        <source>killed at the end of its time limit</source>
+        <translation>arrêté à la fin de son temps limite</translation>
+    </message>
+    <message>
+        <source>killed because it wrote too much output</source>
+        <translation>arrêté parce qu&apos;il écrivait trop</translation>
+    </message>
+    <message>
+        <source>ended by signal %1</source>
+        <translation>terminé par le signal %1</translation>
+    </message>
+    <message>
+        <source>no report, exit code %1: %2</source>
+        <translation>pas de rapport, code de sortie %1 : %2</translation>
+    </message>
+    <message>
+        <source>is not a status</source>
+        <translation>n&apos;est pas un état</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>ne peut pas être créé : %1</translation>
+    </message>
+    <message>
+        <source>Choose another --out.</source>
+        <translation>Choisissez un autre --out.</translation>
+    </message>
+    <message>
+        <source>holds results of another study, of another version of it or of Glissade, or of its other size (--quick)</source>
+        <translation>contient les résultats d&apos;une autre étude, d&apos;une autre version de l&apos;étude ou de Glissade, ou de son autre taille (--quick)</translation>
+    </message>
+    <message>
+        <source>Choose another --out, or remove that folder.</source>
+        <translation>Choisissez un autre --out, ou supprimez ce dossier.</translation>
+    </message>
+    <message>
+        <source>is not a folder of study results</source>
+        <translation>n&apos;est pas un dossier de résultats d&apos;étude</translation>
+    </message>
+    <message>
+        <source>Choose a new folder as --out.</source>
+        <translation>Choisissez un nouveau dossier pour --out.</translation>
+    </message>
+    <message>
+        <source>is of another plan</source>
+        <translation>vient d&apos;un autre plan</translation>
+    </message>
+    <message>
+        <source>It is left out.</source>
+        <translation>Il est laissé de côté.</translation>
+    </message>
+    <message>
+        <source>the scenario of the study is no longer there</source>
+        <translation>le scénario de l&apos;étude n&apos;existe plus</translation>
+    </message>
+    <message>
+        <source>Put it back, or write the place of the study file into %1.</source>
+        <translation>Remettez-le, ou écrivez l&apos;emplacement du fichier de l&apos;étude dans %1.</translation>
+    </message>
+    <message>
+        <source>cell %1, seed %2</source>
+        <translation>cellule %1, graine %2</translation>
+    </message>
+    <message>
+        <source>has another result than a folder named before it</source>
+        <translation>a un autre résultat qu&apos;un dossier nommé avant lui</translation>
+    </message>
+    <message>
+        <source>The same run must end the same everywhere: look for different builds of Glissade.</source>
+        <translation>Le même essai doit finir partout de la même façon : cherchez des versions différentes de Glissade.</translation>
+    </message>
+    <message>
+        <source>is of another study, version or size than %1</source>
+        <translation>est d&apos;une autre étude, version ou taille que %1</translation>
+    </message>
+    <message>
+        <source>Merge folders of one study, made by one version of Glissade.</source>
+        <translation>Réunissez des dossiers d&apos;une même étude, faits par une même version de Glissade.</translation>
+    </message>
+    <message>
+        <source>has no &apos;%1&apos;</source>
+        <translation>n&apos;a pas de « %1 »</translation>
+    </message>
+    <message>
+        <source>is there a second time</source>
+        <translation>y est une seconde fois</translation>
+    </message>
+    <message>
+        <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
+        <translation>Voyez « glissade-cli plan --help » ; « _ » y remplace « - ».</translation>
+    </message>
+    <message>
+        <source>is a limit</source>
+        <translation>est une limite</translation>
+    </message>
+    <message>
+        <source>Move it to &quot;limits&quot;.</source>
+        <translation>Déplacez-le dans « limits ».</translation>
+    </message>
+    <message>
+        <source>is beyond %1</source>
+        <translation>dépasse %1</translation>
+    </message>
+    <message>
+        <source>is not from 1 to %1</source>
+        <translation>n&apos;est pas de 1 à %1</translation>
+    </message>
+    <message>
+        <source>Labels name rows.</source>
+        <translation>Les étiquettes nomment des lignes.</translation>
+    </message>
+    <message>
+        <source>makes too many runs</source>
+        <translation>fait trop d&apos;essais</translation>
+    </message>
+    <message>
+        <source>Vary less, or less finely.</source>
+        <translation>Faites varier moins, ou moins finement.</translation>
+    </message>
+    <message>
+        <source>is not a column of &quot;paper&quot;</source>
+        <translation>n&apos;est pas une colonne de « paper »</translation>
+    </message>
+    <message>
+        <source>Use one of: %1.</source>
+        <translation>Utilisez l&apos;une de ces valeurs : %1.</translation>
+    </message>
+    <message>
+        <source>is a sequence with an operator</source>
+        <translation>est une séquence avec un opérateur</translation>
+    </message>
+    <message>
+        <source>is a sequence without a time limit</source>
+        <translation>est une séquence sans limite de temps</translation>
+    </message>
+    <message>
+        <source>Give time_limit under &quot;limits&quot;.</source>
+        <translation>Donnez time_limit sous « limits ».</translation>
+    </message>
+    <message>
+        <source>is a sequence, which has no parameter %1</source>
+        <translation>est une séquence, qui n&apos;a pas de paramètre %1</translation>
+    </message>
+    <message>
+        <source>Give limits only.</source>
+        <translation>Ne donnez que des limites.</translation>
+    </message>
+    <message>
+        <source>has no scenario</source>
+        <translation>n&apos;a pas de scénario</translation>
+    </message>
+    <message>
+        <source>has no strategy</source>
+        <translation>n&apos;a pas de stratégie</translation>
+    </message>
+    <message>
+        <source>has no seeds</source>
+        <translation>n&apos;a pas de graines</translation>
+    </message>
+    <message>
+        <source>may run for ever</source>
+        <translation>pourrait ne jamais finir</translation>
+    </message>
+    <message>
+        <source>Give time_limit, max_steps or max_samples under &quot;limits&quot;.</source>
+        <translation>Donnez time_limit, max_steps ou max_samples sous « limits ».</translation>
+    </message>
+    <message>
+        <source>interrupted with %1 of %2 runs done</source>
+        <translation>interrompu après %1 essais sur %2</translation>
+    </message>
+    <message>
+        <source>The same command goes on from here.</source>
+        <translation>La même commande continue à partir d&apos;ici.</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>un nombre entier</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 autres</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>fichier ou dossier inexistant</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>permission refusée</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>c&apos;est un dossier</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>plus de place sur le disque</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>système de fichiers en lecture seule</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>nom de fichier trop long</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ce n&apos;est pas un dossier</translation>
     </message>
 </context>
 <context>
@@ -2613,7 +5325,7 @@
     </message>
     <message>
         <source>While the 3D view has the focus; directions are those of the view.</source>
-        <translation>Quand la vue 3D a le focus ; les directions sont celles de la vue.</translation>
+        <translation>Quand la vue 3D a le focus ; les directions sont celles de la vue.</translation>
     </message>
     <message>
         <source>Shortcuts</source>
@@ -2625,7 +5337,7 @@
     </message>
     <message>
         <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2763,7 +5475,7 @@
     </message>
     <message>
         <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
+        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Samples shot on the tangent plane each time contact mode is entered.</source>
@@ -2771,7 +5483,7 @@
     </message>
     <message>
         <source>Closer than this to the nearest obstacle, contact mode begins.</source>
-        <translation>Plus près que cela de l&apos;obstacle le plus proche, le mode contact commence.</translation>
+        <translation>Le mode contact commence quand l&apos;obstacle le plus proche est à moins de cette distance.</translation>
     </message>
     <message>
         <source>Radius of the disc on the tangent plane in which contact samples are shot.</source>
@@ -2791,11 +5503,11 @@
     </message>
     <message>
         <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
-        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
+        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
-        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
+        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Automatic tuning</source>
@@ -2803,11 +5515,11 @@
     </message>
     <message>
         <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
-        <translation>Ce qui se règle seul pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : rien, 7 : les trois.</translation>
+        <translation>Valeurs que le programme règle pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : aucune, 7 : les trois.</translation>
     </message>
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
-        <translation>Distance aux obstacles qu&apos;un chemin livré garde, preuve à l&apos;appui.</translation>
+        <translation>Jeu dont il est prouvé que le chemin livré le garde.</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -2815,11 +5527,11 @@
     </message>
     <message>
         <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
-        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
+        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
     </message>
     <message>
         <source>Contact gap</source>
-        <translation>Écart de contact</translation>
+        <translation>Écart au contact</translation>
     </message>
     <message>
         <source>Growth step</source>
@@ -2875,7 +5587,7 @@
     </message>
     <message>
         <source>Planners side by side</source>
-        <translation>Planificateurs côte à côte</translation>
+        <translation>Planificateurs en parallèle</translation>
     </message>
     <message>
         <source>Gap that contact samples keep to the surface, so that they touch without penetrating.</source>
@@ -2887,23 +5599,23 @@
     </message>
     <message>
         <source>A blocked extension towards a random configuration ends at a multiple of this, off the obstacle.</source>
-        <translation>Une extension bloquée vers une configuration aléatoire finit à un multiple de ce pas, à l&apos;écart de l&apos;obstacle.</translation>
+        <translation>Une extension bloquée vers une configuration aléatoire s&apos;arrête à un multiple de ce pas, à l&apos;écart de l&apos;obstacle.</translation>
     </message>
     <message>
         <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
-        <translation>Horloge sans temps réel : pas du planificateur en une seconde de l&apos;opérateur simulé ou enregistré.</translation>
+        <translation>Horloge du mode pas à pas : pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
     </message>
     <message>
         <source>Stop after this many planner steps; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
     </message>
     <message>
         <source>Stop after this many random configurations; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
     </message>
     <message>
         <source>Stop after this many seconds of planning; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
     </message>
     <message>
         <source>Strategy G gives up after this many random configurations.</source>
@@ -2919,15 +5631,15 @@
     </message>
     <message>
         <source>Coarse paths that a strategy with a loop tries before it searches the whole workspace only.</source>
-        <translation>Chemins grossiers qu&apos;une stratégie en boucle essaie avant de ne chercher que dans tout l&apos;espace de travail.</translation>
+        <translation>Nombre de chemins grossiers qu&apos;une stratégie en boucle essaie avant de ne chercher que dans tout l&apos;espace de travail.</translation>
     </message>
     <message>
         <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
-        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
+        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
     </message>
     <message>
         <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
-        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : le défaut d&apos;OMPL.</translation>
+        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : valeur par défaut d&apos;OMPL.</translation>
     </message>
     <message>
         <source>Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space&apos;s extent.</source>
@@ -2935,7 +5647,7 @@
     </message>
     <message>
         <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
-        <translation>Planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre est une autre recherche ; les cœurs ne la changent pas.</translation>
+        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche ; le nombre de cœurs ne la change pas.</translation>
     </message>
 </context>
 <context>
@@ -2984,23 +5696,23 @@
     </message>
     <message>
         <source>G: geometry</source>
-        <translation>G : géométrie</translation>
+        <translation>G : géométrie</translation>
     </message>
     <message>
         <source>GT: and topology</source>
-        <translation>GT : et topologie</translation>
+        <translation>GT : avec topologie</translation>
     </message>
     <message>
         <source>GTS1: and semantics, same shape</source>
-        <translation>GTS1 : et sémantique, même forme</translation>
+        <translation>GTS1 : avec sémantique, même forme</translation>
     </message>
     <message>
         <source>GTS2: and semantics, compatible</source>
-        <translation>GTS2 : et sémantique, compatible</translation>
+        <translation>GTS2 : avec sémantique, compatibilité</translation>
     </message>
     <message>
         <source>GTS: in a loop, with scores</source>
-        <translation>GTS : en boucle, avec scores</translation>
+        <translation>GTS : en boucle, avec scores</translation>
     </message>
     <message>
         <source>Own rules</source>
@@ -3008,39 +5720,39 @@
     </message>
     <message>
         <source>OMPL: RRT-Connect</source>
-        <translation>OMPL : RRT-Connect</translation>
+        <translation>OMPL : RRT-Connect</translation>
     </message>
     <message>
         <source>OMPL: BKPIECE</source>
-        <translation>OMPL : BKPIECE</translation>
+        <translation>OMPL : BKPIECE</translation>
     </message>
     <message>
         <source>OMPL: PRM</source>
-        <translation>OMPL : PRM</translation>
+        <translation>OMPL : PRM</translation>
     </message>
     <message>
         <source>OMPL: EST</source>
-        <translation>OMPL : EST</translation>
+        <translation>OMPL : EST</translation>
     </message>
     <message>
         <source>OMPL unmodified: RRT-Connect</source>
-        <translation>OMPL non modifié : RRT-Connect</translation>
+        <translation>OMPL non modifié : RRT-Connect</translation>
     </message>
     <message>
         <source>OMPL unmodified: RRT</source>
-        <translation>OMPL non modifié : RRT</translation>
+        <translation>OMPL non modifié : RRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: TRRT</source>
-        <translation>OMPL non modifié : TRRT</translation>
+        <translation>OMPL non modifié : TRRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: BiTRRT</source>
-        <translation>OMPL non modifié : BiTRRT</translation>
+        <translation>OMPL non modifié : BiTRRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: BKPIECE</source>
-        <translation>OMPL non modifié : BKPIECE</translation>
+        <translation>OMPL non modifié : BKPIECE</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -3052,15 +5764,15 @@
     </message>
     <message>
         <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
-        <translation>Plusieurs planificateurs travaillent côte à côte ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+        <translation>Plusieurs planificateurs travaillent en parallèle ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
     </message>
     <message>
         <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
     </message>
     <message>
         <source>The computer alone: the same planner with an authority of 1.</source>
-        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
+        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
     </message>
     <message>
         <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
@@ -3068,7 +5780,7 @@
     </message>
     <message>
         <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
-        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
     </message>
     <message>
         <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
@@ -3108,27 +5820,27 @@
     </message>
     <message>
         <source>One tree that grows where it is sparse (Hsu et al. 1999).</source>
-        <translation>Un arbre qui croît là où il est clairsemé (Hsu et al. 1999).</translation>
+        <translation>Un arbre qui croît là où il est peu dense (Hsu et al. 1999).</translation>
     </message>
     <message>
         <source>RRT-Connect as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT-Connect comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>RRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>TRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>TRRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BiTRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BiTRRT comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BKPIECE comme l&apos;exécutent les utilisateurs d&apos;OMPL : collisions par FCL, arêtes examinées de loin en loin ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
     </message>
 </context>
 <context>
@@ -3236,7 +5948,7 @@
     <name>SaveConflict</name>
     <message>
         <source>The file is gone</source>
-        <translation>Le fichier n&apos;est plus là</translation>
+        <translation>Le fichier n&apos;existe plus</translation>
     </message>
     <message>
         <source>The file was changed</source>
@@ -3244,11 +5956,11 @@
     </message>
     <message>
         <source>Another program has removed or renamed the file since it was opened:</source>
-        <translation>Un autre programme a supprimé ou renommé le fichier depuis son ouverture :</translation>
+        <translation>Un autre programme a supprimé ou renommé le fichier depuis son ouverture :</translation>
     </message>
     <message>
         <source>Another program has changed the file since it was opened:</source>
-        <translation>Un autre programme a modifié le fichier depuis son ouverture :</translation>
+        <translation>Un autre programme a modifié le fichier depuis son ouverture :</translation>
     </message>
     <message>
         <source>Save it there again, or under another name.</source>
@@ -3256,7 +5968,7 @@
     </message>
     <message>
         <source>Overwrite it with your version: the other version stays under File &gt; Earlier versions. Or open the other version: your edits are lost. Or save your version under another name.</source>
-        <translation>Remplacez-le par votre version : l&apos;autre version reste sous Fichier &gt; Versions antérieures. Ou ouvrez l&apos;autre version : vos modifications sont perdues. Ou enregistrez votre version sous un autre nom.</translation>
+        <translation>Remplacez-le par votre version : l&apos;autre version reste sous Fichier &gt; Versions antérieures. Ou ouvrez l&apos;autre version : vos modifications sont perdues. Ou enregistrez votre version sous un autre nom.</translation>
     </message>
     <message>
         <source>Save &amp;again</source>
@@ -3279,11 +5991,11 @@
     <name>Status</name>
     <message>
         <source>Ready. Press Start (F5), or take the object with the keys over the view.</source>
-        <translation>Prêt. Appuyez sur Démarrer (F5), ou prenez l&apos;objet avec les touches sur la vue.</translation>
+        <translation>Prêt. Appuyez sur Démarrer (F5), ou déplacez l&apos;objet au clavier dans la vue.</translation>
     </message>
     <message>
         <source>Planning: sampling on the nearest obstacle&apos;s tangent plane</source>
-        <translation>Planification : échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
+        <translation>Planification : échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -3291,7 +6003,7 @@
     </message>
     <message>
         <source>Solved: the path is certified free of penetration</source>
-        <translation>Résolu : le chemin est certifié sans pénétration</translation>
+        <translation>Résolu : le chemin est certifié sans pénétration</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -3299,43 +6011,43 @@
     </message>
     <message>
         <source>Planning: step %1 of %2, place %3 is crossed</source>
-        <translation>Planification : étape %1 sur %2, traversée du lieu %3</translation>
+        <translation>Planification : étape %1 sur %2, traversée du lieu %3</translation>
     </message>
     <message>
         <source>Planning: milestones in the borders</source>
-        <translation>Planification : jalons dans les frontières</translation>
+        <translation>Planification : recherche des jalons dans les frontières</translation>
     </message>
     <message>
         <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
-        <translation>Le chemin ne tient pas ici : voir Chemin. Démarrer (F5) en cherche un autre.</translation>
+        <translation>Le chemin n&apos;est pas valide ici : voir le panneau Chemin. Démarrer (F5) en cherche un autre.</translation>
     </message>
     <message>
         <source>The path holds: certified free of penetration</source>
-        <translation>Le chemin tient : certifié sans pénétration</translation>
+        <translation>Chemin valide : certifié sans pénétration</translation>
     </message>
     <message>
         <source>The start is refused: see the message over the scene.</source>
-        <translation>Le départ est refusé : voir le message au-dessus de la scène.</translation>
+        <translation>Le départ est refusé : voir le message au-dessus de la scène.</translation>
     </message>
     <message>
         <source>The goal is refused: see the message over the scene.</source>
-        <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
+        <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
     </message>
     <message>
         <source>Planning: growing two trees</source>
-        <translation>Planification : croissance de deux arbres</translation>
+        <translation>Planification : croissance de deux arbres</translation>
     </message>
     <message>
         <source>Stopped: what was found is still shown</source>
-        <translation>Arrêté : ce qui a été trouvé reste affiché</translation>
+        <translation>Arrêté : ce qui a été trouvé reste affiché</translation>
     </message>
     <message>
         <source>Planning: finding the places</source>
-        <translation>Planification : les lieux sont recherchés</translation>
+        <translation>Planification : recherche des lieux</translation>
     </message>
     <message>
         <source>Planning: searching the whole workspace</source>
-        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
+        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
     </message>
     <message>
         <source>%1 s of %2 s</source>
@@ -3350,27 +6062,27 @@
     </message>
     <message>
         <source>%1: the file is not there any more.</source>
-        <translation>%1 : le fichier n&apos;est plus là.</translation>
+        <translation>%1 : le fichier n&apos;est plus là.</translation>
     </message>
     <message>
         <source>%1: the file is as it was before these edits.</source>
-        <translation>%1 : le fichier est tel qu&apos;il était avant ces modifications.</translation>
+        <translation>%1 : le fichier est tel qu&apos;il était avant ces modifications.</translation>
     </message>
     <message>
         <source>%1: the file has changed since. You will be asked before it is overwritten.</source>
-        <translation>%1 : le fichier a changé depuis. Une question sera posée avant de le remplacer.</translation>
+        <translation>%1 : le fichier a changé depuis. Une confirmation sera demandée avant de le remplacer.</translation>
     </message>
     <message>
         <source>Unsaved edits were left</source>
-        <translation>Des modifications non enregistrées sont restées</translation>
+        <translation>Modifications non enregistrées</translation>
     </message>
     <message>
         <source>&amp;Open them</source>
-        <translation>&amp;Les ouvrir</translation>
+        <translation>&amp;Ouvrir les modifications</translation>
     </message>
     <message>
         <source>&amp;Discard them</source>
-        <translation>Les &amp;supprimer</translation>
+        <translation>&amp;Supprimer les modifications</translation>
     </message>
     <message>
         <source>Ask &amp;later</source>
@@ -3378,7 +6090,7 @@
     </message>
     <message>
         <source>Glissade ended unexpectedly. Edits of the scenario &quot;%1&quot; from %2 are still there.</source>
-        <translation>Glissade s&apos;est arrêté de façon inattendue. Des modifications du scénario « %1 » du %2 sont encore là.</translation>
+        <translation>Glissade s&apos;est arrêté de façon inattendue. Des modifications du scénario « %1 » du %2 sont encore là.</translation>
     </message>
     <message>
         <source>Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.</source>
@@ -3404,7 +6116,7 @@
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation>Une autre langue sert à partir du prochain démarrage.</translation>
+        <translation>Une autre langue s&apos;applique au prochain démarrage.</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -3452,7 +6164,7 @@
     </message>
     <message>
         <source>&amp;Reset the colours</source>
-        <translation>&amp;Rétablir les couleurs</translation>
+        <translation>&amp;Réinitialiser les couleurs</translation>
     </message>
     <message>
         <source>Inches</source>
@@ -3480,7 +6192,7 @@
     </message>
     <message>
         <source>Use the colours of the theme again: they are distinct to people with colour blindness</source>
-        <translation>Reprendre les couleurs du thème : les personnes daltoniennes les distinguent</translation>
+        <translation>Reprendre les couleurs du thème : les personnes daltoniennes les distinguent</translation>
     </message>
     <message>
         <source>What is not saved is written into the program&apos;s data folder, to be offered after a crash</source>
@@ -3489,6 +6201,10 @@
     <message>
         <source>µm, mm or m, as it fits</source>
         <translation>µm, mm ou m, selon la longueur</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the desktop was when the program started</source>
+        <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
     </message>
 </context>
 <context>
@@ -3506,7 +6222,7 @@
     </message>
     <message>
         <source>Goal out</source>
-        <translation>But : dehors</translation>
+        <translation>But : dehors</translation>
     </message>
     <message>
         <source>Fit the workspace</source>
@@ -3526,7 +6242,7 @@
     </message>
     <message>
         <source>%1 moves</source>
-        <translation>%1 bouge</translation>
+        <translation>%1 devient l&apos;objet</translation>
     </message>
     <message>
         <source>Start and goal are clear of all bodies.</source>
@@ -3538,11 +6254,11 @@
     </message>
     <message>
         <source>Clear of all bodies: %1</source>
-        <translation>À l&apos;écart de tous les corps : %1</translation>
+        <translation>À l&apos;écart de tous les corps : %1</translation>
     </message>
     <message>
         <source>This cannot be done</source>
-        <translation>Cela ne peut pas se faire</translation>
+        <translation>Opération impossible</translation>
     </message>
     <message>
         <source>Moving the ends clear</source>
@@ -3621,7 +6337,7 @@
     </message>
     <message>
         <source>Meaning</source>
-        <translation>Sens</translation>
+        <translation>Signification</translation>
     </message>
     <message>
         <source>none</source>
@@ -3629,7 +6345,7 @@
     </message>
     <message>
         <source>0, or the nearest in range</source>
-        <translation>0, ou le plus proche admis</translation>
+        <translation>0, ou la valeur admise la plus proche</translation>
     </message>
     <message>
         <source>Minimum</source>
@@ -3682,8 +6398,8 @@
         <translation>Source</translation>
     </message>
     <message>
-        <source>Take the edit back: the computed value again</source>
-        <translation>Annuler la modification : la valeur calculée à nouveau</translation>
+        <source>Remove the edit and use the computed value</source>
+        <translation>Annuler la modification et reprendre la valeur calculée</translation>
     </message>
 </context>
 <context>
@@ -3702,14 +6418,14 @@
     </message>
     <message>
         <source>Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent plane of his nearest obstacle.</source>
-        <translation>Ordinateur : configurations aléatoires. Opérateur : là où il tenait l&apos;objet. Contact : tirées sur le plan tangent de son obstacle le plus proche.</translation>
+        <translation>Ordinateur : configurations aléatoires. Opérateur : positions où il tenait l&apos;objet. Contact : tirées sur le plan tangent de l&apos;obstacle le plus proche.</translation>
     </message>
 </context>
 <context>
     <name>glissade::AxisBar</name>
     <message>
         <source>Thin: as the device reports it. Thick: after shaping. Hatched: the dead zone.</source>
-        <translation>Fin : tel que le périphérique l&apos;indique. Épais : après mise en forme. Hachuré : la zone morte.</translation>
+        <translation>Trait fin : valeur du périphérique. Trait épais : après mise en forme. Hachures : zone morte.</translation>
     </message>
 </context>
 <context>
@@ -3807,19 +6523,11 @@
     </message>
     <message>
         <source>The settings cannot be written: %1</source>
-        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
     </message>
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
-    </message>
-    <message>
-        <source>&amp;Reset</source>
-        <translation>Réi&amp;nitialiser</translation>
-    </message>
-    <message>
-        <source>Shaping and buttons of this device as at the first time</source>
-        <translation>Mise en forme et boutons de ce périphérique comme la première fois</translation>
     </message>
     <message>
         <source>&amp;Device</source>
@@ -3907,11 +6615,19 @@
     </message>
     <message>
         <source>connected: %1</source>
-        <translation>connecté : %1</translation>
+        <translation>connecté : %1</translation>
     </message>
     <message>
         <source>not connected</source>
         <translation>non connecté</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the device</source>
+        <translation>Réi&amp;nitialiser le périphérique</translation>
+    </message>
+    <message>
+        <source>Restores the original curves and buttons of this device</source>
+        <translation>Rétablir les courbes et les boutons d&apos;origine de ce périphérique</translation>
     </message>
 </context>
 <context>
@@ -3922,11 +6638,11 @@
     </message>
     <message>
         <source>nothing near</source>
-        <translation>rien à proximité</translation>
+        <translation>aucun corps proche</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation>%1 de %2</translation>
+        <translation>%1 avec %2</translation>
     </message>
     <message>
         <source>measuring the clearance</source>
@@ -4000,7 +6716,7 @@
     </message>
     <message>
         <source>Allowances</source>
-        <translation>Tolérances</translation>
+        <translation>Amincissements</translation>
     </message>
     <message>
         <source>Clearance along the path</source>
@@ -4023,7 +6739,7 @@
     </message>
     <message>
         <source>Passes of the paper&apos;s loop</source>
-        <translation>Passages dans la boucle de l&apos;article</translation>
+        <translation>Passages dans la boucle de l&apos;algorithme de l&apos;article</translation>
     </message>
     <message>
         <source>Nodes</source>
@@ -4039,7 +6755,7 @@
     </message>
     <message>
         <source>Both directions, as the papers count</source>
-        <translation>Dans les deux sens, comme les articles</translation>
+        <translation>Comptés dans les deux sens, comme dans les articles</translation>
     </message>
     <message>
         <source>Random configurations</source>
@@ -4047,7 +6763,7 @@
     </message>
     <message>
         <source>Drawn by the computer, kept or not</source>
-        <translation>Tirées par l&apos;ordinateur, gardées ou non</translation>
+        <translation>Tirées par l&apos;ordinateur, conservées ou non</translation>
     </message>
     <message>
         <source>Operator configurations</source>
@@ -4063,7 +6779,7 @@
     </message>
     <message>
         <source>Shot on tangent planes, kept or not</source>
-        <translation>Tirées sur les plans tangents, gardées ou non</translation>
+        <translation>Tirées sur les plans tangents, conservées ou non</translation>
     </message>
     <message>
         <source>Time</source>
@@ -4071,7 +6787,7 @@
     </message>
     <message>
         <source>Of planning; pauses do not count</source>
-        <translation>De planification ; les pauses ne comptent pas</translation>
+        <translation>Temps de planification, sans les pauses</translation>
     </message>
     <message>
         <source>Steps per second</source>
@@ -4087,7 +6803,7 @@
     </message>
     <message>
         <source>On while contact samples are shot</source>
-        <translation>Actif pendant le tir des échantillons de contact</translation>
+        <translation>Actif pendant le tirage des échantillons de contact</translation>
     </message>
     <message>
         <source>Nearest obstacle</source>
@@ -4095,7 +6811,7 @@
     </message>
     <message>
         <source>Of the object in the operator&apos;s hand</source>
-        <translation>De l&apos;objet tenu par l&apos;opérateur</translation>
+        <translation>Pour l&apos;objet tenu par l&apos;opérateur</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -4103,7 +6819,7 @@
     </message>
     <message>
         <source>To the nearest obstacle</source>
-        <translation>À l&apos;obstacle le plus proche</translation>
+        <translation>Distance à l&apos;obstacle le plus proche</translation>
     </message>
     <message>
         <source>on</source>
@@ -4122,7 +6838,7 @@
     <name>glissade::DeviceController</name>
     <message>
         <source>6D mouse: %1</source>
-        <translation>Souris 6D : %1</translation>
+        <translation>Souris 6D : %1</translation>
     </message>
     <message>
         <source>none</source>
@@ -4130,19 +6846,19 @@
     </message>
     <message>
         <source>No 6D mouse, or spacenavd does not run; looked for again and again</source>
-        <translation>Pas de souris 6D, ou spacenavd ne tourne pas ; recherche répétée</translation>
+        <translation>Aucune souris 6D, ou spacenavd n&apos;est pas lancé ; la recherche continue</translation>
     </message>
     <message>
         <source>Gamepad: %1</source>
-        <translation>Manette : %1</translation>
+        <translation>Manette : %1</translation>
     </message>
     <message>
         <source>Moves: camera</source>
-        <translation>Déplace : caméra</translation>
+        <translation>Déplace : caméra</translation>
     </message>
     <message>
         <source>Moves: object</source>
-        <translation>Déplace : objet</translation>
+        <translation>Déplace : objet</translation>
     </message>
     <message>
         <source>error</source>
@@ -4152,8 +6868,8 @@
 <context>
     <name>glissade::DifficultyController</name>
     <message>
-        <source>Looking for what stands in the way</source>
-        <translation>Recherche de ce qui fait obstacle</translation>
+        <source>Looking for the reasons</source>
+        <translation>Recherche des causes</translation>
     </message>
 </context>
 <context>
@@ -4172,7 +6888,7 @@
     </message>
     <message>
         <source>Place on the way of least penetration</source>
-        <translation>Place sur le chemin de moindre pénétration</translation>
+        <translation>Position sur le chemin de moindre pénétration</translation>
     </message>
     <message>
         <source>Not analysed yet.</source>
@@ -4183,16 +6899,8 @@
         <translation>Moindre pénétration</translation>
     </message>
     <message>
-        <source>The object has too many triangles to look for the way of least penetration.</source>
-        <translation>L&apos;objet a trop de triangles pour chercher le chemin de moindre pénétration.</translation>
-    </message>
-    <message>
         <source>Tightest passage reached</source>
         <translation>Passage le plus étroit atteint</translation>
-    </message>
-    <message>
-        <source>Trees came within</source>
-        <translation>Écart entre les arbres</translation>
     </message>
     <message>
         <source>Shows the object there</source>
@@ -4200,15 +6908,19 @@
     </message>
     <message>
         <source>There is a way if the object may overlap &lt;b&gt;%2&lt;/b&gt; by &lt;b&gt;%1&lt;/b&gt;.</source>
-        <translation>Il y a un passage si l&apos;objet peut recouvrir &lt;b&gt;%2&lt;/b&gt; de &lt;b&gt;%1&lt;/b&gt;.</translation>
+        <translation>Il existe un chemin si l&apos;objet peut recouvrir &lt;b&gt;%2&lt;/b&gt; de &lt;b&gt;%1&lt;/b&gt;.</translation>
     </message>
     <message>
-        <source>No way was found, however much the object was shrunk.</source>
-        <translation>Même en réduisant l&apos;objet, aucun chemin n&apos;a été trouvé.</translation>
+        <source>Distance between the trees</source>
+        <translation>Écart entre les arbres</translation>
     </message>
     <message>
-        <source>What stands in the way</source>
-        <translation>Ce qui fait obstacle</translation>
+        <source>No path was found, even for an object as thin as its thickness allows.</source>
+        <translation>Aucun chemin n&apos;a été trouvé, même pour un objet aminci autant que son épaisseur le permet.</translation>
+    </message>
+    <message>
+        <source>Reasons why there is no path</source>
+        <translation>Causes de l&apos;absence de chemin</translation>
     </message>
 </context>
 <context>
@@ -4252,15 +6964,15 @@
     </message>
     <message>
         <source>the assembly plan</source>
-        <translation>la gamme de montage</translation>
+        <translation>le plan d&apos;assemblage</translation>
     </message>
     <message>
         <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré : %1.</translation>
+        <translation>Pas encore enregistré : %1.</translation>
     </message>
     <message>
         <source>Save keeps all of it in the scenario.</source>
-        <translation>Enregistrer garde tout dans le scénario.</translation>
+        <translation>Enregistrer conserve tout dans le scénario.</translation>
     </message>
     <message>
         <source>Open re&amp;cent</source>
@@ -4312,7 +7024,7 @@
     </message>
     <message>
         <source>Save the scenario?</source>
-        <translation>Enregistrer le scénario ?</translation>
+        <translation>Enregistrer le scénario ?</translation>
     </message>
 </context>
 <context>
@@ -4346,11 +7058,11 @@
     <name>glissade::FitsPanel</name>
     <message>
         <source>clear</source>
-        <translation>libre</translation>
+        <translation>dégagé</translation>
     </message>
     <message>
         <source>allowed</source>
-        <translation>toléré</translation>
+        <translation>admis</translation>
     </message>
     <message>
         <source>accepted</source>
@@ -4414,11 +7126,11 @@
     </message>
     <message>
         <source>Negative where the bodies overlap</source>
-        <translation>Négatif là où les corps se recouvrent</translation>
+        <translation>Négatif si les corps se recouvrent</translation>
     </message>
     <message>
         <source>Allowance</source>
-        <translation>Tolérance</translation>
+        <translation>Amincissement</translation>
     </message>
     <message>
         <source>Status</source>
@@ -4446,7 +7158,7 @@
     </message>
     <message>
         <source>Pairs of bodies: %1 (%2)</source>
-        <translation>Paires de corps : %1 (%2)</translation>
+        <translation>Paires de corps : %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -4457,11 +7169,11 @@
     </message>
     <message>
         <source>Same scenario, seed and inputs: same roadmap</source>
-        <translation>Mêmes scénario, graine et entrées : même graphe</translation>
+        <translation>Mêmes scénario, graine et entrées : même graphe</translation>
     </message>
     <message>
         <source>Whose configuration was tried last</source>
-        <translation>De qui vient la dernière configuration essayée</translation>
+        <translation>Auteur de la dernière configuration essayée</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -4497,7 +7209,7 @@
     </message>
     <message>
         <source>Replayed: as it was at this step</source>
-        <translation>Relecture : tel qu&apos;à ce pas</translation>
+        <translation>Relecture : tel qu&apos;à ce pas</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -4505,15 +7217,15 @@
     </message>
     <message>
         <source>Advanced: the first paper</source>
-        <translation>Avancé : premier article</translation>
+        <translation>Avancé : premier article</translation>
     </message>
     <message>
         <source>Advanced: places and semantics (second paper)</source>
-        <translation>Avancé : lieux et sémantique (second article)</translation>
+        <translation>Avancé : lieux et sémantique (second article)</translation>
     </message>
     <message>
         <source>Advanced: OMPL</source>
-        <translation>Avancé : OMPL</translation>
+        <translation>Avancé : OMPL</translation>
     </message>
 </context>
 <context>
@@ -4524,14 +7236,14 @@
     </message>
     <message>
         <source>This cannot be done with the path</source>
-        <translation>Cela ne peut pas être fait avec le chemin</translation>
+        <translation>Opération impossible avec ce chemin</translation>
     </message>
 </context>
 <context>
     <name>glissade::KeptPathsPanel</name>
     <message>
         <source>taken %1 thinner against %2</source>
-        <translation>pris %1 plus mince contre %2</translation>
+        <translation>aminci de %1 face à %2</translation>
     </message>
     <message>
         <source>The path is proved again in the background.</source>
@@ -4539,11 +7251,11 @@
     </message>
     <message>
         <source>Certified again in the scenario as it is now.</source>
-        <translation>Certifié de nouveau dans le scénario tel qu&apos;il est.</translation>
+        <translation>Certifié de nouveau dans le scénario actuel.</translation>
     </message>
     <message>
         <source>Not proved: the scenario was changed, and a body is in the way.</source>
-        <translation>Non prouvé : le scénario a changé, et un corps fait obstacle.</translation>
+        <translation>Non prouvé : le scénario a changé, et un corps fait obstacle.</translation>
     </message>
     <message>
         <source>Free of penetration, but it does not lead from the start to the goal any more.</source>
@@ -4551,7 +7263,7 @@
     </message>
     <message>
         <source>Not proved: another object moves now.</source>
-        <translation>Non prouvé : un autre objet se déplace maintenant.</translation>
+        <translation>Non prouvé : l&apos;objet n&apos;est plus le même.</translation>
     </message>
     <message>
         <source>proved %1, required %2</source>
@@ -4615,7 +7327,7 @@
     </message>
     <message>
         <source>Allowances</source>
-        <translation>Tolérances</translation>
+        <translation>Amincissements</translation>
     </message>
     <message>
         <source>Kept paths</source>
@@ -4623,11 +7335,11 @@
     </message>
     <message>
         <source>Checked: drawn in this colour beside the others</source>
-        <translation>Coché : dessiné de cette couleur à côté des autres</translation>
+        <translation>Coché : dessiné de cette couleur à côté des autres</translation>
     </message>
     <message>
         <source>The path that was found is not kept yet: Keep (Ctrl+Alt+K) or Save (Ctrl+S).</source>
-        <translation>Le chemin trouvé n&apos;est pas encore conservé : Conserver (Ctrl+Alt+K) ou Enregistrer (Ctrl+S).</translation>
+        <translation>Le chemin trouvé n&apos;est pas encore conservé : Conserver (Ctrl+Alt+K) ou Enregistrer (Ctrl+S).</translation>
     </message>
     <message>
         <source>No path is kept yet. A path that is found can be kept in the scenario.</source>
@@ -4635,7 +7347,7 @@
     </message>
     <message>
         <source>Kept in the scenario: %1</source>
-        <translation>Conservés dans le scénario : %1</translation>
+        <translation>Conservés dans le scénario : %1</translation>
     </message>
 </context>
 <context>
@@ -4650,7 +7362,7 @@
     </message>
     <message>
         <source>away from you, towards you</source>
-        <translation>loin de vous, vers vous</translation>
+        <translation>en s&apos;éloignant de vous, vers vous</translation>
     </message>
     <message>
         <source>turn left, turn right</source>
@@ -4677,11 +7389,11 @@
     <name>glissade::LogController</name>
     <message>
         <source>The report is in the clipboard. Read it before you send it: it names files.</source>
-        <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer : il nomme des fichiers.</translation>
+        <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer : il nomme des fichiers.</translation>
     </message>
     <message>
         <source>Run %1: %2, seed %3</source>
-        <translation>Calcul %1 : %2, graine %3</translation>
+        <translation>Calcul %1 : %2, graine %3</translation>
     </message>
     <message>
         <source>%1 (%2 s, %3 nodes)</source>
@@ -4689,15 +7401,15 @@
     </message>
     <message>
         <source>Opened &apos;%1&apos;, obstacles: %2</source>
-        <translation>« %1 » ouvert, obstacles : %2</translation>
+        <translation>« %1 » ouvert, obstacles : %2</translation>
     </message>
     <message>
         <source>Start: %1</source>
-        <translation>Départ : %1</translation>
+        <translation>Départ : %1</translation>
     </message>
     <message>
         <source>Goal: %1</source>
-        <translation>But : %1</translation>
+        <translation>But : %1</translation>
     </message>
 </context>
 <context>
@@ -4775,7 +7487,7 @@
     </message>
     <message>
         <source>This cannot be done</source>
-        <translation>Cela ne peut pas se faire</translation>
+        <translation>Opération impossible</translation>
     </message>
     <message>
         <source>Fits</source>
@@ -4783,7 +7495,7 @@
     </message>
     <message>
         <source>Paths</source>
-        <translation>Gardés</translation>
+        <translation>Chemins</translation>
     </message>
     <message>
         <source>Log</source>
@@ -4818,7 +7530,7 @@
     </message>
     <message>
         <source>A vertex or a free surface has no direction: click edges, planes or cylinders.</source>
-        <translation>Un sommet ou une surface libre n&apos;a pas de direction : cliquer des arêtes, des plans ou des cylindres.</translation>
+        <translation>Un sommet ou une surface libre n&apos;a pas de direction : cliquez des arêtes, des plans ou des cylindres.</translation>
     </message>
     <message>
         <source>Angle %1</source>
@@ -4842,7 +7554,7 @@
     </message>
     <message>
         <source>they touch</source>
-        <translation>en contact</translation>
+        <translation>les corps se touchent</translation>
     </message>
     <message>
         <source>Measuring the clearance…</source>
@@ -4850,7 +7562,7 @@
     </message>
     <message>
         <source>Click a cylindrical face. Esc ends measuring.</source>
-        <translation>Cliquer une face cylindrique. Échap termine la mesure.</translation>
+        <translation>Cliquez une face cylindrique. Échap termine la mesure.</translation>
     </message>
     <message>
         <source>This is neither a plane nor a cylinder.</source>
@@ -4858,47 +7570,47 @@
     </message>
     <message>
         <source>Click a plane or a cylinder of what is placed. Esc ends this.</source>
-        <translation>Cliquer un plan ou un cylindre de ce qui est placé. Échap y met fin.</translation>
+        <translation>Cliquez un plan ou un cylindre de l&apos;élément à positionner. Échap termine.</translation>
     </message>
     <message>
         <source>Click the first body. Esc ends measuring.</source>
-        <translation>Cliquer le premier corps. Échap termine la mesure.</translation>
+        <translation>Cliquez le premier corps. Échap termine la mesure.</translation>
     </message>
     <message>
         <source>Click the second body.</source>
-        <translation>Cliquer le second corps.</translation>
+        <translation>Cliquez le second corps.</translation>
     </message>
     <message>
         <source>Click the first vertex, edge or face. Esc ends measuring.</source>
-        <translation>Cliquer le premier sommet, arête ou face. Échap termine la mesure.</translation>
+        <translation>Cliquez le premier sommet, la première arête ou la première face. Échap termine la mesure.</translation>
     </message>
     <message>
         <source>Click the second vertex, edge or face.</source>
-        <translation>Cliquer le second sommet, arête ou face.</translation>
+        <translation>Cliquez le second sommet, la seconde arête ou la seconde face.</translation>
     </message>
     <message>
         <source>Click the first edge or face. Esc ends measuring.</source>
-        <translation>Cliquer la première arête ou face. Échap termine la mesure.</translation>
+        <translation>Cliquez la première arête ou face. Échap termine la mesure.</translation>
     </message>
     <message>
         <source>Click the second edge or face.</source>
-        <translation>Cliquer la seconde arête ou face.</translation>
+        <translation>Cliquez la seconde arête ou face.</translation>
     </message>
     <message>
         <source>This is what moves. Click a face of another body. Esc ends this.</source>
-        <translation>C&apos;est ce qui bouge. Cliquer une face d&apos;un autre corps. Échap termine.</translation>
+        <translation>C&apos;est l&apos;élément à déplacer. Cliquez une face d&apos;un autre corps. Échap termine.</translation>
     </message>
     <message>
         <source>A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this.</source>
-        <translation>Un plan va sur un plan, et un cylindre sur un cylindre. Cliquer une autre face. Échap termine.</translation>
+        <translation>Un plan s&apos;aligne sur un plan, et un cylindre sur un cylindre. Cliquez une autre face. Échap termine.</translation>
     </message>
     <message>
         <source>Click a plane or a cylinder of what moves. Esc ends this.</source>
-        <translation>Cliquer un plan ou un cylindre de ce qui bouge. Échap termine.</translation>
+        <translation>Cliquez un plan ou un cylindre de l&apos;élément à déplacer. Échap termine.</translation>
     </message>
     <message>
         <source>Click the plane or the cylinder of another body that it goes onto. Esc ends this.</source>
-        <translation>Cliquer le plan ou le cylindre d&apos;un autre corps sur lequel il va. Échap termine.</translation>
+        <translation>Cliquez le plan ou le cylindre d&apos;un autre corps sur lequel l&apos;aligner. Échap termine.</translation>
     </message>
     <message>
         <source>Click the face that the section lies along. Esc ends this.</source>
@@ -4955,7 +7667,7 @@
     </message>
     <message>
         <source>How fast a run goes: choose a pace or type steps a second, to watch and to steer</source>
-        <translation>Vitesse du calcul : choisir une cadence ou saisir des pas par seconde, pour regarder et guider</translation>
+        <translation>Vitesse du calcul : choisissez une cadence ou saisissez un nombre de pas par seconde, pour regarder et guider</translation>
     </message>
 </context>
 <context>
@@ -4965,16 +7677,16 @@
         <translation>auto</translation>
     </message>
     <message>
-        <source>%1 sets itself</source>
-        <translation>%1 se règle seul</translation>
+        <source>The program sets %1</source>
+        <translation>%1 est réglé par le programme</translation>
     </message>
     <message>
-        <source>Sets itself while planning. Press, or move the slider, to take it back; yours is %1</source>
-        <translation>Se règle seul pendant la planification. Appuyez ou déplacez le curseur pour le reprendre ; le vôtre est %1</translation>
+        <source>The program sets this value while planning. Press here, or move the slider, to use your value again: %1</source>
+        <translation>Le programme règle cette valeur pendant la planification. Appuyez ici ou déplacez le curseur pour la reprendre ; la vôtre est %1</translation>
     </message>
     <message>
-        <source>Let it set itself while planning</source>
-        <translation>Laisser se régler seul pendant la planification</translation>
+        <source>Let the program set this value while planning</source>
+        <translation>Laisser le programme régler cette valeur pendant la planification</translation>
     </message>
 </context>
 <context>
@@ -4988,8 +7700,8 @@
         <translation>Ajouter des pièces</translation>
     </message>
     <message>
-        <source>The parts cannot be taken</source>
-        <translation>Les pièces ne peuvent pas être prises</translation>
+        <source>The parts cannot be added</source>
+        <translation>Les pièces ne peuvent pas être ajoutées</translation>
     </message>
 </context>
 <context>
@@ -5024,7 +7736,7 @@
     </message>
     <message>
         <source>Up</source>
-        <translation>Haut</translation>
+        <translation>Axe vertical</translation>
     </message>
     <message>
         <source>Size</source>
@@ -5032,7 +7744,7 @@
     </message>
     <message>
         <source>Width × depth × height: shows whether the unit is right</source>
-        <translation>Largeur × profondeur × hauteur : montre si l&apos;unité est la bonne</translation>
+        <translation>Largeur × profondeur × hauteur : montre si l&apos;unité est la bonne</translation>
     </message>
     <message>
         <source>Add &amp;files…</source>
@@ -5064,7 +7776,7 @@
     </message>
     <message>
         <source>Axis of %1 that points up</source>
-        <translation>Axe de %1 qui pointe vers le haut</translation>
+        <translation>Axe vertical de %1</translation>
     </message>
     <message>
         <source>Moves</source>
@@ -5080,19 +7792,15 @@
     </message>
     <message>
         <source>Stays where it is</source>
-        <translation>Reste où elle est</translation>
+        <translation>Reste en place</translation>
     </message>
     <message>
         <source>Mobile</source>
         <translation>Mobile</translation>
     </message>
     <message>
-        <source>In the way, too, but somebody could move it</source>
-        <translation>Gêne aussi, mais quelqu&apos;un pourrait la déplacer</translation>
-    </message>
-    <message>
         <source>Unit of the file; of all selected rows together</source>
-        <translation>Unité du fichier ; de toutes les lignes sélectionnées ensemble</translation>
+        <translation>Unité du fichier ; pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>m</source>
@@ -5112,7 +7820,7 @@
     </message>
     <message>
         <source>The file&apos;s axis that points up; of all selected rows together</source>
-        <translation>L&apos;axe du fichier qui pointe vers le haut ; de toutes les lignes sélectionnées ensemble</translation>
+        <translation>Axe vertical du fichier ; pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>Add the files of parts</source>
@@ -5120,7 +7828,7 @@
     </message>
     <message>
         <source>cannot be read</source>
-        <translation>illisible</translation>
+        <translation>ne peut pas être lu</translation>
     </message>
     <message>
         <source>Add the files of the parts.</source>
@@ -5140,11 +7848,11 @@
     </message>
     <message>
         <source>The file says its unit itself; Z is up</source>
-        <translation>Le fichier indique lui-même son unité ; Z est vers le haut</translation>
+        <translation>Le fichier donne lui-même son unité ; Z est l&apos;axe vertical</translation>
     </message>
     <message>
         <source>What the part is in the scenario; static or mobile: all selected rows together</source>
-        <translation>Ce que la pièce est dans le scénario ; fixe ou mobile : toutes les lignes sélectionnées ensemble</translation>
+        <translation>Rôle de la pièce dans le scénario ; statique ou mobile : pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>Select several rows to choose their role, unit or axis together.</source>
@@ -5160,15 +7868,19 @@
     </message>
     <message>
         <source>Closes holes of meshes whose edge lies in a plane; a warning says how many</source>
-        <translation>Ferme les trous des maillages dont le bord est dans un plan ; un avertissement dit combien</translation>
-    </message>
-    <message>
-        <source>Is the unit right? The files do not say it, and their size does not tell. Choose it.</source>
-        <translation>L&apos;unité est-elle juste ? Les fichiers ne la disent pas, et leur taille ne la révèle pas. La choisir.</translation>
+        <translation>Ferme les trous des maillages dont le bord est dans un plan ; un avertissement dit combien</translation>
     </message>
     <message>
         <source>The files do not say their unit: by their size it is the metre.</source>
-        <translation>Les fichiers ne disent pas leur unité : d&apos;après leur taille, c&apos;est le mètre.</translation>
+        <translation>Les fichiers ne donnent pas leur unité : d&apos;après leur taille, c&apos;est le mètre.</translation>
+    </message>
+    <message>
+        <source>In the way, but a person could move it</source>
+        <translation>Fait obstacle, mais une personne pourrait la déplacer</translation>
+    </message>
+    <message>
+        <source>Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.</source>
+        <translation>L&apos;unité est-elle la bonne ? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
     </message>
 </context>
 <context>
@@ -5215,7 +7927,7 @@
     </message>
     <message>
         <source>This cannot be done with the path</source>
-        <translation>C&apos;est impossible avec ce chemin</translation>
+        <translation>Opération impossible avec ce chemin</translation>
     </message>
 </context>
 <context>
@@ -5238,7 +7950,7 @@
     </message>
     <message>
         <source>nothing near</source>
-        <translation>rien à proximité</translation>
+        <translation>aucun corps proche</translation>
     </message>
     <message>
         <source>clearance %1 to %2</source>
@@ -5282,19 +7994,19 @@
     </message>
     <message>
         <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
-        <translation>%1 arêtes sur %2 sont bloquées, la première à %3 % par %4.</translation>
+        <translation>%1 segments sur %2 sont bloqués, le premier à %3 % par %4.</translation>
     </message>
     <message>
         <source>This path does not hold here</source>
-        <translation>Ce chemin ne tient pas ici</translation>
+        <translation>Ce chemin n&apos;est pas valide ici</translation>
     </message>
     <message>
         <source>of 32-bit coordinates, which may be %1 nearer</source>
-        <translation>des coordonnées de 32 bits, qui peuvent être %1 plus près</translation>
+        <translation>pour des coordonnées sur 32 bits, qui peuvent être plus proches de %1</translation>
     </message>
     <message>
         <source>of triangles; STEP surfaces may be %1 nearer</source>
-        <translation>des triangles ; les surfaces STEP peuvent être %1 plus près</translation>
+        <translation>pour des triangles ; les surfaces STEP peuvent être plus proches de %1</translation>
     </message>
     <message>
         <source>taken %1 thinner against %2</source>
@@ -5332,15 +8044,7 @@
     <name>glissade::PlacementPanel</name>
     <message>
         <source>Placement: select one body, start or goal</source>
-        <translation>Position : choisir un corps, départ ou but</translation>
-    </message>
-    <message>
-        <source>Point that the numbers are about</source>
-        <translation>Point auquel les nombres se rapportent</translation>
-    </message>
-    <message>
-        <source>What the numbers are about; poses of a CAD system are about the origin of its file</source>
-        <translation>Ce à quoi les nombres se rapportent ; les poses d&apos;un système de CAO se rapportent à l&apos;origine de son fichier</translation>
+        <translation>Position : sélectionnez un corps, le départ ou le but</translation>
     </message>
     <message>
         <source>Origin of the file</source>
@@ -5355,10 +8059,6 @@
         <translation>Point de référence</translation>
     </message>
     <message>
-        <source>What the poses of path files are about</source>
-        <translation>Ce à quoi les poses des fichiers de chemin se rapportent</translation>
-    </message>
-    <message>
         <source>Pick</source>
         <translation>Choisir</translation>
     </message>
@@ -5368,27 +8068,39 @@
     </message>
     <message>
         <source>Along the world&apos;s axis %1; a number may have a unit: 25.4 mm, 1 in</source>
-        <translation>Le long de l&apos;axe %1 du monde ; un nombre peut avoir une unité : 25,4 mm, 1 in</translation>
+        <translation>Suivant l&apos;axe %1 du monde ; un nombre peut avoir une unité : 25,4 mm, 1 in</translation>
     </message>
     <message>
         <source>Turned about the world&apos;s axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, then Z</source>
-        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés, ou avec une unité : 0,1 rad ; d&apos;abord X, puis Y, puis Z</translation>
+        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés, ou avec une unité : 0,1 rad ; d&apos;abord X, puis Y, puis Z</translation>
     </message>
     <message>
         <source>“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5&quot;. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas une longueur jusqu&apos;à 1 km. Écrire 12,5, 25,4 mm, 1 in ou 0,5&quot;. Rien n&apos;a bougé.</translation>
+        <translation>« %1 » n&apos;est pas une longueur d&apos;au plus 1 km. Écrivez 12,5, 25,4 mm, 1 in ou 0,5&quot;. Rien n&apos;a été déplacé.</translation>
     </message>
     <message>
         <source>“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas un angle jusqu&apos;à 360°. Écrire 30, 30 deg ou 0,1 rad. Rien n&apos;a bougé.</translation>
+        <translation>« %1 » n&apos;est pas un angle d&apos;au plus 360°. Écrivez 30, 30 deg ou 0,1 rad. Rien n&apos;a été déplacé.</translation>
     </message>
     <message>
         <source>Placement of %1, %2 and °</source>
-        <translation>Placement de %1, %2 et °</translation>
+        <translation>Position de %1, en %2 et °</translation>
     </message>
     <message>
         <source>Placement, %1 and °</source>
-        <translation>Placement, %1 et °</translation>
+        <translation>Position, en %1 et °</translation>
+    </message>
+    <message>
+        <source>Point whose coordinates are shown</source>
+        <translation>Point de référence des coordonnées</translation>
+    </message>
+    <message>
+        <source>The point whose coordinates are shown; a CAD system gives those of the origin of its file</source>
+        <translation>Point dont les coordonnées sont affichées ; un système de CAO donne celles de l&apos;origine de son fichier</translation>
+    </message>
+    <message>
+        <source>The point whose poses are in path files</source>
+        <translation>Point dont les fichiers de chemin donnent la position</translation>
     </message>
 </context>
 <context>
@@ -5427,7 +8139,7 @@
     </message>
     <message>
         <source>No coarse plan: choose strategy GT or GTS and start.</source>
-        <translation>Pas de plan grossier : choisissez la stratégie GT ou GTS et démarrez.</translation>
+        <translation>Pas de plan grossier : choisissez la stratégie GT ou GTS et démarrez.</translation>
     </message>
     <message>
         <source>Coarse path of cost %1, not tried yet</source>
@@ -5435,7 +8147,7 @@
     </message>
     <message>
         <source>Coarse path %1, cost %2; random configurations: coarse %3, fine %4</source>
-        <translation>Chemin grossier %1, coût %2 ; configurations aléatoires : grossier %3, fin %4</translation>
+        <translation>Chemin grossier %1, coût %2 ; configurations aléatoires : grossier %3, fin %4</translation>
     </message>
     <message>
         <source>solved</source>
@@ -5443,19 +8155,19 @@
     </message>
     <message>
         <source>failed</source>
-        <translation>échoué</translation>
+        <translation>échec</translation>
     </message>
     <message>
         <source>No way through the places.</source>
-        <translation>Aucun trajet à travers les lieux.</translation>
+        <translation>Aucun trajet par les lieux.</translation>
     </message>
     <message>
         <source>Forbidden: %1.</source>
-        <translation>Interdits : %1.</translation>
+        <translation>Interdits : %1.</translation>
     </message>
     <message>
         <source>Of infinite cost: %1.</source>
-        <translation>De coût infini : %1.</translation>
+        <translation>De coût infini : %1.</translation>
     </message>
     <message>
         <source>None leads from start to goal.</source>
@@ -5463,7 +8175,7 @@
     </message>
     <message>
         <source>Solved by the search of the whole workspace, after %1 coarse paths; random configurations: %2</source>
-        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 chemins grossiers ; configurations aléatoires : %2</translation>
+        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 chemins grossiers ; configurations aléatoires : %2</translation>
     </message>
     <message>
         <source>everywhere</source>
@@ -5494,7 +8206,7 @@
     </message>
     <message>
         <source>A run has begun meanwhile: open the recording after it.</source>
-        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement après lui.</translation>
+        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement quand il sera fini.</translation>
     </message>
     <message>
         <source>Save the recording</source>
@@ -5518,11 +8230,7 @@
     </message>
     <message>
         <source>It names the scenario&apos;s file, which does not have the bodies as they are here. Save the scenario, too: only then can the recording be replayed.</source>
-        <translation>Il nomme le fichier du scénario, qui n&apos;a pas les corps tels qu&apos;ils sont ici. Enregistrez aussi le scénario : alors seulement l&apos;enregistrement pourra être rejoué.</translation>
-    </message>
-    <message>
-        <source>A recording was left</source>
-        <translation>Un enregistrement est resté</translation>
+        <translation>L&apos;enregistrement renvoie au fichier du scénario, où les corps ne sont pas disposés comme ici. Enregistrez aussi le scénario, sans quoi l&apos;enregistrement ne pourra pas être rejoué.</translation>
     </message>
     <message>
         <source>Glissade ended unexpectedly with a recording that was not saved. It is still there.</source>
@@ -5530,7 +8238,7 @@
     </message>
     <message>
         <source>&amp;Save...</source>
-        <translation>&amp;Enregistrer...</translation>
+        <translation>&amp;Sauvegarder...</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
@@ -5548,20 +8256,24 @@
         <source>The recording is damaged</source>
         <translation>L&apos;enregistrement est endommagé</translation>
     </message>
+    <message>
+        <source>A recording was not saved</source>
+        <translation>Enregistrement non sauvegardé</translation>
+    </message>
 </context>
 <context>
     <name>glissade::RefusalController</name>
     <message>
         <source>&apos;%1&apos;: overlap %2</source>
-        <translation>« %1 » : recouvrement %2</translation>
+        <translation>« %1 » : recouvrement %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: touches or overlaps</source>
-        <translation>« %1 » : touche ou recouvre</translation>
+        <translation>« %1 » : contact ou recouvrement</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2 away, required %3</source>
-        <translation>« %1 » : à %2, exigé %3</translation>
+        <translation>« %1 » : à %2, jeu exigé %3</translation>
     </message>
     <message>
         <source>The run ended without a path.</source>
@@ -5577,15 +8289,15 @@
     </message>
     <message>
         <source>The path does not hold here.</source>
-        <translation>Le chemin ne tient pas ici.</translation>
+        <translation>Le chemin n&apos;est pas valide ici.</translation>
     </message>
     <message>
         <source>%1 of %2 edges are blocked.</source>
-        <translation>%1 arêtes sur %2 sont bloquées.</translation>
+        <translation>%1 segments sur %2 sont bloqués.</translation>
     </message>
     <message>
         <source>The first is blocked by &apos;%1&apos;.</source>
-        <translation>La première est bloquée par « %1 ».</translation>
+        <translation>Le premier est bloqué par « %1 ».</translation>
     </message>
     <message>
         <source>Its ends are not the start and the goal.</source>
@@ -5593,7 +8305,7 @@
     </message>
     <message>
         <source>Start and goal are allowed now. Press Start (F5).</source>
-        <translation>Le départ et le but sont admis maintenant. Appuyer sur Démarrer (F5).</translation>
+        <translation>Le départ et le but sont maintenant admis. Appuyez sur Démarrer (F5).</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -5601,19 +8313,19 @@
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le départ est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+        <translation>Le départ est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le départ est refusé : « %1 » est plus près que le jeu exigé.</translation>
+        <translation>Le départ est refusé : « %1 » est plus près que le jeu exigé.</translation>
     </message>
     <message>
         <source>The goal is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le but est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+        <translation>Le but est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
     </message>
     <message>
         <source>The goal is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le but est refusé : « %1 » est plus près que le jeu exigé.</translation>
+        <translation>Le but est refusé : « %1 » est plus près que le jeu exigé.</translation>
     </message>
     <message>
         <source>Allow as fits</source>
@@ -5636,7 +8348,7 @@
     </message>
     <message>
         <source>What you see was recorded: nothing can be steered until the replay is closed</source>
-        <translation>Ce que vous voyez a été enregistré : rien ne peut être piloté avant de fermer la relecture</translation>
+        <translation>Vous voyez un enregistrement : rien ne peut être piloté avant la fermeture de la relecture</translation>
     </message>
     <message>
         <source>max</source>
@@ -5644,7 +8356,7 @@
     </message>
     <message>
         <source>Times the pace of the recorded run</source>
-        <translation>Fois l&apos;allure du calcul enregistré</translation>
+        <translation>Multiple de la cadence du calcul enregistré</translation>
     </message>
     <message>
         <source>Speed of the replay</source>
@@ -5667,7 +8379,7 @@
     </message>
     <message>
         <source>replaying... %1 %</source>
-        <translation>relecture en cours... %1 %</translation>
+        <translation>relecture en cours... %1 %</translation>
     </message>
     <message>
         <source>other parameters</source>
@@ -5675,27 +8387,27 @@
     </message>
     <message>
         <source>Other parameters: solved, %1 nodes (recorded: %2)</source>
-        <translation>Autres paramètres : résolu, %1 nœuds (enregistré : %2)</translation>
+        <translation>Autres paramètres : résolu, %1 nœuds (enregistré : %2)</translation>
     </message>
     <message>
         <source>Other parameters: no path, %1 nodes (recorded: %2)</source>
-        <translation>Autres paramètres : pas de chemin, %1 nœuds (enregistré : %2)</translation>
+        <translation>Autres paramètres : pas de chemin, %1 nœuds (enregistré : %2)</translation>
     </message>
     <message>
         <source>≠ recorded</source>
-        <translation>≠ enregistré</translation>
+        <translation>≠ enregistrement</translation>
     </message>
     <message>
         <source>Differs from the recording: the same until step %1, not at step %2</source>
-        <translation>Diffère de l&apos;enregistrement : identique jusqu&apos;au pas %1, plus au pas %2</translation>
+        <translation>Diffère de l&apos;enregistrement : identique jusqu&apos;au pas %1, différent au pas %2</translation>
     </message>
     <message>
         <source>✓ as recorded</source>
-        <translation>✓ tel qu&apos;enregistré</translation>
+        <translation>✓ conforme</translation>
     </message>
     <message>
         <source>Same roadmap as recorded: %1 nodes</source>
-        <translation>Même graphe qu&apos;enregistré : %1 nœuds</translation>
+        <translation>Même graphe que l&apos;enregistrement : %1 nœuds</translation>
     </message>
     <message>
         <source>Replay. %1</source>
@@ -5703,7 +8415,7 @@
     </message>
     <message>
         <source>No journal of this run on disk: %1</source>
-        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
     </message>
     <message>
         <source>The recording cannot be replayed</source>
@@ -5714,18 +8426,18 @@
     <name>glissade::ResponseCurve</name>
     <message>
         <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
-        <translation>La réponse (vers le haut) au débattement du périphérique (en travers) ; le point indique la position actuelle</translation>
+        <translation>Réponse (en ordonnée) au débattement du périphérique (en abscisse) ; le point indique la valeur actuelle</translation>
     </message>
 </context>
 <context>
     <name>glissade::RulesDialog</name>
     <message>
         <source>f: what a border costs where places a and b meet. Known: %1</source>
-        <translation>f : ce que coûte une frontière où les lieux a et b se rencontrent. Connus : %1</translation>
+        <translation>f : coût d&apos;une frontière entre les lieux a et b. Noms connus : %1</translation>
     </message>
     <message>
         <source>g: what a way across a place costs. Known: %1</source>
-        <translation>g : ce que coûte un trajet à travers un lieu. Connus : %1</translation>
+        <translation>g : coût de la traversée d&apos;un lieu. Noms connus : %1</translation>
     </message>
     <message>
         <source>When a step fails, try the &amp;next best way</source>
@@ -5733,7 +8445,7 @@
     </message>
     <message>
         <source>&amp;Cross passages as the object fits best</source>
-        <translation>Traverser les &amp;passages comme l&apos;objet y entre le mieux</translation>
+        <translation>Traverser les &amp;passages dans l&apos;orientation la plus favorable à l&apos;objet</translation>
     </message>
     <message>
         <source>Rules of the strategy</source>
@@ -5741,11 +8453,11 @@
     </message>
     <message>
         <source>&amp;Borders: f =</source>
-        <translation>&amp;Frontières : f =</translation>
+        <translation>&amp;Frontières : f =</translation>
     </message>
     <message>
         <source>&amp;Ways: g =</source>
-        <translation>&amp;Trajets : g =</translation>
+        <translation>&amp;Trajets : g =</translation>
     </message>
     <message>
         <source>Attributes</source>
@@ -5753,7 +8465,7 @@
     </message>
     <message>
         <source>&amp;Planners: the first row that holds decides; the last must always hold (1).</source>
-        <translation>P&amp;lanificateurs : la première ligne vraie décide ; la dernière doit l&apos;être toujours (1).</translation>
+        <translation>P&amp;lanificateurs : la première ligne vraie décide ; la dernière doit toujours être vraie (1).</translation>
     </message>
     <message>
         <source>&amp;Use as own rules</source>
@@ -5765,7 +8477,7 @@
     </message>
     <message>
         <source>Read a strategy of the paper, or ours, and begin with it</source>
-        <translation>Lire une stratégie de l&apos;article, ou la nôtre, et en partir</translation>
+        <translation>Partir d&apos;une stratégie de l&apos;article, ou de la nôtre</translation>
     </message>
     <message>
         <source>Be&amp;gin with</source>
@@ -5793,7 +8505,7 @@
     </message>
     <message>
         <source>A rule before the current one</source>
-        <translation>Une règle avant la règle courante</translation>
+        <translation>Ajouter une règle avant la règle courante</translation>
     </message>
     <message>
         <source>&amp;Remove</source>
@@ -5801,7 +8513,7 @@
     </message>
     <message>
         <source>The current rule</source>
-        <translation>La règle courante</translation>
+        <translation>Retirer la règle courante</translation>
     </message>
     <message>
         <source>&amp;Up</source>
@@ -5809,7 +8521,7 @@
     </message>
     <message>
         <source>The current rule is asked earlier</source>
-        <translation>La règle courante est demandée plus tôt</translation>
+        <translation>Examiner la règle courante plus tôt</translation>
     </message>
     <message>
         <source>&amp;Down</source>
@@ -5817,11 +8529,11 @@
     </message>
     <message>
         <source>The current rule is asked later</source>
-        <translation>La règle courante est demandée plus tard</translation>
+        <translation>Examiner la règle courante plus tard</translation>
     </message>
     <message>
         <source>of places (place., a., b.): %1; of the object (object.): %2</source>
-        <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
+        <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
     </message>
     <message>
         <source>Rules of the fine planners</source>
@@ -5866,7 +8578,7 @@
     </message>
     <message>
         <source>Kind</source>
-        <translation>Genre</translation>
+        <translation>Type</translation>
     </message>
     <message>
         <source>Triangles</source>
@@ -5878,7 +8590,7 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>déplacé</translation>
+        <translation>objet</translation>
     </message>
     <message>
         <source>start  %1</source>
@@ -5906,7 +8618,7 @@
     </message>
     <message>
         <source>%1: drawn while the box is checked</source>
-        <translation>%1 : dessiné tant que la case est cochée</translation>
+        <translation>%1 : dessiné tant que la case est cochée</translation>
     </message>
     <message>
         <source>Bodies</source>
@@ -5914,7 +8626,7 @@
     </message>
     <message>
         <source>Within about %1 of the part&apos;s surface</source>
-        <translation>À environ %1 près de la surface de la pièce</translation>
+        <translation>À environ %1 de la surface de la pièce</translation>
     </message>
 </context>
 <context>
@@ -5999,7 +8711,7 @@
     </message>
     <message>
         <source>How the places are found</source>
-        <translation>Comment les lieux sont trouvés</translation>
+        <translation>Méthode de recherche des lieux</translation>
     </message>
     <message>
         <source>Add</source>
@@ -6034,7 +8746,7 @@
     </message>
     <message>
         <source>Places (not looked for yet)</source>
-        <translation>Lieux (pas encore cherchés)</translation>
+        <translation>Lieux (pas encore recherchés)</translation>
     </message>
     <message>
         <source>Places (%1)</source>
@@ -6050,15 +8762,15 @@
     </message>
     <message>
         <source>moved</source>
-        <translation>déplacé</translation>
+        <translation>objet</translation>
     </message>
     <message>
         <source>Forbidden: no path leads through</source>
-        <translation>Interdit : aucun trajet n&apos;y passe</translation>
+        <translation>Interdit : aucun trajet n&apos;y passe</translation>
     </message>
     <message>
         <source>Preferred: ways through count %1 times shorter</source>
-        <translation>Préféré : les trajets par ce lieu comptent %1 fois moins longs</translation>
+        <translation>Préféré : les trajets par ce lieu comptent %1 fois moins longs</translation>
     </message>
     <message>
         <source>Mobility</source>
@@ -6069,11 +8781,11 @@
     <name>glissade::StudyBrowser</name>
     <message>
         <source>Holds</source>
-        <translation>Tient</translation>
+        <translation>Vérifié</translation>
     </message>
     <message>
         <source>Does not hold</source>
-        <translation>Ne tient pas</translation>
+        <translation>Réfuté</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6133,7 +8845,7 @@
     </message>
     <message>
         <source>Success, 95 %</source>
-        <translation>Succès, 95 %</translation>
+        <translation>Succès, 95 %</translation>
     </message>
     <message>
         <source>%1, paper</source>
@@ -6207,15 +8919,11 @@
     </message>
     <message>
         <source>Seed %1 is running in the main window.</source>
-        <translation>La graine %1 tourne dans la fenêtre principale.</translation>
+        <translation>L&apos;essai de graine %1 est en cours dans la fenêtre principale.</translation>
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
-        <translation>La graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
-    </message>
-    <message>
-        <source>Seed %1 ended otherwise than in the study: with %2 nodes. Is this another version?</source>
-        <translation>La graine %1 a fini autrement que dans l&apos;étude : avec %2 nœuds. Est-ce une autre version ?</translation>
+        <translation>L&apos;essai de graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
     </message>
     <message>
         <source>Reading the study</source>
@@ -6236,6 +8944,10 @@
     <message>
         <source>The file was saved, with a warning</source>
         <translation>Le fichier a été enregistré, avec un avertissement</translation>
+    </message>
+    <message>
+        <source>Seed %1 ended differently from the study: %2 nodes. Is this another version of Glissade?</source>
+        <translation>La graine %1 n&apos;a pas fini comme dans l&apos;étude : %2 nœuds. Est-ce une autre version ?</translation>
     </message>
 </context>
 <context>
@@ -6289,11 +9001,11 @@
     </message>
     <message>
         <source>%1: cancelled after %2 s</source>
-        <translation>%1 : annulé après %2 s</translation>
+        <translation>%1 : annulé après %2 s</translation>
     </message>
     <message>
         <source>%1: ended after %2 s</source>
-        <translation>%1 : terminé après %2 s</translation>
+        <translation>%1 : terminé après %2 s</translation>
     </message>
 </context>
 <context>
@@ -6394,11 +9106,11 @@
     </message>
     <message>
         <source>%1 of %2 parts leave, every motion certified.</source>
-        <translation>%1 pièces sur %2 sortent, chaque mouvement est certifié.</translation>
+        <translation>%1 pièces sur %2 sortent ; chaque mouvement est certifié.</translation>
     </message>
     <message>
         <source>%1 stays.</source>
-        <translation>Reste : %1.</translation>
+        <translation>Reste : %1.</translation>
     </message>
     <message>
         <source>Planning…</source>
@@ -6410,11 +9122,11 @@
     </message>
     <message>
         <source>Stopped before the end.</source>
-        <translation>Arrêté avant la fin.</translation>
+        <translation>Planification arrêtée avant la fin.</translation>
     </message>
     <message>
         <source>%1 steps do not hold here.</source>
-        <translation>%1 étapes ne tiennent pas ici.</translation>
+        <translation>%1 étapes ne sont pas valides ici.</translation>
     </message>
     <message>
         <source>Step</source>
@@ -6438,11 +9150,11 @@
     </message>
     <message>
         <source>What a step costs</source>
-        <translation>Ce que coûte une étape</translation>
+        <translation>Coût d&apos;une étape</translation>
     </message>
     <message>
         <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; &quot;as found&quot;: the order in which the parts were found to leave</source>
-        <translation>L&apos;ordre le moins coûteux est choisi. Une expression, comme 5 * tool_change + length, ou une de la liste ; « tel que trouvé » : l&apos;ordre dans lequel les sorties ont été trouvées</translation>
+        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste ; « tel que trouvé » : l&apos;ordre dans lequel les sorties ont été trouvées</translation>
     </message>
     <message>
         <source>as found</source>
@@ -6473,11 +9185,11 @@
     </message>
     <message>
         <source>✗ not here</source>
-        <translation>✗ pas ici</translation>
+        <translation>✗ non valide</translation>
     </message>
     <message>
         <source>certified when it was found</source>
-        <translation>certifiée quand elle a été trouvée</translation>
+        <translation>certifiée au moment de sa découverte</translation>
     </message>
     <message>
         <source>proved again by the independent check</source>
@@ -6485,7 +9197,7 @@
     </message>
     <message>
         <source>does not hold in this arrangement</source>
-        <translation>ne tient pas dans cette disposition</translation>
+        <translation>n&apos;est pas valide dans cette disposition</translation>
     </message>
     <message>
         <source>by hand</source>
@@ -6517,7 +9229,7 @@
     </message>
     <message>
         <source>Allowance</source>
-        <translation>Tolérance</translation>
+        <translation>Aminci de</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -6533,15 +9245,15 @@
     </message>
     <message>
         <source>Above: smallest distance to other parts. Below: the largest allowance of the step; its tool tip lists all</source>
-        <translation>En haut : la plus petite distance aux autres pièces. En bas : la plus grande tolérance de l&apos;étape ; son infobulle les énumère toutes</translation>
+        <translation>En haut : plus petite distance aux autres pièces. En bas : plus grand amincissement de l&apos;étape ; l&apos;infobulle les énumère tous</translation>
     </message>
     <message>
         <source>Above: the tool that turns the fastener, and what it cannot be brought past. Below: parts that would tip or fall, or what a forced step does not keep</source>
-        <translation>En haut : l&apos;outil qui tourne la fixation, et ce devant quoi il ne passe pas. En bas : les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
+        <translation>En haut : l&apos;outil qui tourne la fixation, et ce qui l&apos;empêche de passer. En bas : les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
     </message>
     <message>
         <source>Above: whether the motion is proved. Below: what a person has done to the step, or the seconds after which it was found</source>
-        <translation>En haut : si le mouvement est prouvé. En bas : ce qu&apos;une personne a fait de l&apos;étape, ou les secondes après lesquelles elle a été trouvée</translation>
+        <translation>En haut : preuve du mouvement. En bas : intervention manuelle sur l&apos;étape, ou temps écoulé quand elle a été trouvée</translation>
     </message>
     <message>
         <source>Steps of the sequence</source>
@@ -6549,11 +9261,11 @@
     </message>
     <message>
         <source>proved %1; smallest %2 to %3</source>
-        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
+        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
     </message>
     <message>
         <source>forced: %1</source>
-        <translation>forcée : %1</translation>
+        <translation>forcée : %1</translation>
     </message>
     <message>
         <source>found by %1</source>
@@ -6583,10 +9295,6 @@
         <translation>Coût des étapes</translation>
     </message>
     <message>
-        <source>The sequence cannot be planned so</source>
-        <translation>La séquence ne peut pas être planifiée ainsi</translation>
-    </message>
-    <message>
         <source>%1 as step %2</source>
         <translation>%1 comme étape %2</translation>
     </message>
@@ -6600,11 +9308,11 @@
     </message>
     <message>
         <source>%1 not %2</source>
-        <translation>%1 pas %2</translation>
+        <translation>%1 : direction %2 interdite</translation>
     </message>
     <message>
         <source>Forbid the way of %1</source>
-        <translation>Interdire la sortie de %1</translation>
+        <translation>Interdire la direction de sortie de %1</translation>
     </message>
     <message>
         <source>Keep the order of %1</source>
@@ -6612,11 +9320,11 @@
     </message>
     <message>
         <source>No demands on %1</source>
-        <translation>Aucune exigence sur %1</translation>
+        <translation>Supprimer les exigences sur %1</translation>
     </message>
     <message>
         <source>Remove: %1</source>
-        <translation>Retirer : %1</translation>
+        <translation>Retirer : %1</translation>
     </message>
     <message>
         <source>%1 is locked as step %2 of removal</source>
@@ -6628,7 +9336,7 @@
     </message>
     <message>
         <source>%1 leaves by the motion by hand</source>
-        <translation>%1 sort par le mouvement à la main</translation>
+        <translation>%1 sort par le mouvement fait à la main</translation>
     </message>
     <message>
         <source>%1 keeps its motion</source>
@@ -6636,7 +9344,7 @@
     </message>
     <message>
         <source>%1 does not leave %2</source>
-        <translation>%1 ne sort pas %2</translation>
+        <translation>%1 ne sort pas dans la direction %2</translation>
     </message>
     <message>
         <source>%1 leaves before %2</source>
@@ -6650,6 +9358,10 @@
         <source>None</source>
         <translation>Aucune</translation>
     </message>
+    <message>
+        <source>The sequence cannot be planned with these demands</source>
+        <translation>La séquence ne peut pas être planifiée ainsi</translation>
+    </message>
 </context>
 <context>
     <name>glissade::SequenceHand</name>
@@ -6662,16 +9374,16 @@
         <translation>Déplacer %1 à la main</translation>
     </message>
     <message>
-        <source>%1 is in your hand, among the parts that are there at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
-        <translation>%1 est dans votre main, parmi les pièces présentes à son étape. Démarrer (F5) commence une recherche. Son chemin certifié devient l&apos;étape.</translation>
-    </message>
-    <message>
         <source>%1 by hand</source>
         <translation>%1 à la main</translation>
     </message>
     <message>
         <source>The path by hand is the motion of %1.</source>
-        <translation>Le chemin à la main est le mouvement de %1.</translation>
+        <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
+    </message>
+    <message>
+        <source>You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
+        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Démarrer (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
     </message>
 </context>
 <context>
@@ -6682,7 +9394,7 @@
     </message>
     <message>
         <source>An arrow leads from a step to each step that it makes way for</source>
-        <translation>Une flèche mène d&apos;une étape à chaque étape à laquelle elle fait place</translation>
+        <translation>Une flèche va d&apos;une étape à chaque étape qu&apos;elle libère</translation>
     </message>
 </context>
 <context>
@@ -6708,11 +9420,11 @@
     </message>
     <message>
         <source>Swept volume: %1 %2; its surface is at most %3 away from the object</source>
-        <translation>Volume balayé : %1 %2 ; sa surface est à %3 de l&apos;objet au plus</translation>
+        <translation>Volume balayé : %1 %2 ; sa surface est à %3 de l&apos;objet au plus</translation>
     </message>
     <message>
         <source>; within it or at its surface: %1</source>
-        <translation> ; à l&apos;intérieur ou à sa surface : %1</translation>
+        <translation> ; à l&apos;intérieur ou à sa surface : %1</translation>
     </message>
     <message>
         <source>Export the swept volume</source>
@@ -6779,7 +9491,7 @@
     </message>
     <message>
         <source>Choose a command.</source>
-        <translation>Choisir une commande.</translation>
+        <translation>Choisissez une commande.</translation>
     </message>
     <message>
         <source>Bold shortcuts differ from the default.</source>
@@ -6787,11 +9499,11 @@
     </message>
     <message>
         <source>Keys without Ctrl or Alt steer the object and write text.</source>
-        <translation>Les touches sans Ctrl ni Alt dirigent l&apos;objet et écrivent du texte.</translation>
+        <translation>Les touches sans Ctrl ni Alt pilotent l&apos;objet et servent à la saisie.</translation>
     </message>
     <message>
         <source>It is taken from &quot;%1&quot;.</source>
-        <translation>Il est retiré à « %1 ».</translation>
+        <translation>Il sera retiré à « %1 ».</translation>
     </message>
     <message>
         <source>Part of a command, a menu or a shortcut</source>
@@ -6844,30 +9556,30 @@
     </message>
     <message>
         <source>%1, in any unit: 25.4 mm, 1 in, 30 deg</source>
-        <translation>%1, dans n&apos;importe quelle unité : 25,4 mm, 1 in, 30 deg</translation>
-    </message>
-    <message>
-        <source>“%1” is no step. Write 10, 25.4 mm, 1 in or 30 deg.</source>
-        <translation>« %1 » n&apos;est pas un pas. Écrire 10, 25,4 mm, 1 in ou 30 deg.</translation>
+        <translation>%1, dans n&apos;importe quelle unité : 25,4 mm, 1 in, 30 deg</translation>
     </message>
     <message>
         <source>Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
-        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl inverse le déplacement par pas. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
+        <translation>Faites glisser une flèche, un carré ou un anneau ; Ctrl inverse le déplacement par pas. Faites glisser le corps lui-même, avec Ctrl pour le tourner. Les touches fléchées et Page préc./suiv. déplacent d&apos;un pas, et tournent avec Maj. Échap termine.</translation>
     </message>
     <message>
         <source>Arranging: click a body, the start or the goal</source>
-        <translation>Disposition : cliquer un corps, le départ ou le but</translation>
+        <translation>Disposition : cliquez un corps, le départ ou le but</translation>
     </message>
     <message>
         <source>Arranging %1</source>
-        <translation>Disposition : %1</translation>
+        <translation>Disposition : %1</translation>
+    </message>
+    <message>
+        <source>“%1” is not a step. Write 10, 25.4 mm, 1 in or 30 deg.</source>
+        <translation>« %1 » n&apos;est pas un pas. Écrivez 10, 25,4 mm, 1 in ou 30 deg.</translation>
     </message>
 </context>
 <context>
     <name>glissade::ArrangeController</name>
     <message>
-        <source>%1 is aligned. %2 turns it round.</source>
-        <translation>%1 : aligné. %2 le retourne.</translation>
+        <source>%1 is aligned. %2 reverses the direction.</source>
+        <translation>%1 : aligné. %2 le retourne.</translation>
     </message>
 </context>
 <context>
@@ -6886,11 +9598,11 @@
     </message>
     <message>
         <source>The object does not get there. Undo, or fit the workspace.</source>
-        <translation>L&apos;objet n&apos;y va pas. Annuler, ou ajuster l&apos;espace de travail.</translation>
+        <translation>L&apos;objet ne peut pas y aller. Annulez, ou ajustez l&apos;espace de travail.</translation>
     </message>
     <message>
         <source>A run is refused there. Undo, or fit the workspace.</source>
-        <translation>Un calcul y est refusé. Annuler, ou ajuster l&apos;espace de travail.</translation>
+        <translation>Un calcul y est refusé. Annulez, ou ajustez l&apos;espace de travail.</translation>
     </message>
 </context>
 <context>
@@ -6925,7 +9637,7 @@
     </message>
     <message>
         <source>Meaning</source>
-        <translation>Sens</translation>
+        <translation>Signification</translation>
     </message>
     <message>
         <source>Range</source>
@@ -6989,7 +9701,7 @@
     </message>
     <message>
         <source>Ending</source>
-        <translation>Terminaison</translation>
+        <translation>Extension</translation>
     </message>
     <message>
         <source>Can be read again</source>
@@ -7022,7 +9734,7 @@
     </message>
     <message>
         <source>Back</source>
-        <translation>Retour</translation>
+        <translation>Page précédente</translation>
     </message>
     <message>
         <source>The page before</source>
@@ -7030,7 +9742,7 @@
     </message>
     <message>
         <source>Forward</source>
-        <translation>Avancer</translation>
+        <translation>Page suivante</translation>
     </message>
     <message>
         <source>The page after it</source>
@@ -7093,7 +9805,7 @@
     <name>glissade::ManualController</name>
     <message>
         <source>The manual cannot be shown</source>
-        <translation>Le manuel ne peut pas être montré</translation>
+        <translation>Le manuel ne peut pas être affiché</translation>
     </message>
 </context>
 <context>
@@ -7138,7 +9850,7 @@
     <name>glissade::ColourButton</name>
     <message>
         <source>As the theme</source>
-        <translation>Comme le thème</translation>
+        <translation>Couleur du thème</translation>
     </message>
 </context>
 <context>
@@ -7185,7 +9897,7 @@
     </message>
     <message>
         <source>Shape game: star, tight</source>
-        <translation>Jeu de formes : étoile, serré</translation>
+        <translation>Jeu de formes : étoile, serré</translation>
     </message>
     <message>
         <source>The shape game of Cailhol et al. 2019 (figure 13)</source>
@@ -7201,7 +9913,7 @@
     </message>
     <message>
         <source>Interlocked: a turn</source>
-        <translation>Imbriqués : un tour</translation>
+        <translation>Imbriqués : une rotation</translation>
     </message>
     <message>
         <source>A key whose bar lies across the slot of the cover</source>
@@ -7239,7 +9951,7 @@
     </message>
     <message>
         <source>Make a scenario of your parts, open one, or drop files here: scenarios, STEP, meshes, URDF.</source>
-        <translation>Faites un scénario de vos pièces, ouvrez-en un, ou déposez des fichiers ici : scénarios, STEP, maillages, URDF.</translation>
+        <translation>Créez un scénario à partir de vos pièces, ouvrez-en un, ou déposez des fichiers ici : scénarios, STEP, maillages, URDF.</translation>
     </message>
 </context>
 <context>
@@ -7253,7 +9965,7 @@
     <name>glissade::TourController</name>
     <message>
         <source>This cannot be done</source>
-        <translation>Cela ne peut pas se faire</translation>
+        <translation>Opération impossible</translation>
     </message>
 </context>
 <context>
@@ -7280,7 +9992,7 @@
     </message>
     <message>
         <source>Tour: step %1 of %2</source>
-        <translation>Visite : étape %1 sur %2</translation>
+        <translation>Visite : étape %1 sur %2</translation>
     </message>
     <message>
         <source>Finish</source>
@@ -7299,7 +10011,7 @@
     </message>
     <message>
         <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the object that moves, its start and its goal.</source>
-        <translation>Ouvrez l&apos;exemple « Quatre corps » : sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
+        <translation>Ouvrez l&apos;exemple « Quatre corps » : sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
     </message>
     <message>
         <source>See the places</source>
@@ -7311,7 +10023,7 @@
     </message>
     <message>
         <source>Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine : le panneau Plan dit où et pourquoi.</translation>
+        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine : le panneau Plan dit où et pourquoi.</translation>
     </message>
     <message>
         <source>Plan with semantics</source>
@@ -7319,7 +10031,7 @@
     </message>
     <message>
         <source>Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente et va par P5. Il est prouvé que le chemin trouvé est sans pénétration.</translation>
+        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
     </message>
     <message>
         <source>Look at a step</source>
@@ -7327,7 +10039,7 @@
     </message>
     <message>
         <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
-        <translation>Cliquez une ligne du tableau du panneau Plan (Alt+4). Chaque ligne est une étape à travers un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se changent dans le panneau Sémantique.</translation>
+        <translation>Cliquez une ligne du tableau dans le panneau Plan (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Sémantique.</translation>
     </message>
     <message>
         <source>Open parts</source>
@@ -7335,15 +10047,15 @@
     </message>
     <message>
         <source>Now parts. Open the sample &quot;Nut and bolt&quot; (samples/nut-and-bolt). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
-        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
+        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
     </message>
     <message>
         <source>Find the fits</source>
-        <translation>Trouver les ajustements</translation>
+        <translation>Chercher les ajustements</translation>
     </message>
     <message>
         <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a clearance of 0.1 mm: the list is empty, and nothing has to be allowed.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se chevauchent par conception, avec écart et tolérance, comme la plupart des pièces CAO. Vis et écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à tolérer.</translation>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se recouvrent par conception, comme la plupart des pièces CAO, avec leur jeu et leur amincissement. La vis et l&apos;écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à admettre.</translation>
     </message>
     <message>
         <source>Plan a motion</source>
@@ -7351,7 +10063,7 @@
     </message>
     <message>
         <source>Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et le joue (Ctrl+P).</translation>
+        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou sort de la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et permet de lire celui-ci (Ctrl+P).</translation>
     </message>
     <message>
         <source>Plan the sequence</source>
@@ -7359,7 +10071,7 @@
     </message>
     <message>
         <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. A click on a row shows the step; Explode moves the parts apart.</source>
-        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. Un clic sur une ligne montre l&apos;étape ; Éclater écarte les pièces.</translation>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces sortent-elles ? Chaque étape a un mouvement prouvé. Un clic sur une ligne montre l&apos;étape ; Éclaté écarte les pièces.</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -7378,19 +10090,19 @@
     <name>ActionHelp</name>
     <message>
         <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
-        <translation>Les fichiers STEP d&apos;un produit donnent une ligne par pièce, placée comme dans l&apos;assemblage. Les maillages peuvent demander une unité et un axe. Une pièce bouge ; les autres sont fixes ou mobiles.</translation>
+        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce bouge ; les autres sont statiques ou mobiles.</translation>
     </message>
     <message>
         <source>A scenario holds bodies, the object that moves, its start and goal, places, fits, kept paths and parameters.</source>
-        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins gardés et les paramètres.</translation>
+        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
     </message>
     <message>
         <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is proved free of penetration. Parameters can be changed while the run goes on.</source>
-        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction disent comment. Il est prouvé qu&apos;un chemin trouvé est sans pénétration. Les paramètres se changent pendant le calcul.</translation>
+        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction déterminent le calcul. Un chemin trouvé est prouvé sans pénétration. Les paramètres peuvent être modifiés pendant le calcul.</translation>
     </message>
     <message>
         <source>The program changes the values while it plans, from what computer, operator and contact have earned lately. A slider that is touched is set by hand again.</source>
-        <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que l&apos;on touche est de nouveau réglé à la main.</translation>
+        <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que vous touchez reprend votre valeur.</translation>
     </message>
     <message>
         <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. The strategies GT and GTS plan a coarse path through places first.</source>
@@ -7402,19 +10114,19 @@
     </message>
     <message>
         <source>A milestone is a configuration in the border of two places that the path passes through. It can be dragged in the scene, too.</source>
-        <translation>Un jalon est une configuration à la frontière de deux lieux par laquelle le chemin passe. On peut aussi le tirer dans la scène.</translation>
+        <translation>Un jalon est une configuration de passage à la frontière de deux lieux. Vous pouvez aussi le faire glisser dans la scène.</translation>
     </message>
     <message>
         <source>CAD parts touch in their assembled position. Where clearance is required, start or goal have to move by the distance that is found and stated.</source>
-        <translation>Les pièces CAO se touchent en position assemblée. Là où un jeu est exigé, le départ ou le but doivent se déplacer de la distance trouvée et indiquée.</translation>
+        <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ ou le but doivent être écartés ; la distance trouvée est indiquée.</translation>
     </message>
     <message>
         <source>The object is the one rigid body whose motion is planned. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est le seul corps rigide dont on planifie le mouvement. Tous les autres corps sont des obstacles.</translation>
+        <translation>L&apos;objet est le corps rigide dont le mouvement est planifié. Tous les autres corps sont des obstacles.</translation>
     </message>
     <message>
         <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
-        <translation>Les pièces d&apos;un produit se touchent ou se chevauchent par conception. Un ajustement dit de combien l&apos;objet est aminci contre un corps, et chaque résultat l&apos;indique.</translation>
+        <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement indique de combien l&apos;objet est aminci face à un corps, et chaque résultat le mentionne.</translation>
     </message>
     <message>
         <source>Assembly is the reverse order. The plan says which step makes way for which, which parts have to be held, and which tool turns a fastener.</source>
@@ -7422,7 +10134,7 @@
     </message>
     <message>
         <source>The shortened path is proved like the planned one; both are kept.</source>
-        <translation>Le chemin raccourci est prouvé comme le chemin planifié ; les deux sont gardés.</translation>
+        <translation>Le chemin raccourci est prouvé comme le chemin planifié ; les deux sont conservés.</translation>
     </message>
     <message>
         <source>The surface contains the object at every time of the path, and is nowhere farther from it than the stated bound.</source>
@@ -7444,24 +10156,20 @@
 <context>
     <name>WhatsThis</name>
     <message>
-        <source>How the next run plans, and who steers. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved while a run goes on.</source>
-        <translation>Comment le prochain calcul planifie, et qui dirige. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet : vous, un périphérique ou une personne simulée. Les curseurs se déplacent pendant le calcul.</translation>
-    </message>
-    <message>
         <source>All bodies of the scenario: the object that moves with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
-        <translation>Tous les corps du scénario : l&apos;objet qui bouge avec son départ et son but, et les obstacles. Une case cochée dessine un corps. Dessous, position et angles de la sélection.</translation>
+        <translation>Tous les corps du scénario : l&apos;objet avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous : la position et les angles de la sélection.</translation>
     </message>
     <message>
         <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
-        <translation>Ce que l&apos;on sait des lieux et des corps. En haut, les lieux avec complexité et largeur ; en bas, les attributs de la sélection. Le chemin grossier suit aussitôt chaque changement.</translation>
+        <translation>Ce que l&apos;on sait des lieux et des corps. En haut : les lieux, leur complexité et leur largeur ; en bas : les attributs de la sélection. Le chemin grossier est recalculé à chaque modification.</translation>
     </message>
     <message>
         <source>The pairs of bodies that touch or overlap as designed, with their kind and the allowance that planning takes. The menu of a row accepts a clash or marks a thread.</source>
-        <translation>Les paires de corps qui se touchent ou se chevauchent par conception, avec leur genre et la tolérance que prend la planification. Le menu d&apos;une ligne accepte une collision ou marque un filetage.</translation>
+        <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une collision ou de déclarer un filetage.</translation>
     </message>
     <message>
         <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
-        <translation>Chiffres du calcul : itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
+        <translation>Chiffres du calcul : itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
     </message>
     <message>
         <source>The steps of the coarse path through places, with the planner of each and its result. A click on a row shows its place in the scene.</source>
@@ -7473,7 +10181,7 @@
     </message>
     <message>
         <source>The paths that the scenario keeps. Each is proved again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
-        <translation>Les chemins que garde le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou réarrangé. Une case cochée dessine un chemin dans la scène.</translation>
+        <translation>Les chemins conservés dans le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou modifié. La case affiche un chemin dans la scène.</translation>
     </message>
     <message>
         <source>All messages since the program was started.</source>
@@ -7481,11 +10189,11 @@
     </message>
     <message>
         <source>In which order the parts of the product leave, each with a proved motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
-        <translation>Dans quel ordre les pièces du produit partent, chacune avec un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Les lignes se déplacent, se verrouillent et se font à la main.</translation>
+        <translation>L&apos;ordre dans lequel les pièces du produit sortent, chacune par un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Une étape peut être déplacée, verrouillée ou faite à la main.</translation>
     </message>
     <message>
         <source>Why no path was found: where the trees come nearest, which body stands between them, and how much is missing.</source>
-        <translation>Pourquoi aucun chemin n&apos;a été trouvé : où les arbres sont le plus près, quel corps les sépare, et combien il manque.</translation>
+        <translation>Pourquoi aucun chemin n&apos;a été trouvé : où les arbres sont les plus proches, quel corps les sépare, et combien il manque.</translation>
     </message>
     <message>
         <source>Files, undo, the run, and views of the scene.</source>
@@ -7493,27 +10201,27 @@
     </message>
     <message>
         <source>The recorded run that is replayed, step by step.</source>
-        <translation>Le calcul enregistré que l&apos;on relit, pas à pas.</translation>
+        <translation>L&apos;enregistrement que l&apos;on relit, pas à pas.</translation>
     </message>
     <message>
         <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
-        <translation>La scène. Tirer pour tourner, tirer avec le bouton du milieu pour déplacer, molette pour zoomer, double clic pour cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
+        <translation>La scène. Bouton gauche : tourner ; bouton du milieu : déplacer ; molette : zoomer ; double clic : cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
     </message>
     <message>
         <source>What can be opened: new parts, recent files and samples.</source>
-        <translation>Ce que l&apos;on peut ouvrir : nouvelles pièces, fichiers récents et exemples.</translation>
+        <translation>Ce que l&apos;on peut ouvrir : nouvelles pièces, fichiers récents et exemples.</translation>
     </message>
     <message>
         <source>The name of the body. A checked box draws it.</source>
-        <translation>Le nom du corps. Une case cochée le dessine.</translation>
+        <translation>Nom du corps. La case l&apos;affiche ou le masque.</translation>
     </message>
     <message>
         <source>Moved: the object. Static bodies stay; mobile bodies can be moved out of the way by a person.</source>
-        <translation>Déplacé : l&apos;objet. Les corps fixes restent ; une personne peut écarter les corps mobiles.</translation>
+        <translation>Objet : le corps qui bouge. Les corps statiques restent en place ; une personne peut écarter les corps mobiles.</translation>
     </message>
     <message>
         <source>How many triangles its surface has.</source>
-        <translation>Combien de triangles a sa surface.</translation>
+        <translation>Nombre de triangles de sa surface.</translation>
     </message>
     <message>
         <source>A place or a body. F2 renames a place.</source>
@@ -7521,35 +10229,27 @@
     </message>
     <message>
         <source>How hard the place is to pass, from its width and from what clutters it.</source>
-        <translation>La difficulté du passage, d&apos;après la largeur du lieu et ce qui l&apos;encombre.</translation>
+        <translation>Difficulté de traversée, d&apos;après la largeur du lieu et ce qui l&apos;encombre.</translation>
     </message>
     <message>
         <source>How wide the place is at its narrowest.</source>
-        <translation>La largeur du lieu à son endroit le plus étroit.</translation>
+        <translation>Largeur du lieu à son endroit le plus étroit.</translation>
     </message>
     <message>
         <source>The name of the attribute. Your own can be renamed and removed.</source>
-        <translation>Le nom de l&apos;attribut. Les vôtres peuvent être renommés et enlevés.</translation>
+        <translation>Nom de l&apos;attribut. Les attributs personnels peuvent être renommés et supprimés.</translation>
     </message>
     <message>
         <source>Its value for what is selected.</source>
         <translation>Sa valeur pour la sélection.</translation>
     </message>
     <message>
-        <source>Who says so: computed from geometry, a class of bodies, or you.</source>
-        <translation>Qui le dit : un calcul géométrique, une classe de corps, ou vous.</translation>
-    </message>
-    <message>
-        <source>Takes your value back.</source>
-        <translation>Retire votre valeur.</translation>
-    </message>
-    <message>
         <source>How they meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
-        <translation>Comment les deux surfaces se rencontrent : plan, cylindre, filetage, serrage, chevauchement, contact ou collision.</translation>
+        <translation>Type de contact : plan, cylindrique, filetage, serrage, recouvrement, contact ou collision.</translation>
     </message>
     <message>
         <source>The distance of the surfaces; negative where the bodies overlap.</source>
-        <translation>La distance des surfaces ; négative là où les corps se chevauchent.</translation>
+        <translation>Distance des surfaces ; négative si les corps se recouvrent.</translation>
     </message>
     <message>
         <source>The first body of the pair.</source>
@@ -7561,7 +10261,7 @@
     </message>
     <message>
         <source>By how much the object is taken thinner against the other body.</source>
-        <translation>De combien l&apos;objet est aminci contre l&apos;autre corps.</translation>
+        <translation>Amincissement de l&apos;objet face à l&apos;autre corps.</translation>
     </message>
     <message>
         <source>What was decided about the pair.</source>
@@ -7573,27 +10273,23 @@
     </message>
     <message>
         <source>The place that it leads to.</source>
-        <translation>Le lieu où elle mène.</translation>
+        <translation>Le lieu vers lequel elle mène.</translation>
     </message>
     <message>
         <source>The planner that searches the step.</source>
-        <translation>Le planificateur qui cherche l&apos;étape.</translation>
+        <translation>Le planificateur qui calcule l&apos;étape.</translation>
     </message>
     <message>
         <source>Random configurations that were drawn for the step.</source>
         <translation>Configurations aléatoires tirées pour l&apos;étape.</translation>
     </message>
     <message>
-        <source>What came of the step.</source>
-        <translation>Le résultat de l&apos;étape.</translation>
-    </message>
-    <message>
         <source>The name of the path. A checked box draws it.</source>
-        <translation>Le nom du chemin. Une case cochée le dessine.</translation>
+        <translation>Nom du chemin. La case l&apos;affiche ou le masque.</translation>
     </message>
     <message>
         <source>Whether the path holds in the present arrangement.</source>
-        <translation>Si le chemin tient dans la disposition actuelle.</translation>
+        <translation>Validité du chemin dans la disposition actuelle.</translation>
     </message>
     <message>
         <source>The smallest distance to other bodies along the path.</source>
@@ -7601,11 +10297,11 @@
     </message>
     <message>
         <source>The length of the way of the reference point.</source>
-        <translation>La longueur du trajet du point de référence.</translation>
+        <translation>Longueur du trajet du point de référence.</translation>
     </message>
     <message>
         <source>By how much the object turns along the path.</source>
-        <translation>De combien l&apos;objet tourne le long du chemin.</translation>
+        <translation>Rotation totale de l&apos;objet le long du chemin.</translation>
     </message>
     <message>
         <source>The strategy that found it.</source>
@@ -7613,11 +10309,11 @@
     </message>
     <message>
         <source>The seed of that run: the same seed gives the same path.</source>
-        <translation>La graine de ce calcul : la même graine donne le même chemin.</translation>
+        <translation>La graine de ce calcul : la même graine donne le même chemin.</translation>
     </message>
     <message>
         <source>The largest allowance that the path needs.</source>
-        <translation>La plus grande tolérance dont le chemin a besoin.</translation>
+        <translation>Le plus grand amincissement dont le chemin a besoin.</translation>
     </message>
     <message>
         <source>The number of the step.</source>
@@ -7625,19 +10321,19 @@
     </message>
     <message>
         <source>The part that leaves or is put in, and the kind of its motion.</source>
-        <translation>La pièce qui part ou qui est montée, et le genre de son mouvement.</translation>
+        <translation>La pièce qui sort ou qui est montée, et le type de son mouvement.</translation>
     </message>
     <message>
         <source>The smallest distance to other parts, and the largest allowance.</source>
-        <translation>La plus petite distance aux autres pièces, et la plus grande tolérance.</translation>
+        <translation>La plus petite distance aux autres pièces, et le plus grand amincissement.</translation>
     </message>
     <message>
         <source>The tool that turns a fastener, and which parts have to be held.</source>
-        <translation>L&apos;outil qui tourne une fixation, et les pièces qu&apos;il faut tenir.</translation>
+        <translation>L&apos;outil qui tourne une fixation, et les pièces à tenir.</translation>
     </message>
     <message>
         <source>Whether the independent check agrees, and what the step does not keep.</source>
-        <translation>Si la vérification indépendante est d&apos;accord, et ce que l&apos;étape ne respecte pas.</translation>
+        <translation>Résultat de la vérification indépendante, et ce que l&apos;étape ne respecte pas.</translation>
     </message>
     <message>
         <source>The place that was examined.</source>
@@ -7645,7 +10341,7 @@
     </message>
     <message>
         <source>The distance or the overlap there.</source>
-        <translation>La distance ou le chevauchement à cet endroit.</translation>
+        <translation>La distance ou le recouvrement à cet endroit.</translation>
     </message>
     <message>
         <source>The body that is nearest there.</source>
@@ -7653,7 +10349,7 @@
     </message>
     <message>
         <source>When the message came.</source>
-        <translation>Quand le message est arrivé.</translation>
+        <translation>Heure du message.</translation>
     </message>
     <message>
         <source>Information, warning or error.</source>
@@ -7665,7 +10361,7 @@
     </message>
     <message>
         <source>Panels that share a place. Alt and a digit bring one to the front; View &gt; Panels shows and hides them.</source>
-        <translation>Des panneaux qui partagent une place. Alt et un chiffre en mettent un au premier plan ; Vue &gt; Panneaux les montre et les cache.</translation>
+        <translation>Panneaux superposés. Alt et un chiffre mettent un panneau au premier plan ; Vue &gt; Panneaux les affiche et les masque.</translation>
     </message>
     <message>
         <source>All commands. Ctrl+K finds one by a part of its name.</source>
@@ -7673,11 +10369,31 @@
     </message>
     <message>
         <source>What the program is doing, what keys and devices move, and devices.</source>
-        <translation>Ce que fait le programme, ce que déplacent les touches et les périphériques, et les périphériques.</translation>
+        <translation>L&apos;activité du programme, ce que déplacent les touches et les périphériques, et les périphériques eux-mêmes.</translation>
     </message>
     <message>
         <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning does not know of them.</source>
         <translation>Des plans qui ouvrent les corps dans la vue : en travers d&apos;un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification les ignore.</translation>
+    </message>
+    <message>
+        <source>The settings of the next run. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved during a run.</source>
+        <translation>Réglages du prochain calcul. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet : vous, un périphérique ou une personne simulée. Les curseurs peuvent être déplacés pendant le calcul.</translation>
+    </message>
+    <message>
+        <source>Planes across the axes that cut the obstacles open in the view. Planning ignores them.</source>
+        <translation>Plans perpendiculaires aux axes qui coupent les obstacles dans la vue. La planification n&apos;en tient pas compte.</translation>
+    </message>
+    <message>
+        <source>Where the value comes from: computed from geometry, a class of bodies, or you.</source>
+        <translation>Origine de la valeur : calcul géométrique, classe de corps, ou vous.</translation>
+    </message>
+    <message>
+        <source>Removes your value.</source>
+        <translation>Annule votre valeur.</translation>
+    </message>
+    <message>
+        <source>The result of the step.</source>
+        <translation>Le résultat de l&apos;étape.</translation>
     </message>
 </context>
 <context>
@@ -7726,7 +10442,7 @@
     <name>glissade::ViewController</name>
     <message>
         <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
+        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou créez-en un à partir de vos pièces (Ctrl+N). Vous pouvez aussi déposer les fichiers ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

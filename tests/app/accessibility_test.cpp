@@ -6,6 +6,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAccessible>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
@@ -26,6 +27,8 @@
 #include "app/window/command_palette.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/shortcuts_dialog.h"
+#include "app/window/theme.h"
+#include "app/window/window_memory.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/app/whole_window.h"
 #include "widgets/devices/calibration_dialog.h"
@@ -171,6 +174,23 @@ TEST_P(AccessibilityTest, TextsStandOutInBothThemes) {
           << whereIs(*label);
     }
   }
+}
+
+TEST_P(AccessibilityTest, TheThemeIsTheDesktopsUntilAnotherIsChosen) {
+  QApplication::setPalette(QPalette(Qt::black));
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("settings.ini"));
+  auto window = makeWindow();
+  window->remember(std::make_unique<WindowMemory>(file), true);
+  QAction* dark = window->workbench().actions["view.dark"];
+  EXPECT_TRUE(dark->isChecked());
+  EXPECT_EQ(WindowMemory(file).preferences().theme, ThemeChoice::Desktop);
+  dark->setChecked(false);
+  EXPECT_EQ(WindowMemory(file).preferences().theme, ThemeChoice::Light);
+  QApplication::setPalette(QPalette(Qt::black));
+  window = makeWindow();
+  window->remember(std::make_unique<WindowMemory>(file), true);
+  EXPECT_FALSE(window->workbench().actions["view.dark"]->isChecked());
 }
 
 TEST_P(AccessibilityTest, OfTheWindowAndItsPanels) {

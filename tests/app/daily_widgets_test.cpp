@@ -162,8 +162,8 @@ TEST(DiagnosticText, IsASentenceAndKeepsWhatIsNotKnown) {
   const Diagnostic known{ErrorKind::InCollision, "", "start", "the object penetrates 'a bolt'", "Move it"};
   EXPECT_EQ(diagnosticText(known), QStringLiteral("The object penetrates 'a bolt'. Move it."));
   EXPECT_EQ(engineText("nobody says this %1"), QStringLiteral("nobody says this %1"));
-  EXPECT_EQ(engineText("the time limit of 3 s reached without a path"),
-            QStringLiteral("the time limit of 3 s reached without a path"));
+  EXPECT_EQ(engineText("the time limit of 3 s was reached without a path"),
+            QStringLiteral("the time limit of 3 s was reached without a path"));
 }
 
 TEST(NoticeBar, HasNamedButtonsThatTabReaches) {

@@ -27,16 +27,16 @@ class PreferencesDialogTest : public testing::Test {
 TEST_F(PreferencesDialogTest, ShowsWhatIsChosen) {
   EXPECT_EQ(dialog.preferences().language, QStringLiteral("fr"));
   EXPECT_EQ(dialog.preferences().fontPoints, 11.0);
-  EXPECT_EQ(boxWith(QStringLiteral("Dark"))->currentText(), QStringLiteral("Light"));
+  EXPECT_EQ(boxWith(QStringLiteral("Dark"))->currentText(), QStringLiteral("As the desktop"));
 }
 
 TEST_F(PreferencesDialogTest, NothingChangesBeforeItIsAccepted) {
   boxWith(QStringLiteral("Dark"))->setCurrentText(QStringLiteral("Dark"));
   boxWith(QStringLiteral("Blender"))->setCurrentText(QStringLiteral("Blender"));
   boxWith(QStringLiteral("English"))->setCurrentText(QStringLiteral("English"));
-  EXPECT_FALSE(actions["view.dark"]->isChecked());
+  EXPECT_FALSE(actions["navigation.blender"]->isChecked());
   dialog.accept();
-  EXPECT_TRUE(actions["view.dark"]->isChecked());
+  EXPECT_EQ(dialog.preferences().theme, ThemeChoice::Dark);
   EXPECT_TRUE(actions["navigation.blender"]->isChecked());
   EXPECT_EQ(dialog.preferences().language, QStringLiteral("en"));
 }

@@ -108,6 +108,16 @@ TEST_F(Memory, NothingSavedChangesNothing) {
   EXPECT_EQ(window->dockWidgetArea(window->findChild<QDockWidget*>()), Qt::LeftDockWidgetArea);
 }
 
+TEST_F(Memory, TheThemeIsTheDesktopsUntilOneIsChosen) {
+  EXPECT_EQ(WindowMemory(file()).preferences().theme, ThemeChoice::Desktop);
+  QSettings(file(), QSettings::IniFormat).setValue(QStringLiteral("choices/view.dark"), true);  // of an older version
+  EXPECT_EQ(WindowMemory(file()).preferences().theme, ThemeChoice::Dark);
+  Preferences chosen;
+  chosen.theme = ThemeChoice::Light;
+  WindowMemory(file()).savePreferences(chosen);
+  EXPECT_EQ(WindowMemory(file()).preferences().theme, ThemeChoice::Light);
+}
+
 TEST_F(Memory, ChoicesComeBack) {
   QWidget window;
   {
@@ -124,7 +134,6 @@ TEST_F(Memory, ChoicesComeBack) {
   EXPECT_TRUE(actions["navigation.blender"]->isChecked());
   EXPECT_FALSE(actions["navigation.cad"]->isChecked());
   EXPECT_TRUE(actions["view.orthographic"]->isChecked());
-  EXPECT_FALSE(actions["view.dark"]->isChecked());
   EXPECT_EQ(actions["view.fit"]->shortcut(), QKeySequence("Ctrl+Alt+F"));
   EXPECT_TRUE(actions["run.start"]->shortcut().isEmpty());
   EXPECT_EQ(actions["file.open"]->shortcut(), ActionCatalogue::usualShortcut("file.open"));

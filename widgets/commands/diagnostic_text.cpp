@@ -3,16 +3,81 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include <algorithm>
+#include <vector>
+
+#include "widgets/commands/base_sentences.h"
 #include "widgets/commands/diagnostic_sentences.h"
+#include "widgets/commands/import_sentences.h"
+#include "widgets/commands/planning_sentences.h"
+#include "widgets/commands/scenario_sentences.h"
 
 namespace glissade {
 namespace {
 
-/// The sentence as a pattern: what %1 and %2 stand for is captured.
-QRegularExpression patternOf(const char* sentence) {
-  QString pattern = QRegularExpression::escape(QString::fromUtf8(sentence));
-  pattern.replace(QRegularExpression(QStringLiteral("\\\\%[1-9]")), QStringLiteral("(.+)"));
-  return QRegularExpression(QStringLiteral("^%1$").arg(pattern));
+const QRegularExpression& placeholder() {
+  static const QRegularExpression pattern(QStringLiteral("%[1-9]"));
+  return pattern;
+}
+
+/// A sentence of the engine, and what texts of it look like: what %1 and %2 stand for is captured.
+struct Sentence {
+  const char* english;
+  QRegularExpression pattern;
+  int letters;  ///< without the places for names
+};
+
+Sentence sentenceOf(const char* english) {
+  const QString text = QString::fromUtf8(english);
+  QString pattern = QRegularExpression::escape(text);
+  pattern.replace(QRegularExpression(QStringLiteral("\\\\%[1-9]")), QStringLiteral("(.*?)"));
+  return {english,
+          QRegularExpression(QStringLiteral("^%1$").arg(pattern), QRegularExpression::DotMatchesEverythingOption),
+          QString(text).remove(placeholder()).size()};
+}
+
+/// Those with the most letters first: what is said in particular before what is said in general.
+std::vector<Sentence> allSentences() {
+  std::vector<Sentence> all;
+  const auto take = [&all](const auto& texts) {
+    for (const char* text : texts) all.push_back(sentenceOf(text));
+  };
+  take(kDiagnosticSentences);
+  take(kBaseSentences);
+  take(kImportSentences);
+  take(kPlanningSentences);
+  take(kScenarioSentences);
+  std::stable_sort(all.begin(), all.end(), [](const Sentence& a, const Sentence& b) { return a.letters > b.letters; });
+  return all;
+}
+
+QString translated(const QString& text);
+
+/// The sentence in the user's language. What it captured may be a sentence, too, unless it is in quotes: a name.
+QString filled(const Sentence& sentence, const QRegularExpressionMatch& match) {
+  const QString pattern = QCoreApplication::translate("Diagnostics", sentence.english);
+  const QString english = QString::fromUtf8(sentence.english);
+  QString result;
+  int from = 0;
+  for (auto places = placeholder().globalMatch(pattern); places.hasNext();) {
+    const QRegularExpressionMatch place = places.next();
+    result += pattern.mid(from, place.capturedStart() - from);
+    const QString what = match.captured(place.captured().mid(1).toInt());
+    const bool name = english.contains(QStringLiteral("'%1'").arg(place.captured()));
+    result += name ? what : translated(what);
+    from = place.capturedEnd();
+  }
+  return result + pattern.mid(from);
+}
+
+QString translated(const QString& text) {
+  static const std::vector<Sentence> sentences = allSentences();
+  if (text.isEmpty()) return text;
+  for (const Sentence& sentence : sentences) {
+    const QRegularExpressionMatch match = sentence.pattern.match(text);
+    if (match.hasMatch()) return filled(sentence, match);
+  }
+  return text;
 }
 
 QString asSentence(QString text) {
@@ -24,19 +89,7 @@ QString asSentence(QString text) {
 
 }  // namespace
 
-QString engineText(const std::string& text) {
-  const QString given = QString::fromStdString(text);
-  for (const char* sentence : kDiagnosticSentences) {
-    const QRegularExpressionMatch match = patternOf(sentence).match(given);
-    if (!match.hasMatch()) continue;
-    QString translated = QCoreApplication::translate("Diagnostics", sentence);
-    for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
-      translated.replace(QStringLiteral("%%1").arg(i), match.captured(i));
-    }
-    return translated;
-  }
-  return given;
-}
+QString engineText(const std::string& text) { return translated(QString::fromStdString(text)); }
 
 QString diagnosticText(const Diagnostic& why) {
   const QString reason = asSentence(engineText(why.reason));
@@ -45,10 +98,11 @@ QString diagnosticText(const Diagnostic& why) {
 }
 
 QString diagnosticLine(const Diagnostic& why) {
-  Diagnostic translated = why;
-  translated.reason = engineText(why.reason).toStdString();
-  translated.advice = engineText(why.advice).toStdString();
-  return QString::fromStdString(toString(translated));
+  Diagnostic shown = why;
+  shown.location = engineText(why.location).toStdString();
+  shown.reason = engineText(why.reason).toStdString();
+  shown.advice = engineText(why.advice).toStdString();
+  return QString::fromStdString(toString(shown));
 }
 
 }  // namespace glissade

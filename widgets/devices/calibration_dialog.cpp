@@ -68,8 +68,8 @@ QLayout* CalibrationDialog::makeHeader() {
   device_->setObjectName(QStringLiteral("device"));
   preset_->setObjectName(QStringLiteral("preset"));
   state_->setObjectName(QStringLiteral("device-state"));
-  auto* reset = new QPushButton(tr("&Reset"), this);
-  reset->setToolTip(tr("Shaping and buttons of this device as at the first time"));
+  auto* reset = new QPushButton(tr("&Reset the device"), this);
+  reset->setToolTip(tr("Restores the original curves and buttons of this device"));
   auto* deviceLabel = new QLabel(tr("&Device"), this);
   deviceLabel->setBuddy(device_);
   auto* presetLabel = new QLabel(tr("&Preset"), this);

@@ -110,7 +110,7 @@ void AttributeView::showReset(const Row& row, bool visible) {
   auto* reset = new QToolButton;
   reset->setText(QStringLiteral("↺"));
   reset->setAutoRaise(true);
-  reset->setToolTip(tr("Take the edit back: the computed value again"));
+  reset->setToolTip(tr("Remove the edit and use the computed value"));
   connect(reset, &QToolButton::clicked, this, [this, name = row.attribute] { set(name, std::nullopt); });
   setItemWidget(row.item, kResetColumn, reset);
   setTabOrder(row.editor->focusProxy(), reset);

@@ -196,7 +196,7 @@ QComboBox* PartsDialog::makeRole(const QString& name) {
     add(tr("Moves"), PartRole::Moves, tr("The part whose motion is looked for"));
   }
   add(tr("Static"), PartRole::Static, tr("Stays where it is"));
-  add(tr("Mobile"), PartRole::Mobile, tr("In the way, too, but somebody could move it"));
+  add(tr("Mobile"), PartRole::Mobile, tr("In the way, but a person could move it"));
   connect(role, QOverload<int>::of(&QComboBox::activated), this,
           [this, role] { chooseRole(rowOf(role, kRole), static_cast<PartRole>(role->currentData().toInt())); });
   return role;
@@ -412,7 +412,7 @@ QString PartsDialog::hint() const {
   if (!isMeasured()) return tr("The files are being read.");
   if (purpose_ == Purpose::NewScenario && !hasMoving()) return tr("Choose the part that moves.");
   if (unitGuess_ && unitGuess_->inDoubt) {
-    return tr("Is the unit right? The files do not say it, and their size does not tell. Choose it.");
+    return tr("Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.");
   }
   if (unitGuess_ && unitGuess_->unit == 1.0)
     return tr("The files do not say their unit: by their size it is the metre.");

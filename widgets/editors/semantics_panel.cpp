@@ -31,7 +31,7 @@ SemanticsPanel::SemanticsPanel(SemanticDocument& document, const ActionCatalogue
   for (const PlaceIdentifierEntry& entry : identifiers.entries()) {
     identifier_->addItem(QCoreApplication::translate("PlaceIdentifiers", entry.label.c_str()),
                          QString::fromStdString(entry.id));
-    identifier_->setItemData(identifier_->count() - 1, QString::fromStdString(entry.description), Qt::ToolTipRole);
+    identifier_->setItemData(identifier_->count() - 1, engineText(entry.description), Qt::ToolTipRole);
   }
   identifier_->setToolTip(tr("How the places are found"));
   identifier_->setAccessibleName(identifier_->toolTip());

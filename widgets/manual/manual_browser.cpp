@@ -14,6 +14,8 @@
 
 #include <algorithm>
 
+#include "widgets/commands/dark_palette.h"
+
 namespace glissade {
 namespace {
 
@@ -89,8 +91,7 @@ QVariant ManualView::picture(const QString& name) const {
 void ManualView::applyStyle() {
   const QColor text = palette().color(QPalette::Text);
   const QColor ground = palette().color(QPalette::Base);
-  const bool dark = text.lightness() > ground.lightness();
-  const QColor link = palette().color(QPalette::Link).lighter(dark ? 140 : 100);
+  const QColor link = palette().color(QPalette::Link).lighter(isDark(palette()) ? 140 : 100);
   const auto mixed = [&](double share) {
     const auto part = [share](int a, int b) { return static_cast<int>(a * share + b * (1.0 - share)); };
     return QColor(part(text.red(), ground.red()), part(text.green(), ground.green()), part(text.blue(), ground.blue()))

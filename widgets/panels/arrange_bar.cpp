@@ -92,7 +92,7 @@ QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, double most, co
     emit stepsChanged();
   });
   connect(box, &QuantityBox::refused, this, [this](const QString& text) {
-    keys_->setText(QStringLiteral("⚠ ") + tr("“%1” is no step. Write 10, 25.4 mm, 1 in or 30 deg.").arg(text));
+    keys_->setText(QStringLiteral("⚠ ") + tr("“%1” is not a step. Write 10, 25.4 mm, 1 in or 30 deg.").arg(text));
   });
   box->setFixedWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 mm ")) + 12);
   return box;

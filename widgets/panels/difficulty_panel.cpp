@@ -23,7 +23,7 @@ DifficultyPanel::DifficultyPanel(const ActionCatalogue& actions, QWidget* parent
     : QWidget(parent), summary_(new QLabel(this)), rows_(new QTreeWidget(this)), slider_(new WaySlider(this)) {
   summary_->setWordWrap(true);
   rows_->setObjectName(QStringLiteral("difficulty-rows"));
-  rows_->setAccessibleName(tr("What stands in the way"));
+  rows_->setAccessibleName(tr("Reasons why there is no path"));
   rows_->setHeaderLabels({tr("Where"), tr("How much"), tr("Nearest body")});
   rows_->setRootIsDecorated(false);
   rows_->setUniformRowHeights(true);
@@ -70,17 +70,15 @@ void DifficultyPanel::describe(const Difficulty& difficulty, const LoadedScenari
     summary_->setText(tr("There is a way if the object may overlap <b>%2</b> by <b>%1</b>.")
                           .arg(lengthText(least->depth), bodyName(least->body, scenario).toHtmlEscaped()));
     addRow("least", tr("Least penetration"), lengthText(least->depth), least->body, least->q, scenario);
-  } else if (scenario.object.mesh->triangles.size() > PenetrationBudget().triangles) {
-    summary_->setText(tr("The object has too many triangles to look for the way of least penetration."));
   } else {
-    summary_->setText(tr("No way was found, however much the object was shrunk."));
+    summary_->setText(tr("No path was found, even for an object as thin as its thickness allows."));
   }
   if (const auto& tightest = difficulty.tightest) {
     addRow("tightest", tr("Tightest passage reached"), lengthText(tightest->clearance), tightest->body, tightest->q,
            scenario);
   }
   if (const auto& frontier = difficulty.frontier) {
-    addRow("frontier", tr("Trees came within"), lengthText(frontier->distance), frontier->body,
+    addRow("frontier", tr("Distance between the trees"), lengthText(frontier->distance), frontier->body,
            frontier->body < 0 ? frontier->fromStart : frontier->blockedAt, scenario);
   }
 }

@@ -110,7 +110,7 @@ QToolButton* ParameterSlider::makeTuningButton() {
   auto* button = new QToolButton(this);
   button->setObjectName(QStringLiteral("tuning"));
   button->setText(tr("auto"));
-  button->setAccessibleName(tr("%1 sets itself").arg(parameterLabel(specOf(id_))));
+  button->setAccessibleName(tr("The program sets %1").arg(parameterLabel(specOf(id_))));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
   button->setStyleSheet(QStringLiteral("QToolButton { padding: 0px 5px; }"
@@ -126,9 +126,10 @@ QToolButton* ParameterSlider::makeTuningButton() {
 void ParameterSlider::setTuned(bool tuned, double own) {
   if (tuning_ == nullptr) return;
   const QString yours = number_->textFromValue(own * shownPerUnit_) + number_->suffix();
-  tuning_->setToolTip(
-      tuned ? tr("Sets itself while planning. Press, or move the slider, to take it back; yours is %1").arg(yours)
-            : tr("Let it set itself while planning"));
+  tuning_->setToolTip(tuned ? tr("The program sets this value while planning. Press here, or move the slider, to use "
+                                 "your value again: %1")
+                                  .arg(yours)
+                            : tr("Let the program set this value while planning"));
   tuning_->setChecked(tuned);
   if (tuned_ == tuned) return;
   tuned_ = tuned;

@@ -54,12 +54,12 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
 QComboBox* PlacementPanel::makePoints() {
   auto* about = new QComboBox(this);
   about->setObjectName(QStringLiteral("place-about"));
-  about->setAccessibleName(tr("Point that the numbers are about"));
-  about->setToolTip(tr("What the numbers are about; poses of a CAD system are about the origin of its file"));
+  about->setAccessibleName(tr("Point whose coordinates are shown"));
+  about->setToolTip(tr("The point whose coordinates are shown; a CAD system gives those of the origin of its file"));
   about->addItem(tr("Origin of the file"), kFile);
   about->addItem(tr("Middle"), kMiddle);
   about->addItem(tr("Reference point"), kReference);
-  about->setItemData(kReference, tr("What the poses of path files are about"), Qt::ToolTipRole);
+  about->setItemData(kReference, tr("The point whose poses are in path files"), Qt::ToolTipRole);
   connect(about, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     showNumbers();
     emit pointChosen();

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "engine/planning/coarse/topological_planner.h"
+#include "widgets/commands/diagnostic_text.h"
 
 namespace glissade {
 namespace {
@@ -147,7 +148,7 @@ void PlanPanel::showSummary() {
 
 void PlanPanel::showWhy() {
   const auto step = currentStep();
-  why_->setText(step ? QString::fromStdString(plan_->steps[*step].why) : QString());
+  why_->setText(step ? engineText(plan_->steps[*step].why) : QString());
 }
 
 void PlanPanel::showStep(std::size_t index) {
@@ -161,7 +162,7 @@ void PlanPanel::showStep(std::size_t index) {
   item->setText(3, QLocale().toString(static_cast<qulonglong>(step.randomConfigurations)));
   item->setTextAlignment(3, Qt::AlignRight | Qt::AlignVCenter);
   item->setText(4, resultText(step.result));
-  for (int column = 0; column < 5; ++column) item->setToolTip(column, QString::fromStdString(step.why));
+  for (int column = 0; column < 5; ++column) item->setToolTip(column, engineText(step.why));
 }
 
 }  // namespace glissade

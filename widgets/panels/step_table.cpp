@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "engine/sequence/demand_edits.h"
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 #include "widgets/commands/window_language.h"
 
@@ -224,7 +225,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
   row->setText(StepPart, twoLines(QString::fromStdString(shortName(name.toStdString())), blocked));
   QStringList names{name, blocked};
   for (const std::string& other : stuck.blockedBy) names << nameOf(other);
-  if (!stuck.reason.empty()) names << QString::fromStdString(stuck.reason);
+  if (!stuck.reason.empty()) names << engineText(stuck.reason);
   row->setToolTip(StepPart, names.join(QLatin1Char('\n')));
   QFont bold = font();
   bold.setBold(true);

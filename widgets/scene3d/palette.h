@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/planning/roadmap.h"
+#include "widgets/commands/dark_ground.h"
 #include "widgets/scene3d/osg_convert.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -36,11 +37,7 @@ inline osg::Vec4ub bytesOf(const osg::Vec4& colour) {
   return {byte(colour.r()), byte(colour.g()), byte(colour.b()), 255};
 }
 
-/// Whether white stands out on it better than black: its relative luminance as WCAG has it, simplified.
-inline bool isDark(const osg::Vec4& ground) {
-  const auto light = [](float share) { return share * share; };
-  return 0.2126F * light(ground.r()) + 0.7152F * light(ground.g()) + 0.0722F * light(ground.b()) < 0.18F;
-}
+inline bool isDark(const osg::Vec4& ground) { return isDarkGround(ground.r(), ground.g(), ground.b()); }
 
 inline ScenePalette paletteOf(Theme theme) {
   ScenePalette palette;

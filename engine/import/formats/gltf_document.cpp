@@ -136,7 +136,7 @@ void GltfDocument::readBuffers() {
     const auto uri = buffer.find("uri");
     std::string_view bytes = binary_;
     if (uri != buffer.end()) {
-      if (!uri->is_string()) throw FormatError{location, "has a 'uri' that is no text"};
+      if (!uri->is_string()) throw FormatError{location, "has a 'uri' that is not a text"};
       const auto& text = uri->get_ref<const std::string&>();
       const std::size_t data = text.find(";base64,");
       if (text.rfind("data:", 0) != 0 || data == std::string::npos) {

@@ -69,7 +69,7 @@ std::vector<std::size_t> trianglesOf(std::uint64_t mode, const std::vector<std::
                                      const std::string& location) {
   const std::size_t count = indices.size();
   if (count < 3 || (mode == kTriangles && count % 3 != 0)) {
-    throw FormatError{location, "has " + std::to_string(count) + " corners, which are no whole triangles"};
+    throw FormatError{location, "has " + std::to_string(count) + " corners, which are not whole triangles"};
   }
   if (mode == kTriangles) return indices;
   std::vector<std::size_t> corners;
@@ -118,7 +118,7 @@ class Scene {
     const auto found = object.find(key);
     if (found == object.end()) return children;
     for (const Json& child : *found) {
-      if (!child.is_number_unsigned()) throw FormatError{location, "names a node that is no number"};
+      if (!child.is_number_unsigned()) throw FormatError{location, "names a node that is not a number"};
       const auto node = child.get<std::uint64_t>();
       (void)document_.element("nodes", node);
       if (node >= reached_.size()) reached_.resize(node + 1, false);

@@ -96,7 +96,7 @@ class Obj {
     if (isOneOf(kFreeForm, keyword)) {
       throw scanner.error("has a free-form curve or surface (" + inQuotes(keyword) + "), which is not read");
     }
-    throw scanner.error("begins with " + inQuotes(keyword) + ", which is no statement of an OBJ file");
+    throw scanner.error("begins with " + inQuotes(keyword) + ", which is not a statement of an OBJ file");
   }
 
   /// x y z, and perhaps a weight of 1 or a colour.

@@ -35,7 +35,7 @@ AutomaticPlanner::AutomaticPlanner(const Problem& problem, std::uint64_t seed, s
   updateCounts();
   const auto query = problem.world->makeQuery();
   if (goalRoots(problem, *query).empty()) {
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", "there is no configuration outside within the bounds",
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the workspace has no configuration outside the product",
                           "Widen the workspace."};
   }
 }

@@ -15,4 +15,11 @@ CollisionWorldPtr ErodedWorlds::at(double depth) {
   return world;
 }
 
+void ErodedWorlds::keepOnly(double depth) {
+  const std::lock_guard lock(mutex_);
+  for (auto world = built_.begin(); world != built_.end();) {
+    world = world->first == depth ? std::next(world) : built_.erase(world);
+  }
+}
+
 }  // namespace glissade

@@ -16,6 +16,8 @@ class ErodedWorlds {
 
   /// Depth in metres; 0: the world itself; negative: grown.
   CollisionWorldPtr at(double depth);
+  /// Forgets the worlds of all other depths: each has a copy of the object, which may be hundreds of megabytes.
+  void keepOnly(double depth);
 
  private:
   std::mutex mutex_;  ///< of what follows but the first

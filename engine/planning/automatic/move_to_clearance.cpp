@@ -64,8 +64,8 @@ class MoveToClearance {
     const auto colliding = query_->collidingBody(q_);
     const auto body = static_cast<std::size_t>(colliding ? *colliding : query_->nearestObstacle(q_).body);
     std::ostringstream reason;
-    reason << "the object " << (colliding ? overlapWith(body) : nearnessTo(body))
-           << ", and no clear position was found within " << 1e3 * kLongestWayOut * world_->objectRadius() << " mm";
+    reason << (colliding ? overlapWith(body) : nearnessTo(body)) << "; no clear position was found within "
+           << 1e3 * kLongestWayOut * world_->objectRadius() << " mm";
     return {ErrorKind::InCollision, "", "", reason.str(),
             "Switch fits on, put the object elsewhere, or check the parts and their unit."};
   }
@@ -106,19 +106,20 @@ class MoveToClearance {
     return ends;
   }
 
-  std::string nearnessTo(std::size_t body) const { return "is too near to '" + world_->obstacles()[body].name + "'"; }
+  std::string nearnessTo(std::size_t body) const {
+    return "the object is nearer to '" + world_->obstacles()[body].name + "' than the required clearance";
+  }
 
   std::string overlapWith(std::size_t body) const {
     const RigidBody& obstacle = world_->obstacles()[body];
     const auto object = std::make_shared<const TriangleMesh>(world_->object());
     const ContactReport report =
         findContacts({{obstacle.id, obstacle.mesh, obstacle.X_WB}, {"object", object, q_}}, {});
-    const std::string name = "'" + obstacle.name + "'";
-    if (report.contacts.empty()) return "penetrates " + name;
+    if (report.contacts.empty()) return "the object penetrates '" + obstacle.name + "'";
     const double overlap = report.contacts.front().overlap;
-    if (overlap <= 0.0) return "touches " + name;
+    if (overlap <= 0.0) return "the object touches '" + obstacle.name + "'";
     std::ostringstream text;
-    text << "overlaps " << name << " by " << 1e3 * overlap << " mm";
+    text << "the object overlaps '" << obstacle.name << "' by " << 1e3 * overlap << " mm";
     return text.str();
   }
 
@@ -137,7 +138,7 @@ Result<Pose> moveToClearance(const CollisionWorldPtr& world, const Pose& q, doub
   if (search.isFree()) return q;
   if (const auto near = search.retract()) return *near;
   if (const auto out = search.slideOut()) return *out;
-  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "it was stopped", ""};
+  if (stop.stopRequested()) return Diagnostic{ErrorKind::Interrupted, "", "", "the operation was stopped", ""};
   return search.failure();
 }
 

@@ -40,7 +40,8 @@ bool PathRepair::solve(PlannerHost& host) {
     step(host);
     updateCounts();
     if (!path_ && queriesOf(counts_) > options_.work) {
-      failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
+      failure_ = Diagnostic{ErrorKind::NoPath, "", "",
+                            "the path of the shrunk object could not be repaired for the full-size object",
                             "Start again with another seed."};
     }
     if (!host.afterStep()) break;

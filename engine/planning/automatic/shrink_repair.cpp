@@ -47,7 +47,8 @@ void ShrinkRepair::step(PlannerHost& host) {
     halveGrowth();
   } else if (state == SubPlanner::State::Failed ||
              (level_ == 0 && queriesOf(counts_) - levelWork_ > options_.firstWork)) {
-    failure_ = Diagnostic{ErrorKind::NoPath, "", "", "the way of the smaller object could not be widened",
+    failure_ = Diagnostic{ErrorKind::NoPath, "", "",
+                          "the path of the shrunk object could not be repaired for the full-size object",
                           "Start again with another seed."};
   }
 }

@@ -59,13 +59,14 @@ class Search {
     double tried = 0.0;
     for (double share = kFirst; share <= kLast && way_.empty() && !watch_.stop.stopRequested(); share *= 2.0) {
       watch_.report(kSearching * tried++ / kErosions);
-      search(share * radius);
+      if (!search(share * radius)) worlds_.keepOnly(0.0);
     }
     if (way_.empty()) return std::nullopt;
     double step = kFirstStep;
     for (int round = 0; round < budget_.rounds && step > kLastStep && !watch_.stop.stopRequested(); ++round) {
       watch_.report(kSearching + (1.0 - kSearching) * round / budget_.rounds);
       if (!repair(erosion_ * (1.0 - step), round)) step *= 0.5;
+      worlds_.keepOnly(erosion_);
     }
     return deepest();
   }
@@ -127,7 +128,6 @@ class Search {
 std::optional<LeastPenetration> leastPenetration(const Problem& problem, const ParameterValues& parameters,
                                                  std::uint64_t seed, const PenetrationBudget& budget,
                                                  const WorkWatch& watch) {
-  if (problem.world->object().triangles.size() > budget.triangles) return std::nullopt;
   return Search(problem, parameters, seed, budget, watch).run();
 }
 

@@ -21,7 +21,6 @@ struct PenetrationBudget {
   std::uint64_t searchWork = 100'000;  ///< queries of the search for each erosion
   std::uint64_t repairWork = 30'000;   ///< queries of each repair
   int rounds = 16;                     ///< of growing back
-  std::size_t triangles = 10'000;      ///< objects with more are not tried: eroding costs their square
 };
 
 /// Erodes the object by depths that double until a search finds a way, then lets it grow back in steps

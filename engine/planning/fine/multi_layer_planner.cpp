@@ -17,14 +17,17 @@ constexpr std::uint64_t kShortestTurn = 200;
 /// Its planner.
 constexpr const char* kWholePlanner = "contact-birrt";
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 /// "the topological graph has no way from start to goal; forbidden: P4"
 std::string noWay(const CoarsePlan& plan) {
   std::string reason = "the topological graph has no way from start to goal";
-  const auto add = [&](const char* what, const std::vector<std::string>& names) {
-    for (std::size_t i = 0; i < names.size(); ++i) reason += (i == 0 ? what : ", ") + names[i];
-  };
-  add("; forbidden: ", plan.forbidden);
-  add("; infinite by the rules: ", plan.infiniteCost);
+  if (!plan.forbidden.empty()) reason += "; forbidden: " + joined(plan.forbidden);
+  if (!plan.infiniteCost.empty()) reason += "; of infinite cost by the rules: " + joined(plan.infiniteCost);
   return reason;
 }
 
@@ -86,7 +89,7 @@ void MultiLayerPlanner::prepare(PlannerHost& host) {
     plan_.coarseConfigurations += knowledge_->randomConfigurations();
   }
   if (!goal_) {
-    fail("there is no configuration outside within the bounds", "Widen the workspace.");
+    fail("the workspace has no configuration outside the product", "Widen the workspace.");
     return;
   }
   coarse_.emplace(problem_, *goal_, knowledge_, rules_, edits_);
@@ -124,7 +127,7 @@ void MultiLayerPlanner::planCoarsely() {
     phase_ = Phase::LastResort;
     turn_ = 0;
   } else {
-    fail(noWay(plan_), "Check the places, or use strategy g.");
+    fail(noWay(plan_), "Check the semantic attributes of the places, or use strategy G.");
   }
   publish();
 }
@@ -268,7 +271,7 @@ TopologicalStep& MultiLayerPlanner::wholeWorkspaceStep() {
   step.from = problem_.start;
   step.to = *goal_;
   step.planner = kWholePlanner;
-  step.why = "the whole workspace from start to goal: the last resort";
+  step.why = "searched from start to goal after the coarse paths";
   step.result = StepResult::Running;
   step.randomConfigurations = whole_->randomConfigurations();
   plan_.steps.push_back(std::move(step));

@@ -6,7 +6,7 @@ namespace glissade {
 namespace {
 
 std::string planners(const FineChoice& choice) {
-  return (choice.geometrical ? "geometrical planner, then " : "") + choice.local;
+  return choice.geometrical ? "geometrical planner, then " + choice.local : choice.local;
 }
 
 }  // namespace
@@ -33,9 +33,10 @@ FineChoice chooseFinePlanners(const TopologicalMap& map, const SemanticModel& se
     choice.local = rule.local;
     break;
   }
-  choice.why = "complexity " + toText(semantics.ofPlace(p, "complexity").value);
-  if (std::get<bool>(semantics.ofPlace(p, "cluttered").value)) choice.why += ", cluttered";
-  choice.why += ", so " + planners(choice);
+  const std::string complexity = toText(semantics.ofPlace(p, "complexity").value);
+  const bool cluttered = std::get<bool>(semantics.ofPlace(p, "cluttered").value);
+  choice.why = cluttered ? "complexity " + complexity + ", cluttered, so " + planners(choice)
+                         : "complexity " + complexity + ", so " + planners(choice);
   return choice;
 }
 

@@ -37,7 +37,7 @@ const std::vector<MalformedMeshFile>& malformedMeshFiles() {
        "before 'endsolid'"},
       {"noise.stl", std::string(500, '\x7f'), "claims 2139062143 triangles"},
       {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"},
-      {"huge.obj", "v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "beyond all measure"},
+      {"huge.obj", "v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not finite, or too large"},
       {"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "vertex 9"},
       {"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "holds no triangle"},
       {"truncated.dae", "<?xml version=\"1.0\"?><COLLADA version=\"1.4.1\"><asset><unit", "malformed XML"},

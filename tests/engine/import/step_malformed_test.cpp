@@ -52,7 +52,7 @@ TEST(MalformedStep, GivesOneClearMessage) {
       {"noise.step", "ISO-10303-21;\n" + std::string(2000, '\x7f') + end, "not sound STEP text"},
       {"edge.step", stepText("edge.step"), "neither a solid nor a face"},
       {"huge.step", replaced(box, "50.", "5.E300"), "neither"},
-      {"large.step", replaced(box, "50.", "5.E15"), "beyond all measure"},
+      {"large.step", replaced(box, "50.", "5.E15"), "not finite, or too large"},
   };
   for (const auto& [name, content, reason] : table) {
     SCOPED_TRACE(name);
@@ -143,7 +143,7 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
   noFace.replace(first, noFace.find(',', first) - first, point);
   std::string noSurface = box;
   noSurface.replace(noSurface.find(" PLANE("), std::string(" PLANE(").size(), " UNKNOWN_SURFACE(");
-  for (const Loss& loss : {Loss{noFace, shell, "number 1 of its faces is no face"},
+  for (const Loss& loss : {Loss{noFace, shell, "number 1 of its faces is not a face"},
                            Loss{noSurface, shell, "its face " + face + " could not be made"}}) {
     SCOPED_TRACE(loss.reason);
     const auto product = importStep(folder.write("a.step", loss.text), 0.0);
@@ -155,7 +155,7 @@ TEST(MalformedStep, AFaceThatIsLostIsToldWithItsEntityAndItsConsequence) {
     EXPECT_EQ(warning.location, loss.entity);
     EXPECT_THAT(warning.reason, HasSubstr(loss.reason));
     EXPECT_THAT(warning.reason, HasSubstr("not closed"));
-    EXPECT_THAT(warning.reason, HasSubstr("free space to every proof"));
+    EXPECT_THAT(warning.reason, HasSubstr("proofs take what is missing as free space"));
   }
 }
 

@@ -9,8 +9,8 @@
 namespace glissade {
 namespace {
 
-/// The wall of `windowProblem` with a square window, and a cube of 0.4 m.
-Problem windowOf(double width) {
+/// The wall of `windowProblem` with a square window, and an object.
+Problem windowOf(double width, const TriangleMesh& object = makeBox({0.4, 0.4, 0.4})) {
   Problem problem = windowProblem();
   const double half = 0.5 * width;
   const double side = 2.5 - half;
@@ -19,7 +19,7 @@ Problem windowOf(double width) {
                                          boxBody("right", {0.2, side, 5.0}, Pose::translation({0.0, centre, 0.0})),
                                          boxBody("below", {0.2, width, side}, Pose::translation({0.0, 0.0, -centre})),
                                          boxBody("above", {0.2, width, side}, Pose::translation({0.0, 0.0, centre}))},
-                                        std::make_shared<const TriangleMesh>(makeBox({0.4, 0.4, 0.4})));
+                                        std::make_shared<const TriangleMesh>(object));
   return problem;
 }
 
@@ -47,6 +47,18 @@ TEST(Difficulty, TellsHowMuchTooLargeTheObjectIs) {
   EXPECT_LT(std::abs(difficulty.leastPenetration->q.position.x()), 0.35);
   EXPECT_EQ(difficulty.leastPenetration->way.front(), problem.start);
   EXPECT_EQ(difficulty.leastPenetration->way.back(), std::get<Pose>(problem.goal));
+}
+
+/// Objects of more than 10,000 triangles had no answer.
+TEST(Difficulty, TellsItOfAnObjectOfManyTriangles) {
+  const TriangleMesh ball = makeSphere(0.2, 5);
+  ASSERT_GT(ball.triangles.size(), 20'000U);
+  const Problem problem = windowOf(0.38, ball);  // 10 mm too narrow on each side
+  const ParameterValues parameters(problem.world->objectRadius());
+  const auto least = leastPenetration(problem, parameters, 1);
+  ASSERT_TRUE(least);
+  EXPECT_GE(least->depth, 0.0099);
+  EXPECT_LT(least->depth, 0.02);
 }
 
 TEST(Difficulty, NamesTheFrontierAndWhatStandsBetween) {

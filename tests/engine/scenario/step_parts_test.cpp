@@ -91,7 +91,7 @@ TEST(StepParts, OfAProductWhatWasLostInReadingIsAWarning) {
   std::string told;
   for (const Diagnostic& warning : product->warnings) told += warning.reason + "\n";
   EXPECT_THAT(told, testing::HasSubstr("could not be made"));
-  EXPECT_THAT(told, testing::HasSubstr("lacks 1 face or boundary"));
+  EXPECT_THAT(told, testing::HasSubstr("faces or boundaries that could not be made: 1"));
 }
 
 TEST(StepParts, SavedAndReadAgainItIsTheSame) {

@@ -58,7 +58,7 @@ TEST(UnitGuess, IsToldWithTheOption) {
   told = guessUnits(doubtful, read);
   ASSERT_TRUE(told) << toString(told.error());
   ASSERT_EQ(told->size(), 1U);
-  EXPECT_THAT(told->front().reason, HasSubstr("taken in millimetres, in doubt"));
+  EXPECT_THAT(told->front().reason, HasSubstr("taken in millimetres; the size does not decide this"));
   EXPECT_FALSE(guessUnits(doubtful = {usualPart(folder / "gone.stl")}, read).ok());
 }
 

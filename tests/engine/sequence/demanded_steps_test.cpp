@@ -264,7 +264,7 @@ TEST(DemandedSteps, DemandsThatContradictEachOtherAreErrors) {
   EXPECT_NE(reasonOf(demands).find("no length"), std::string::npos);
   demands = {};
   demands.motions = {{{"one"}, {{Pose::identity(), Author::Operator}}, kByHand}};
-  EXPECT_EQ(reasonOf(demands), "a demanded motion goes nowhere");
+  EXPECT_EQ(reasonOf(demands), "a demanded motion has fewer than two configurations");
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ TEST(ErodedWorlds, BuildsEachDepthOnceAndLeavesTheObjectAlone) {
   EXPECT_EQ(worlds.at(0.0), problem.world);
   const CollisionWorldPtr smaller = worlds.at(0.05);
   EXPECT_EQ(worlds.at(0.05), smaller);
+  worlds.keepOnly(0.05);
+  EXPECT_EQ(worlds.at(0.05), smaller);
+  const CollisionWorldPtr smallest = worlds.at(0.1);
+  worlds.keepOnly(0.05);
+  EXPECT_NE(worlds.at(0.1), smallest);
   EXPECT_EQ(&smaller->obstacles(), &problem.world->obstacles());  // not copied
   // Touching the wall by 0.04: only the smaller object is free.
   const Pose q = Pose::translation({-0.26, 1.0, 0.0});

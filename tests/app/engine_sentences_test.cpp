@@ -1,0 +1,160 @@
+// Every text that the engine makes for people has a French translation.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTranslator>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/app/source_sentences.h"
+#include "tests/engine/support/directories.h"
+#include "widgets/commands/diagnostic_text.h"
+#include "widgets/panels/engine_texts.h"
+
+namespace glissade {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers.
+constexpr const char* kOtherwiseTranslated[] = {"engine/study/study_french.cpp", "engine/study/report_html.cpp",
+                                                "engine/study/svg_plot.cpp", "engine/study/plan_graph.cpp",
+                                                "engine/study/benchmarks/"};
+
+/// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,
+/// what files say of their writer, and texts of the command line.
+constexpr const char* kNotForTheWindow[] = {
+    "simulated operator",
+    "random shooter",
+    "goal bias",
+    "%1 life %2",
+    "contact slide",
+    "gap %1",
+    "level %1",
+    "round %1",
+    "milestone of %1",
+    "contact sampler",
+    "milestones, attempt %1",
+    "step %1, attempt %2",
+    "whole workspace",
+    "ompl seed",
+    "0.1 * size * (max(a.complexity, b.complexity) - 1)",
+    "place.cluttered or place.complexity > 2",
+    "if((a.shape != \"\" and a.shape != object.shape) or (b.shape != \"\" and b.shape != object.shape), 10 * size, %1)",
+    "if(min(a.compatibility, b.compatibility) < 0.5, 10 * size, %1)",
+    "in the tapped hole of ",
+    "in the hole of ",
+    "on the thread of ",
+    "on the shaft of ",
+    "%1 taken %2 thinner%3 (%4)",
+    "pitch %1",
+    "%1 (ISO coarse, %2)",
+    "2 * size * (1 - min(a.compatibility, b.compatibility)) + 0.5 * %1",
+    "if(fragile, 0, 5) + length + direction_change + tool_change",
+    "step %1",
+    "box %1 %2 %3",
+    "cylinder %1 %2",
+    "sphere %1",
+    "Glissade %1",
+    "STL is little-endian",
+    "Swept volume, millimetres, by Glissade",
+    "the solved",
+    "%1 of %1 over %2 runs",
+    "model name",
+    "Clang %1",
+    "GCC %1",
+    "%1 GB of memory",
+    "%1, FCL %2, %3",
+    "--out out/%1",
+    "glissade-cli study %1 --jobs 2",
+    "glissade-offscreen --study-pictures out/%1",
+    "glissade-cli report out/%1"};
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Two words at least: keys, names and formats have one.
+bool isSentence(const std::string& text) {
+  static const std::regex words("[A-Za-z]{2,}[,:]? [A-Za-z%'(0-9]|^[A-Z][a-z]+ [a-z]");
+  return std::regex_search(text, words);
+}
+
+/// As it stands for itself: what joins it to the text before it is left out.
+std::string alone(std::string text) {
+  static const std::regex joint("^[;.,]? +");
+  return std::regex_replace(text, joint, "");
+}
+
+class EngineSentences : public testing::Test {
+ protected:
+  EngineSentences() {
+    EXPECT_TRUE(
+        french_.load(QString::fromStdString(test::programDirectory()) + QStringLiteral("/../app/glissade_fr.qm")));
+    QApplication::installTranslator(&french_);
+    for (const char* text : kEngineTexts) otherwise_.insert(text);
+    for (const char* text : kNotForTheWindow) otherwise_.insert(text);
+    const fs::path studies = fs::path(test::sourceDirectory()) / "engine/study/study_french.cpp";
+    for (const std::string& text : test::textsMadeIn(contentOf(studies))) otherwise_.insert(alone(text));
+  }
+  ~EngineSentences() override { QApplication::removeTranslator(&french_); }
+
+  bool isTranslated(const std::string& text) const {
+    return otherwise_.count(text) == 1 || engineText(text) != QString::fromStdString(text);
+  }
+
+ private:
+  QTranslator french_;
+  std::set<std::string> otherwise_;
+};
+
+TEST_F(EngineSentences, AreAllInFrench) {
+  const fs::path root = test::sourceDirectory();
+  std::size_t found = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "engine")) {
+    const std::string name = fs::relative(entry.path(), root).generic_string();
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+    if (std::any_of(std::begin(kOtherwiseTranslated), std::end(kOtherwiseTranslated),
+                    [&](const char* other) { return name.rfind(other, 0) == 0; })) {
+      continue;
+    }
+    for (const std::string& made : test::textsMadeIn(contentOf(entry.path()))) {
+      const std::string text = alone(made);
+      if (!isSentence(text)) continue;
+      ++found;
+      EXPECT_TRUE(isTranslated(text)) << name << ": \"" << text
+                                      << "\" is in no list of widgets/commands/*_sentences.h, "
+                                      << "or not in resources/i18n/glissade_fr.ts";
+    }
+  }
+  EXPECT_GT(found, 600U) << "the sources are read as if they had few sentences";
+}
+
+TEST_F(EngineSentences, AreTranslatedWithWhatTheyAreJoinedOf) {
+  EXPECT_EQ(engineText("the object penetrates 'is empty'"), QStringLiteral("l'objet pénètre dans « is empty »"));
+  EXPECT_EQ(engineText("cannot be read: line 3: '4' is not a value"),
+            QStringLiteral("ne peut pas être lu : ligne 3 : « 4 » n'est pas une valeur"));
+  EXPECT_EQ(engineText("complexity 2, so rrt; blocked, so contact-birrt; place P3 was not crossed"),
+            QStringLiteral("complexité 2, donc rrt ; bloqué, donc contact-birrt ; le lieu P3 n'a pas été traversé"));
+  EXPECT_EQ(engineText("said by nobody"), QStringLiteral("said by nobody"));
+}
+
+TEST(SourceSentences, AreReadFromExpressions) {
+  using Strings = std::vector<std::string>;
+  EXPECT_EQ(test::textsMadeIn(R"(fail("is '" + name + "' of " + std::to_string(n + 1), "Give " "one.");)"),
+            (Strings{"is '%1' of %2", "Give one."}));
+  EXPECT_EQ(test::textsMadeIn(R"(text << "a " << x->y << " m"; // "not this"
+    return std::string("b ") + (big ? "more" : "less");)"),
+            (Strings{"a %1 m", "more", "less", "b %1"}));
+}
+
+}  // namespace
+}  // namespace glissade
