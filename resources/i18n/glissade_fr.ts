@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>Play the way of &amp;least penetration</source>
-        <translation>Lire le chemin de moindre péné&amp;tration</translation>
+        <translation>Lire le chemin de &amp;moindre pénétration</translation>
     </message>
     <message>
         <source>Show all of the study&apos;s plot again after a rubber band or the wheel has enlarged a part</source>
