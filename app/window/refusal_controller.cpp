@@ -1,5 +1,7 @@
 #include "app/window/refusal_controller.h"
 
+#include <QEvent>
+
 #include <algorithm>
 
 #include "widgets/commands/diagnostic_text.h"
