@@ -1292,24 +1292,12 @@
         <translation>Al&amp;igner...</translation>
     </message>
     <message>
-        <source>Put an axis onto an axis, or a face onto a face: click that of what moves, then that of another body</source>
-        <translation>Mettre un axe sur un axe, ou une face sur une face : cliquer celle de ce qui bouge, puis celle d&apos;un autre corps</translation>
-    </message>
-    <message>
         <source>Flip the ali&amp;gnment</source>
         <translation>Retourner l&apos;ali&amp;gnement</translation>
     </message>
     <message>
-        <source>Turn what was aligned last round: the axis, or the face, looks the other way</source>
-        <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté</translation>
-    </message>
-    <message>
         <source>S&amp;nap</source>
         <translation>Par &amp;pas</translation>
-    </message>
-    <message>
-        <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
-        <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
@@ -1534,6 +1522,26 @@
     <message>
         <source>New seed</source>
         <translation>Nouvelle graine</translation>
+    </message>
+    <message>
+        <source>Put a vertex, an edge, an axis or a plane onto one of another body: click that of what moves, then the other</source>
+        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps : cliquer celui de ce qui bouge, puis l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Turn what was aligned last round: the axis, or the face, looks the other way; a cylinder goes to the other side of the plane</source>
+        <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté ; un cylindre passe de l&apos;autre côté du plan</translation>
+    </message>
+    <message>
+        <source>Let the arrows and rings of arranging move by whole steps; Ctrl held suspends it</source>
+        <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu le suspend</translation>
+    </message>
+    <message>
+        <source>Snap &amp;to faces and axes</source>
+        <translation>Accrocher aux &amp;faces et aux axes</translation>
+    </message>
+    <message>
+        <source>Let what is dragged by an arrow or a square meet faces and axes of other bodies; Ctrl held suspends it</source>
+        <translation>Accrocher ce qui est tiré par une flèche ou un carré aux faces et aux axes d&apos;autres corps ; Ctrl maintenu le suspend</translation>
     </message>
 </context>
 <context>
@@ -4712,22 +4720,6 @@
         <source>Click the second edge or face.</source>
         <translation>Cliquer la seconde arête ou face.</translation>
     </message>
-    <message>
-        <source>This is what moves. Click a face of another body. Esc ends this.</source>
-        <translation>C&apos;est ce qui bouge. Cliquer une face d&apos;un autre corps. Échap termine.</translation>
-    </message>
-    <message>
-        <source>A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this.</source>
-        <translation>Un plan va sur un plan, et un cylindre sur un cylindre. Cliquer une autre face. Échap termine.</translation>
-    </message>
-    <message>
-        <source>Click a plane or a cylinder of what moves. Esc ends this.</source>
-        <translation>Cliquer un plan ou un cylindre de ce qui bouge. Échap termine.</translation>
-    </message>
-    <message>
-        <source>Click the plane or the cylinder of another body that it goes onto. Esc ends this.</source>
-        <translation>Cliquer le plan ou le cylindre d&apos;un autre corps sur lequel il va. Échap termine.</translation>
-    </message>
 </context>
 <context>
     <name>glissade::MessageLog</name>
@@ -5209,6 +5201,14 @@
     <message>
         <source>Placement, %1 and °</source>
         <translation>Placement, %1 et °</translation>
+    </message>
+    <message>
+        <source>“%1” is not a length. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas une longueur. Rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an angle. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas un angle. Rien n&apos;a bougé.</translation>
     </message>
 </context>
 <context>
@@ -6623,6 +6623,18 @@
         <source>the goal</source>
         <translation>le but</translation>
     </message>
+    <message>
+        <source>on the axis of %1</source>
+        <translation>sur l&apos;axe de %1</translation>
+    </message>
+    <message>
+        <source>on the face of %1</source>
+        <translation>sur la face de %1</translation>
+    </message>
+    <message>
+        <source>level with the face of %1</source>
+        <translation>au niveau de la face de %1</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ArrangeBar</name>
@@ -6655,10 +6667,6 @@
         <translation>« %1 » n&apos;est pas un pas. Écrire 10, 25,4 mm, 1 in ou 30 deg.</translation>
     </message>
     <message>
-        <source>Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
-        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl inverse le déplacement par pas. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
-    </message>
-    <message>
         <source>Arranging: click a body, the start or the goal</source>
         <translation>Disposition : cliquer un corps, le départ ou le but</translation>
     </message>
@@ -6666,12 +6674,28 @@
         <source>Arranging %1</source>
         <translation>Disposition : %1</translation>
     </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; Ctrl suspends snapping. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
+        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl suspend l&apos;accrochage. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
+    </message>
+    <message>
+        <source>To faces</source>
+        <translation>Aux faces</translation>
+    </message>
+    <message>
+        <source>Snapped: %1. Ctrl suspends snapping.</source>
+        <translation>Accroché : %1. Ctrl suspend l&apos;accrochage.</translation>
+    </message>
 </context>
 <context>
     <name>glissade::ArrangeController</name>
     <message>
         <source>%1 is aligned. %2 turns it round.</source>
         <translation>%1 : aligné. %2 le retourne.</translation>
+    </message>
+    <message>
+        <source>%1 is aligned.</source>
+        <translation>%1 : aligné.</translation>
     </message>
 </context>
 <context>
@@ -7019,6 +7043,14 @@
         <source>The L slides on a plane</source>
         <translation>Le L glisse sur un plan</translation>
     </message>
+    <message>
+        <source>Bolted brackets</source>
+        <translation>Équerres boulonnées</translation>
+    </message>
+    <message>
+        <source>Ten parts that touch, as CAD systems export them</source>
+        <translation>Dix pièces qui se touchent, comme les systèmes de CAO les exportent</translation>
+    </message>
 </context>
 <context>
     <name>glissade::WelcomeController</name>
@@ -7142,40 +7174,48 @@
         <translation>Ouvrir des pièces</translation>
     </message>
     <message>
-        <source>Now parts. Open the sample &quot;Nut and bolt&quot; (samples/nut-and-bolt). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
-        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
-    </message>
-    <message>
-        <source>Find the fits</source>
-        <translation>Trouver les ajustements</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a clearance of 0.1 mm: the list is empty, and nothing has to be allowed.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se chevauchent par conception, avec écart et tolérance, comme la plupart des pièces CAO. Vis et écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à tolérer.</translation>
-    </message>
-    <message>
-        <source>Plan a motion</source>
-        <translation>Planifier un mouvement</translation>
-    </message>
-    <message>
-        <source>Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et le joue (Ctrl+P).</translation>
-    </message>
-    <message>
         <source>Plan the sequence</source>
         <translation>Planifier la séquence</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. A click on a row shows the step; Explode moves the parts apart.</source>
-        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. Un clic sur une ligne montre l&apos;étape ; Éclater écarte les pièces.</translation>
+        <source>Now parts. Open the sample &quot;Bolted brackets&quot; (samples/bolted-brackets): two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
+        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Équerres boulonnées » (samples/bolted-brackets) : deux équerres sur une plaque, avec des vis, une tige et des écrous. Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
     </message>
     <message>
-        <source>Write the report</source>
-        <translation>Écrire le rapport</translation>
+        <source>See the fits</source>
+        <translation>Voir les ajustements</translation>
     </message>
     <message>
-        <source>Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Run &gt; Report of the path does the same for one motion. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Calcul &gt; Rapport du chemin fait de même pour un mouvement. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: by so much the part that moves is taken thinner against the other one. A click on a row marks the two parts.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et tolérance : d&apos;autant la pièce qui bouge est prise plus mince contre l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
+    </message>
+    <message>
+        <source>Take a part out</source>
+        <translation>Sortir une pièce</translation>
+    </message>
+    <message>
+        <source>Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
+    </message>
+    <message>
+        <source>Cut it open</source>
+        <translation>Voir en coupe</translation>
+    </message>
+    <message>
+        <source>Open the panel Section (Alt+7) and check Y: the plane cuts the bodies open, so that bolts, rod and holes are seen. The slider moves the plane.</source>
+        <translation>Ouvrez le panneau Coupe (Alt+7) et cochez Y : le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. Le curseur déplace le plan.</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. La tige part avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Write the instruction</source>
+        <translation>Écrire la fiche d&apos;instructions</translation>
+    </message>
+    <message>
+        <source>The slider Explode in the panel Sequence moves the parts apart. Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Le curseur Éclater du panneau Séquence écarte les pièces. Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -7531,6 +7571,85 @@
     <message>
         <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::AlignTool</name>
+    <message>
+        <source>vertex</source>
+        <translation>sommet</translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation>arête</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cylindre</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>free surface</source>
+        <translation>surface libre</translation>
+    </message>
+    <message>
+        <source>in one plane</source>
+        <translation>dans un même plan</translation>
+    </message>
+    <message>
+        <source>in one point</source>
+        <translation>en un même point</translation>
+    </message>
+    <message>
+        <source>tangent</source>
+        <translation>tangent</translation>
+    </message>
+    <message>
+        <source>in the plane</source>
+        <translation>dans le plan</translation>
+    </message>
+    <message>
+        <source>on the axis</source>
+        <translation>sur l&apos;axe</translation>
+    </message>
+    <message>
+        <source>on the edge</source>
+        <translation>sur l&apos;arête</translation>
+    </message>
+    <message>
+        <source>on one line</source>
+        <translation>sur une même droite</translation>
+    </message>
+    <message>
+        <source>Finding edges and faces of the body…</source>
+        <translation>Recherche des arêtes et des faces du corps…</translation>
+    </message>
+    <message>
+        <source>This is a free surface: it has no plane and no axis.</source>
+        <translation>C&apos;est une surface libre : elle n&apos;a ni plan ni axe.</translation>
+    </message>
+    <message>
+        <source>This is what moves. Click another body. Esc ends this.</source>
+        <translation>C&apos;est ce qui bouge. Cliquer un autre corps. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click to align: %1 with %2 of %3, %4. Esc ends this.</source>
+        <translation>Cliquer pour aligner : %1 avec %2 de %3, %4. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click what moves: %1 of %2. Esc ends this.</source>
+        <translation>Cliquer ce qui bouge : %1 de %2. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click the vertex, edge or face of another body that it goes onto. Esc ends this.</source>
+        <translation>Cliquer le sommet, l&apos;arête ou la face d&apos;un autre corps sur lequel il va. Échap termine.</translation>
+    </message>
+    <message>
+        <source>Click a vertex, an edge or a face of what moves. Esc ends this.</source>
+        <translation>Cliquer un sommet, une arête ou une face de ce qui bouge. Échap termine.</translation>
     </message>
 </context>
 </TS>

@@ -3,21 +3,27 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QSignalBlocker>
 #include <QToolButton>
 
 #include <algorithm>
 #include <numbers>
+
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
 
 constexpr int kArrangeMargin = 10;
 constexpr int kWidestBar = 700;
-constexpr double kUsualMillimetres = 1.0;
+constexpr int kFieldBorder = 14;
+constexpr double kUsualStep = 1e-3;  // metres
 constexpr double kUsualDegrees = 15.0;
-constexpr double kMostMillimetres = 1e6;
+constexpr double kLeastStep = 1e-5;  // metres: the last digit that is shown
+constexpr double kMostMetres = 1e3;
+constexpr double kLeastDegrees = 1e-2;
 constexpr double kMostDegrees = 180.0;
-constexpr double kLeastStep = 1e-2;  // the last digit that is shown
+constexpr double kRadian = 180.0 / std::numbers::pi;  // degrees
 
 QToolButton* actionButton(QAction* action, QWidget* parent) {
   auto* button = new QToolButton(parent);
@@ -41,11 +47,16 @@ ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
   bold.setBold(true);
   item_->setFont(bold);
   item_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  distance_ = addStep(QuantityBox::Quantity::Length, kMostMillimetres, QStringLiteral(" mm"), tr("Step of distances"));
-  angle_ = addStep(QuantityBox::Quantity::Angle, kMostDegrees, QStringLiteral("°"), tr("Step of angles"));
-  setSteps(kUsualMillimetres * 1e-3, kUsualDegrees * std::numbers::pi / 180.0);
+  distance_ = addStep(QuantityBox::Quantity::Length, tr("Step of distances"));
+  showUnit();
+  angle_ = addStep(QuantityBox::Quantity::Angle, tr("Step of angles"));
+  angle_->setRange(kLeastDegrees, kMostDegrees);
+  angle_->setSuffix(QStringLiteral("°"));
+  angle_->setFixedWidth(angle_->fontMetrics().horizontalAdvance(QStringLiteral("000.00°")) + kFieldBorder);
+  setSteps(kUsualStep, kUsualDegrees / kRadian);
   keys_->setTextFormat(Qt::PlainText);
   keys_->setWordWrap(true);
+  keys_->setAlignment(Qt::AlignTop);
   showKeys();
   top_->setSpacing(4);
   top_->addWidget(item_, 1);
@@ -63,6 +74,9 @@ ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
 QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
   auto* controls = new QHBoxLayout;
   controls->setSpacing(6);
+  QAction* features = actions[QLatin1String("assembly.snap-features")];
+  features->setIconText(tr("To faces"));  // the menu shows the whole text
+  controls->addWidget(actionButton(features, this));
   controls->addWidget(actionButton(actions[QLatin1String("assembly.snap")], this));
   controls->addWidget(distance_);
   controls->addWidget(angle_);
@@ -80,11 +94,8 @@ QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
   return controls;
 }
 
-QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, double most, const QString& suffix,
-                                 const QString& name) {
+QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, const QString& name) {
   auto* box = new QuantityBox(quantity, this);
-  box->setRange(kLeastStep, most);
-  box->setSuffix(suffix);
   box->setAccessibleName(name);
   box->setToolTip(tr("%1, in any unit: 25.4 mm, 1 in, 30 deg").arg(name));
   connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
@@ -94,14 +105,46 @@ QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, double most, co
   connect(box, &QuantityBox::refused, this, [this](const QString& text) {
     keys_->setText(QStringLiteral("⚠ ") + tr("“%1” is no step. Write 10, 25.4 mm, 1 in or 30 deg.").arg(text));
   });
-  box->setFixedWidth(box->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 mm ")) + 12);
   return box;
+}
+
+/// The number stays in metres, whatever unit it is shown in.
+void ArrangeBar::showUnit() {
+  const LengthField field = lengthField(kLeastStep);
+  const double metres = distance_->value() / perMetre_;
+  const QSignalBlocker block(distance_);
+  perMetre_ = field.perMetre;
+  distance_->setUnit(1.0 / field.perMetre, field.decimals);
+  distance_->setRange(kLeastStep * perMetre_, kMostMetres * perMetre_);
+  distance_->setSuffix(QLatin1Char(' ') + field.unit);
+  const QString widest = distance_->locale().toString(0.0, 'f', field.decimals) + distance_->suffix();
+  distance_->setFixedWidth(distance_->fontMetrics().horizontalAdvance(QStringLiteral("000") + widest) + kFieldBorder);
+  setDistance(metres);
+}
+
+void ArrangeBar::setDistance(double metres) { distance_->setValue(metres * perMetre_); }
+
+void ArrangeBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() != QEvent::LocaleChange) return;
+  showUnit();
+  if (isVisible()) fit();
 }
 
 void ArrangeBar::showKeys() {
   keys_->setText(
-      tr("Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. "
+      tr("Drag an arrow, a square or a ring; Ctrl suspends snapping. Drag the body itself, with Ctrl to turn it. "
          "Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging."));
+}
+
+void ArrangeBar::showSnap(const QString& what) {
+  if (what == snap_) return;
+  snap_ = what;
+  if (what.isEmpty()) {
+    showKeys();
+  } else {
+    keys_->setText(tr("Snapped: %1. Ctrl suspends snapping.").arg(what));
+  }
 }
 
 void ArrangeBar::showItem(const QString& name) {
@@ -111,13 +154,13 @@ void ArrangeBar::showItem(const QString& name) {
 }
 
 void ArrangeBar::setSteps(double metres, double radians) {
-  distance_->setValue(1e3 * metres);
-  angle_->setValue(radians * 180.0 / std::numbers::pi);
+  setDistance(metres);
+  angle_->setValue(radians * kRadian);
 }
 
-double ArrangeBar::distanceStep() const { return 1e-3 * distance_->value(); }
+double ArrangeBar::distanceStep() const { return distance_->value() / perMetre_; }
 
-double ArrangeBar::angleStep() const { return angle_->value() * std::numbers::pi / 180.0; }
+double ArrangeBar::angleStep() const { return angle_->value() / kRadian; }
 
 /// In the middle of the lower border. What is arranged stands above the buttons where it has no room beside them.
 void ArrangeBar::fit() {
@@ -128,6 +171,8 @@ void ArrangeBar::fit() {
   const bool beside = needed <= width - margins.left() - margins.right();
   top_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   setFixedWidth(width);
+  // A shorter text in the place of the keys moves no button.
+  if (snap_.isEmpty()) keys_->setMinimumHeight(keys_->heightForWidth(width - margins.left() - margins.right()));
   layout()->activate();
   const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
   setGeometry((scene.width() - width) / 2, scene.height() - height - kArrangeMargin, width, height);
