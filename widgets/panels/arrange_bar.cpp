@@ -1,7 +1,6 @@
 #include "widgets/panels/arrange_bar.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -9,6 +8,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "widgets/commands/flow_layout.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -36,7 +36,7 @@ QToolButton* actionButton(QAction* action, QWidget* parent) {
 }  // namespace
 
 ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
-    : QFrame(scene), top_(new QBoxLayout(QBoxLayout::LeftToRight)), item_(new QLabel(this)), keys_(new QLabel(this)) {
+    : QFrame(scene), grid_(new QGridLayout(this)), item_(new QLabel(this)), keys_(new QLabel(this)) {
   setObjectName(QStringLiteral("arrange-bar"));
   setAccessibleName(tr("Arranging"));
   setAutoFillBackground(true);
@@ -58,31 +58,34 @@ ArrangeBar::ArrangeBar(const ActionCatalogue& actions, QWidget* scene)
   keys_->setWordWrap(true);
   keys_->setAlignment(Qt::AlignTop);
   showKeys();
-  top_->setSpacing(4);
-  top_->addWidget(item_, 1);
-  top_->addLayout(makeControls(actions));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 6, 8, 6);
-  column->setSpacing(4);
-  column->addLayout(top_);
-  column->addWidget(keys_);
+  controls_ = makeControls(actions);
+  grid_->setContentsMargins(10, 6, 8, 6);
+  grid_->setSpacing(4);
+  grid_->setColumnStretch(0, 1);
+  grid_->addWidget(item_, 0, 0);
+  grid_->addWidget(makeEndButton(), 0, 2);
+  grid_->addWidget(keys_, 2, 0, 1, 3);
   scene->installEventFilter(this);
   showItem(QString());
   hide();
 }
 
-QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
-  auto* controls = new QHBoxLayout;
-  controls->setSpacing(6);
+QWidget* ArrangeBar::makeControls(const ActionCatalogue& actions) {
+  auto* controls = new QWidget(this);
+  auto* flow = new FlowLayout;
+  controls->setLayout(flow);
   QAction* features = actions[QLatin1String("assembly.snap-features")];
   features->setIconText(tr("To faces"));  // the menu shows the whole text
-  controls->addWidget(actionButton(features, this));
-  controls->addWidget(actionButton(actions[QLatin1String("assembly.snap")], this));
-  controls->addWidget(distance_);
-  controls->addWidget(angle_);
-  controls->addWidget(actionButton(actions[QLatin1String("assembly.align")], this));
-  controls->addWidget(actionButton(actions[QLatin1String("assembly.flip")], this));
-  controls->addStretch();
+  flow->addWidget(actionButton(features, controls));
+  flow->addWidget(actionButton(actions[QLatin1String("assembly.snap")], controls));
+  flow->addWidget(distance_);
+  flow->addWidget(angle_);
+  flow->addWidget(actionButton(actions[QLatin1String("assembly.align")], controls));
+  flow->addWidget(actionButton(actions[QLatin1String("assembly.flip")], controls));
+  return controls;
+}
+
+QToolButton* ArrangeBar::makeEndButton() {
   auto* done = new QToolButton(this);
   done->setText(QStringLiteral("✕"));
   done->setAutoRaise(true);
@@ -90,8 +93,7 @@ QLayout* ArrangeBar::makeControls(const ActionCatalogue& actions) {
   done->setToolTip(tr("End arranging (Esc)"));
   done->setAccessibleName(tr("End arranging"));
   connect(done, &QToolButton::clicked, this, &ArrangeBar::left);
-  controls->addWidget(done);
-  return controls;
+  return done;
 }
 
 QuantityBox* ArrangeBar::addStep(QuantityBox::Quantity quantity, const QString& name) {
@@ -162,19 +164,30 @@ double ArrangeBar::distanceStep() const { return distance_->value() / perMetre_;
 
 double ArrangeBar::angleStep() const { return angle_->value() / kRadian; }
 
-/// In the middle of the lower border. What is arranged stands above the buttons where it has no room beside them.
+/// In the middle of the lower border. Where they have no room beside what is arranged, the buttons stand below it, in
+/// as many rows as they need.
 void ArrangeBar::fit() {
   const QSize scene = parentWidget()->size();
   const int width = std::min(kWidestBar, scene.width() - 2 * kArrangeMargin);
   const QMargins margins = layout()->contentsMargins();
-  const int needed = item_->sizeHint().width() + top_->itemAt(1)->sizeHint().width() + 2 * top_->spacing();
-  const bool beside = needed <= width - margins.left() - margins.right();
-  top_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  const int inner = width - margins.left() - margins.right();
+  const QSize row = controls_->layout()->sizeHint();
+  const int end = grid_->itemAtPosition(0, 2)->sizeHint().width();
+  const bool beside = item_->sizeHint().width() + row.width() + end + 2 * grid_->spacing() <= inner;
+  grid_->removeWidget(controls_);
+  if (beside) {
+    grid_->addWidget(controls_, 0, 1);
+  } else {
+    grid_->addWidget(controls_, 1, 0, 1, 3);
+  }
+  const int room = beside ? row.width() : inner;
+  controls_->layout()->setGeometry(QRect(0, 0, room, 0));  // how high its rows are
+  controls_->setFixedSize(room, controls_->layout()->minimumSize().height());
   setFixedWidth(width);
   // A shorter text in the place of the keys moves no button.
-  if (snap_.isEmpty()) keys_->setMinimumHeight(keys_->heightForWidth(width - margins.left() - margins.right()));
+  if (snap_.isEmpty()) keys_->setMinimumHeight(keys_->heightForWidth(inner));
   layout()->activate();
-  const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
+  const int height = layout()->totalHeightForWidth(width);
   setGeometry((scene.width() - width) / 2, scene.height() - height - kArrangeMargin, width, height);
   emit covered(height + kArrangeMargin);
 }

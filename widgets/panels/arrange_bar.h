@@ -1,8 +1,9 @@
 #pragma once
 
-#include <QBoxLayout>
 #include <QFrame>
+#include <QGridLayout>
 #include <QLabel>
+#include <QToolButton>
 
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/quantity_box.h"
@@ -41,18 +42,20 @@ class ArrangeBar final : public QFrame {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QLayout* makeControls(const ActionCatalogue& actions);
+  QWidget* makeControls(const ActionCatalogue& actions);
+  QToolButton* makeEndButton();
   QuantityBox* addStep(QuantityBox::Quantity quantity, const QString& name);
   void showUnit();
   void setDistance(double metres);
   void showKeys();
   void fit();
 
-  QBoxLayout* top_;
+  QGridLayout* grid_;
   QLabel* item_;
   QLabel* keys_;
   QuantityBox* distance_;
   QuantityBox* angle_;
+  QWidget* controls_;
   QString snap_;           ///< as of showSnap()
   double perMetre_ = 1.0;  ///< what is shown of a metre
 };
