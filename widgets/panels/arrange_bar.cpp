@@ -171,6 +171,8 @@ void ArrangeBar::fit() {
   const int width = std::min(kWidestBar, scene.width() - 2 * kArrangeMargin);
   const QMargins margins = layout()->contentsMargins();
   const int inner = width - margins.left() - margins.right();
+  const int high = controls_->findChild<QToolButton*>()->sizeHint().height();
+  for (QuantityBox* box : {distance_, angle_}) box->setFixedHeight(high);
   const QSize row = controls_->layout()->sizeHint();
   const int end = grid_->itemAtPosition(0, 2)->sizeHint().width();
   const bool beside = item_->sizeHint().width() + row.width() + end + 2 * grid_->spacing() <= inner;

@@ -16,8 +16,7 @@ namespace glissade {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-/// Pixels, with the arrows of the field.
-constexpr int kLeastNumberWidth = 96;
+/// Pixels: the borders and the arrows of a field.
 constexpr int kNumberBorder = 30;
 /// Metres, of what is usually set: below the first, numbers need a thousandth of a micrometre, below the second one of
 /// a millimetre.
@@ -95,12 +94,12 @@ void ParameterSlider::showUnit() {
   number_->setSuffix(QLatin1Char(' ') + field.unit);
 }
 
-/// As wide as its longest number, and at least as most others, which stand below each other.
+/// As wide as its longest number. In most units one width suffices for all, which stand below each other.
 void ParameterSlider::fitNumber() {
   const QString longest = number_->textFromValue(number_->maximum()) + number_->suffix();
   const QFontMetrics metrics = number_->fontMetrics();
-  const int text = std::max(metrics.horizontalAdvance(QStringLiteral("0000.0 mm")), metrics.horizontalAdvance(longest));
-  number_->setFixedWidth(std::max(kLeastNumberWidth, text + kNumberBorder));
+  const int usual = metrics.horizontalAdvance(QStringLiteral("00000.000 µm"));
+  number_->setFixedWidth(std::max(usual, metrics.horizontalAdvance(longest)) + kNumberBorder);
 }
 
 void ParameterSlider::changeEvent(QEvent* event) {
