@@ -150,7 +150,11 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
       if (const auto refused = applyParameters(parser, window)) return fail(*refused);
     }
   }
+  const QSize asked = window.size();
   window.show();
+  QApplication::processEvents();
+  // Texts that wrap need less room once they are laid out: small screens have no more.
+  if (!window.isMaximized() && !window.isFullScreen()) window.resize(asked);
   QApplication::processEvents();
   if (!batch) {
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);

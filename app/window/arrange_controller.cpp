@@ -12,15 +12,19 @@ ArrangeController::ArrangeController(const Workbench& bench, AssemblyController&
     : QObject(&bench.window),
       bench_(bench),
       assembly_(assembly),
-      tool_(bench.document, bench.scene, this),
+      snapping_(bench.document, bench.scene.view(), measure.features()),
+      tool_(bench.document, bench.scene, snapping_, this),
+      align_(bench, measure.features()),
       bar_(new ArrangeBar(bench.actions, bench.scene.widget())) {
   connect(bench.actions["assembly.arrange"], &QAction::toggled, this, &ArrangeController::setOn);
-  connect(bench.actions["assembly.snap"], &QAction::toggled, this, &ArrangeController::takeSteps);
+  for (const char* id : {"assembly.snap", "assembly.snap-features"}) {
+    connect(bench.actions[QLatin1String(id)], &QAction::toggled, this, &ArrangeController::takeSteps);
+  }
   connect(bar_, &ArrangeBar::stepsChanged, this, &ArrangeController::takeSteps);
   connect(bar_, &ArrangeBar::left, this, [this] { bench_.actions["assembly.arrange"]->setChecked(false); });
   connect(&assembly, &AssemblyController::placementShown, this, &ArrangeController::showItem);
   connect(&assembly, &AssemblyController::editableChanged, this, [this](bool editable) {
-    if (!editable) bench_.actions["assembly.arrange"]->setChecked(false);
+    if (!editable) leaveModes();
     enableActions();
   });
   connect(&bench.document, &WorkbenchDocument::changed, this, &ArrangeController::followDocument);
@@ -29,7 +33,8 @@ ArrangeController::ArrangeController(const Workbench& bench, AssemblyController&
     connect(bar_, &ArrangeBar::covered, scale, &ScaleBar::setRoomBelow);
   }
   connectTool();
-  connectMeasure(measure);
+  connectAlignments();
+  bench.actions["assembly.snap-features"]->setChecked(true);
   takeSteps();
   enableActions();
   addArrangeCommands(bench, *this);
@@ -44,33 +49,54 @@ void ArrangeController::connectTool() {
     assembly_.place(item, X_WB, key.arg(QString::fromStdString(item.bodyId)));
   });
   connect(&tool_, &ArrangeTool::left, bar_, &ArrangeBar::left);
+  connect(&tool_, &ArrangeTool::snapped, bar_, &ArrangeBar::showSnap);
 }
 
-void ArrangeController::connectMeasure(MeasureController& measure) {
-  connect(&assembly_, &AssemblyController::placementShown, &measure, &MeasureController::setSelected);
-  connect(&measure, &MeasureController::movingPicked, &assembly_, &AssemblyController::choose);
-  connect(&measure, &MeasureController::alignmentPicked, this, &ArrangeController::align);
-  connect(&measure, &MeasureController::alignmentLeft, this, &ArrangeController::resume);
+void ArrangeController::connectAlignments() {
+  connect(&assembly_, &AssemblyController::placementShown, &align_, &AlignTool::setSelected);
+  connect(bench_.actions["assembly.align"], &QAction::toggled, this, &ArrangeController::setAligning);
+  bench_.onAction("assembly.align", this, [this](bool on) {
+    if (!on) resume();
+  });
+  connect(&align_, &AlignTool::movingPicked, &assembly_, &AssemblyController::choose);
+  connect(&align_, &AlignTool::picked, this, &ArrangeController::takeAlignment);
+  connect(&align_, &AlignTool::left, this, &ArrangeController::resume);
 }
 
 void ArrangeController::setOn(bool on) {
-  interrupted_ = !on && bench_.actions["assembly.align"]->isChecked();
+  if (on) bench_.actions["assembly.align"]->setChecked(false);
   tool_.setOn(on);
   bar_->setVisible(on);
   bench_.scene.refresh();
 }
 
+void ArrangeController::setAligning(bool on) {
+  QAction& arranging = *bench_.actions["assembly.arrange"];
+  if (on) {
+    interrupted_ = arranging.isChecked();
+    arranging.setChecked(false);
+  }
+  align_.setOn(on);
+}
+
 void ArrangeController::resume() {
+  bench_.actions["assembly.align"]->setChecked(false);
   if (std::exchange(interrupted_, false) && assembly_.isEditable())
     bench_.actions["assembly.arrange"]->setChecked(true);
 }
 
+void ArrangeController::leaveModes() {
+  for (const char* mode : {"assembly.arrange", "assembly.align"})
+    bench_.actions[QLatin1String(mode)]->setChecked(false);
+}
+
 void ArrangeController::takeSteps() {
+  snapping_.setOn(bench_.actions["assembly.snap-features"]->isChecked());
   tool_.setSnapping(bench_.actions["assembly.snap"]->isChecked(), {bar_->distanceStep(), bar_->angleStep()});
 }
 
 void ArrangeController::followDocument(Changes what) {
-  if (what & Change::Scenario) bench_.actions["assembly.arrange"]->setChecked(false);
+  if (what & Change::Scenario) leaveModes();
   if (!(what & (Change::Scenario | Change::Arrangement)) || !aligned_) return;
   const bool stays = poseOf(bench_.document.scenario()->scenario, aligned_->item) == aligned_->after;
   if ((what & Change::Scenario) || (!stays && !bench_.document.isArranging())) aligned_.reset();
@@ -88,14 +114,17 @@ void ArrangeController::showItem(const std::optional<AssemblyItem>& item, const 
   }
 }
 
-void ArrangeController::align(const AssemblyItem& item, const MeasureFeature& moving, const MeasureFeature& fixed) {
+void ArrangeController::takeAlignment(const AssemblyItem& item, const MeasureFeature& moving,
+                                      const MeasureFeature& fixed) {
   const auto before = poseOf(bench_.document.scenario()->scenario, item);
   if (before) {
     ++alignments_;
     aligned_ = Aligned{item, *before, moving, fixed};
     placeAligned();
     const QString keys = bench_.actions["assembly.flip"]->shortcut().toString(QKeySequence::NativeText);
-    bench_.messages.showStatus(tr("%1 is aligned. %2 reverses the direction.").arg(nameOf(item), keys));
+    const QString text =
+        canFlip(moving, fixed) ? tr("%1 is aligned. %2 reverses the direction.") : tr("%1 is aligned.");
+    bench_.messages.showStatus(text.arg(nameOf(item), keys));
   }
   resume();
 }
@@ -118,8 +147,9 @@ void ArrangeController::enableActions() {
   const bool editable = assembly_.isEditable();
   bench_.enable("assembly.arrange", editable);
   bench_.enable("assembly.snap", editable);
+  bench_.enable("assembly.snap-features", editable);
   bench_.enable("assembly.align", editable);
-  bench_.enable("assembly.flip", editable && aligned_);
+  bench_.enable("assembly.flip", editable && aligned_ && canFlip(aligned_->moving, aligned_->fixed));
 }
 
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/align_tool.h"
 #include "app/window/arrange_tool.h"
 #include "app/window/assembly_controller.h"
 #include "app/window/measure_controller.h"
@@ -7,8 +8,8 @@
 
 namespace glissade {
 
-/// The mode in which things are arranged in the view: its bar, its tool, snapping, and putting an axis onto an axis or
-/// a face onto a face. Esc, another scenario, a run or measuring end it.
+/// The mode in which things are arranged in the view: its bar, its tool, snapping, and alignments. Esc, another
+/// scenario, a run or measuring end it.
 class ArrangeController final : public QObject {
   Q_OBJECT
 
@@ -16,20 +17,23 @@ class ArrangeController final : public QObject {
   ArrangeController(const Workbench& bench, AssemblyController& assembly, MeasureController& measure);
 
   ArrangeTool& tool() { return tool_; }
+  AlignTool& align() { return align_; }
   ArrangeBar& bar() { return *bar_; }
   /// Gives the bar's steps to the tool.
   void takeSteps();
 
  private:
   void connectTool();
-  void connectMeasure(MeasureController& measure);
+  void connectAlignments();
   void setOn(bool on);
+  void setAligning(bool on);
+  void leaveModes();
   void followDocument(Changes what);
   void showItem(const std::optional<AssemblyItem>& item, const PlacementPoints& points);
-  void align(const AssemblyItem& item, const MeasureFeature& moving, const MeasureFeature& fixed);
+  void takeAlignment(const AssemblyItem& item, const MeasureFeature& moving, const MeasureFeature& fixed);
   void flip();
   void placeAligned();
-  /// Arranging goes on where it was interrupted by an alignment.
+  /// An alignment was made or left. Arranging goes on where it was interrupted.
   void resume();
   void enableActions();
 
@@ -45,7 +49,9 @@ class ArrangeController final : public QObject {
 
   const Workbench& bench_;
   AssemblyController& assembly_;
+  ArrangeSnapping snapping_;
   ArrangeTool tool_;
+  AlignTool align_;
   ArrangeBar* bar_;
   std::optional<Aligned> aligned_;
   int alignments_ = 0;

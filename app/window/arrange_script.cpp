@@ -55,6 +55,20 @@ Outcome setSteps(ArrangeController& arrange, const Words& words) {
   return Done{};
 }
 
+Outcome hover(QWidget* scene, const Words& words) {
+  const auto x = toNumber(words[0]);
+  const auto y = toNumber(words[1]);
+  if (!x || !y) return wrongCommand("these are no pixels");
+  QMouseEvent event(QEvent::MouseMove, QPointF(*x, *y), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(scene, &event);
+  return Done{};
+}
+
+Outcome expectText(const QString& is, const std::string& part) {
+  const bool found = part == "none" ? is.isEmpty() : is.contains(QString::fromStdString(part));
+  return found ? Outcome(Done{}) : unmetExpectation("the text is '" + is.toStdString() + "', without '" + part + "'");
+}
+
 }  // namespace
 
 void addArrangeCommands(const Workbench& bench, ArrangeController& arrange) {
@@ -65,6 +79,10 @@ void addArrangeCommands(const Workbench& bench, ArrangeController& arrange) {
   scripts.add("hold-handle", 3, [&bench, &arrange](const Words& words) {
     return dragHandle(arrange.tool().gizmo(), bench.scene.widget(), words, false);
   });
+  scripts.add("hover", 2, [&bench](const Words& words) { return hover(bench.scene.widget(), words); });
+  scripts.add("expect-hint", 1,
+              [&arrange](const Words& words) { return expectText(arrange.align().hint(), words[0]); });
+  scripts.add("expect-snap", 1, [&arrange](const Words& words) { return expectText(arrange.bar().snap(), words[0]); });
   scripts.add("set-steps", 2, [&arrange](const Words& words) { return setSteps(arrange, words); });
   scripts.add("expect-arranging", 1, [&arrange](const Words& words) -> Outcome {
     const std::string is = arrange.bar().isVisible() ? "yes" : "no";

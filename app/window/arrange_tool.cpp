@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QMouseEvent>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,6 +15,9 @@
 
 namespace glissade {
 namespace {
+
+/// What is dragged snaps to features that are so near.
+constexpr double kSnapPixels = 6.0;
 
 QString withSign(double value, const QString& text) { return value > 0.0 ? QLatin1Char('+') + text : text; }
 
@@ -57,8 +61,12 @@ NearestAxes nearestAxes(const Quaternion& R_GV) {
 
 }  // namespace
 
-ArrangeTool::ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent)
-    : DragTool(scene, parent), document_(document), gizmo_(new GizmoOverlay(scene.view(), scene.widget())) {
+ArrangeTool::ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, ArrangeSnapping& features,
+                         QObject* parent)
+    : DragTool(scene, parent),
+      document_(document),
+      gizmo_(new GizmoOverlay(scene.view(), scene.widget())),
+      features_(features) {
   gizmo_->hide();
   connect(&document, &WorkbenchDocument::changed, this, &ArrangeTool::followDocument);
   connect(&document, &WorkbenchDocument::editFailed, this, [this] {
@@ -87,6 +95,7 @@ void ArrangeTool::setOn(bool on) {
   gizmo_->setVisible(on);
   showGizmo();
   if (on) {
+    features_.prepare();
     scene_.widget()->setCursor(Qt::OpenHandCursor);
     scene_.widget()->setFocus();
   } else {
@@ -126,6 +135,7 @@ bool ArrangeTool::gripHandle(const QPointF& position) {
   if (!handle || !selected_) return false;
   const Pose before = *shownPose(selected_->item);
   inHand_ = InHand{selected_->item, before, before, GizmoDrag(*handle, gizmo_->gizmo(), rayThrough(scene_, position))};
+  features_.begin(selected_->item);
   dragHandle(position, false);
   return true;
 }
@@ -147,24 +157,49 @@ void ArrangeTool::moveTo(const QPointF& position) {
     drag->moveTo(rayThrough(scene_, position));
     draw(drag->pose());
   } else {
-    dragHandle(position, snapping_);
+    dragHandle(position, false);
   }
 }
 
-/// Ctrl is held: a body turns, and a handle snaps where it does not otherwise.
+/// Ctrl is held: a body turns, and a handle snaps only where it does not otherwise.
 void ArrangeTool::turn(const QPointF& position, const QPointF& by) {
   if (auto* drag = std::get_if<PoseDrag>(&inHand_->drag)) {
     drag->turn(by.x(), by.y());
     draw(drag->pose());
   } else {
-    dragHandle(position, !snapping_);
+    dragHandle(position, true);
   }
 }
 
-void ArrangeTool::dragHandle(const QPointF& position, bool snapping) {
+GizmoAmount ArrangeTool::snappedAmount(const GizmoDrag& drag, bool suspended) {
+  const bool toSteps = suspended ? !snapping_ && !features_.isOn() : snapping_;
+  const GizmoHandle& handle = drag.handle();
+  FeatureSnap snap;
+  if (!suspended && handle.kind != GizmoHandle::Kind::Ring && !drag.amount().shift.isZero(0.0)) {
+    std::vector<Vector3> freedom;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((axis == handle.axis) == (handle.kind == GizmoHandle::Kind::Arrow))
+        freedom.push_back(axisOf(drag.gizmo(), axis));
+    }
+    const Quaternion& R_WG = drag.gizmo().X_WG.orientation;
+    const double pixel =
+        scene_.view().camera().viewHeightAt(drag.gizmo().X_WG.position) / std::max(1, scene_.widget()->height());
+    snap = features_.snap(R_WG * drag.amount().shift, freedom, kSnapPixels * pixel);
+  }
+  showSnap(snap);
+  if (!snap.pairs.empty()) return {drag.gizmo().X_WG.orientation.conjugate() * snap.shift, 0.0};
+  return toSteps ? glissade::snapped(drag.amount(), steps_) : drag.amount();
+}
+
+void ArrangeTool::showSnap(const FeatureSnap& snap) {
+  scene_.view().setMeasure(features_.pictureOf(snap));
+  emit snapped(features_.textOf(snap));
+}
+
+void ArrangeTool::dragHandle(const QPointF& position, bool suspended) {
   auto& drag = std::get<GizmoDrag>(inHand_->drag);
   drag.moveTo(rayThrough(scene_, position));
-  const GizmoAmount amount = snapping ? snapped(drag.amount(), steps_) : drag.amount();
+  const GizmoAmount amount = snappedAmount(drag, suspended);
   const Pose& from = drag.gizmo().X_WG;
   inHand_->now = motionOf(amount, drag.handle().axis, from) * inHand_->before;
   drawItemAt(inHand_->item, inHand_->now, *document_.scenario(), scene_.view());
@@ -198,6 +233,7 @@ void ArrangeTool::draw(const Pose& X_WB) {
 void ArrangeTool::drop() {
   const InHand hand = *std::exchange(inHand_, std::nullopt);
   scene_.widget()->setCursor(Qt::OpenHandCursor);
+  showSnap({});
   if (hand.now != hand.before) {
     put_ = Put{hand.item, hand.now};
     emit dropped(hand.item, hand.now);
@@ -209,6 +245,7 @@ void ArrangeTool::letGo() {
   if (!inHand_) return;
   draw(inHand_->before);
   inHand_.reset();
+  showSnap({});
   scene_.view().putBackObstacles();
   if (on_) scene_.widget()->setCursor(Qt::OpenHandCursor);
   showGizmo();

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "app/window/arrange_snapping.h"
 #include "app/window/drag_tool.h"
 #include "widgets/document/workbench_document.h"
 #include "widgets/scene3d/gizmo_overlay.h"
@@ -26,17 +27,19 @@ class ArrangeTool final : public DragTool {
   Q_OBJECT
 
  public:
-  ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, QObject* parent);
+  ArrangeTool(const WorkbenchDocument& document, SceneWidget& scene, ArrangeSnapping& features, QObject* parent);
 
   void setOn(bool on);
   /// What is selected has the gizmo, and is gripped also behind other bodies.
   void setSelected(const std::optional<ArrangedItem>& selected);
-  /// Amounts are rounded to the steps, or where `snapping` is off only while Ctrl is held.
+  /// Amounts are rounded to the steps. Ctrl suspends that, and the snapping to features; where both are off, it rounds.
   void setSnapping(bool snapping, const GizmoSteps& steps);
 
   const GizmoOverlay& gizmo() const { return *gizmo_; }
 
  signals:
+  /// What is dragged meets this now; empty: nothing.
+  void snapped(const QString& what);
   void gripped(const glissade::AssemblyItem& item);
   void dropped(const glissade::AssemblyItem& item, const glissade::Pose& X_WB);
   /// A key has put it there.
@@ -54,7 +57,10 @@ class ArrangeTool final : public DragTool {
 
   bool gripHandle(const QPointF& position);
   bool gripBody(const QPointF& position);
-  void dragHandle(const QPointF& position, bool snapping);
+  void dragHandle(const QPointF& position, bool suspended);
+  /// The amount that the handle's drag is rounded to, by features of other bodies or by steps.
+  GizmoAmount snappedAmount(const GizmoDrag& drag, bool suspended);
+  void showSnap(const FeatureSnap& snap);
   /// Puts back what is held.
   void letGo();
   bool pressKey(const QKeyEvent& event);
@@ -85,6 +91,7 @@ class ArrangeTool final : public DragTool {
   GizmoOverlay* gizmo_;
   bool on_ = false;
   bool snapping_ = false;
+  ArrangeSnapping& features_;
   GizmoSteps steps_;
   std::optional<ArrangedItem> selected_;
   std::optional<InHand> inHand_;

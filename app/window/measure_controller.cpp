@@ -12,7 +12,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/window/arranged_item.h"
 #include "app/window/scene_ray.h"
 #include "engine/product/contact_report.h"
 #include "widgets/commands/length_text.h"
@@ -27,14 +26,12 @@ using Kind = MeasureController::Kind;
 constexpr double kStillPixels = 4.0;
 /// The pointer snaps to vertices and edges within this.
 constexpr double kSnapPixels = 9.0;
-constexpr int kHintMargin = 10;
 
-constexpr std::array<std::pair<const char*, Kind>, 7> kKinds{{{"measure.distance", Kind::Distance},
+constexpr std::array<std::pair<const char*, Kind>, 6> kKinds{{{"measure.distance", Kind::Distance},
                                                               {"measure.angle", Kind::Angle},
                                                               {"measure.radius", Kind::Radius},
                                                               {"measure.clearance", Kind::Clearance},
                                                               {"assembly.pick-frame", Kind::Frame},
-                                                              {"assembly.align", Kind::Align},
                                                               {"section.pick-face", Kind::Section}}};
 
 QString degreesText(double radians) {
@@ -72,23 +69,14 @@ Clearance clearanceOf(const RigidBody& a, const RigidBody& b, const StopToken& s
 }  // namespace
 
 MeasureController::MeasureController(const Workbench& bench)
-    : QObject(&bench.window), bench_(bench), hint_(new QLabel(bench.scene.widget())) {
-  hint_->setObjectName(QStringLiteral("measure-hint"));
-  hint_->setTextFormat(Qt::PlainText);
-  hint_->setAutoFillBackground(true);
-  hint_->setMargin(6);
-  hint_->setAlignment(Qt::AlignCenter);
-  hint_->hide();
+    : QObject(&bench.window), bench_(bench), store_(bench), hint_(new SceneHint(bench.scene.widget())) {
   bench.scene.widget()->installEventFilter(this);
-  connect(&preparation_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
+  connect(&measuring_, &BackgroundTask::failed, &bench.work, &WorkController::reportFailure);
   connect(&bench.document, &WorkbenchDocument::changed, this, [this](Changes what) {
-    if (what & Change::Scenario) {
-      prepared_.clear();
-      setKind(Kind::None);
-    }
+    if (what & Change::Scenario) setKind(Kind::None);
     if (what & (Change::Scenario | Change::Arrangement)) clear();
     for (const auto& [id, kind] : kKinds) {
-      if (kind != Kind::Align && kind != Kind::Section) bench_.enable(id, true);  // these are not always possible
+      if (kind != Kind::Section) bench_.enable(id, true);  // sections are limited in number
     }
   });
   connectActions();
@@ -98,16 +86,15 @@ MeasureController::MeasureController(const Workbench& bench)
 void MeasureController::connectActions() {
   for (const auto& [id, kind] : kKinds) {
     bench_.enable(id, false);
-    bench_.onAction(id, this, [this, kind = kind](bool on) {
-      setKind(on ? kind : Kind::None);
-      if (!on && kind == Kind::Align) emit alignmentLeft();
+    bench_.onAction(id, this, [this, kind = kind](bool on) { setKind(on ? kind : Kind::None); });
+  }
+  for (const char* other : {"assembly.arrange", "assembly.align"}) {
+    connect(bench_.actions[QLatin1String(other)], &QAction::toggled, this, [this](bool on) {
+      if (!on) return;
+      setKind(Kind::None);
+      clear();
     });
   }
-  connect(bench_.actions["assembly.arrange"], &QAction::toggled, this, [this](bool on) {
-    if (!on) return;
-    setKind(Kind::None);
-    clear();
-  });
   bench_.enable("measure.clear", false);
   bench_.onAction("measure.clear", this, [this] { clear(); });
   bench_.enable("measure.copy", false);
@@ -123,13 +110,15 @@ void MeasureController::setKind(Kind kind) {
     bench_.scene.widget()->unsetCursor();
   } else {
     bench_.actions["assembly.arrange"]->setChecked(false);
+    bench_.actions["assembly.align"]->setChecked(false);
     bench_.scene.widget()->setCursor(Qt::CrossCursor);
     bench_.scene.widget()->setFocus();
   }
 }
 
 void MeasureController::clear() {
-  preparation_.cancel();
+  store_.cancel();
+  measuring_.cancel();
   features_.clear();
   bodies_.clear();
   result_.clear();
@@ -140,12 +129,9 @@ void MeasureController::clear() {
 }
 
 bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) placeHint();
   if (kind_ == Kind::None) return QObject::eventFilter(watched, event);
   if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    const bool aligning = kind_ == Kind::Align;
     setKind(Kind::None);
-    if (aligning) emit alignmentLeft();
     return true;
   }
   if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease) {
@@ -179,22 +165,11 @@ std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& 
   if (!hit) return std::nullopt;
   const Vector3 p_W = ray.origin + hit->distance * ray.direction;
   const double pixel = view.camera().viewHeightAt(p_W) / std::max(1, bench_.scene.widget()->height());
-  return Picked{bodies[hit->body], *hit, p_W, kSnapPixels * pixel, std::nullopt};
-}
-
-/// What can be arranged; the object counts where its start and its goal are.
-std::optional<MeasureController::Picked> MeasureController::pickItem(const QPointF& position) const {
-  const LoadedScenario& scenario = *bench_.document.scenario();
-  const Ray ray = rayThrough(bench_.scene, position);
-  std::optional<ItemHit> hit;
-  if (selected_ && features_.empty()) hit = itemAt(scenario, bench_.scene.view(), ray, selected_);
-  if (!hit) hit = itemAt(scenario, bench_.scene.view(), ray);
-  if (!hit) return std::nullopt;
-  return Picked{hit->body, hit->hit, hit->p_W, 0.0, hit->item};
+  return Picked{bodies[hit->body], *hit, p_W, kSnapPixels * pixel};
 }
 
 void MeasureController::click(const QPointF& position) {
-  const auto picked = kind_ == Kind::Align ? pickItem(position) : pick(position);
+  const auto picked = pick(position);
   if (!picked) return;
   if (!result_.isEmpty()) clear();
   if (kind_ == Kind::Clearance) {
@@ -205,34 +180,24 @@ void MeasureController::click(const QPointF& position) {
 }
 
 void MeasureController::takeFeature(const Picked& picked) {
-  const auto known = prepared_.find(picked.body.mesh);
-  if (known != prepared_.end() && kind_ == Kind::Frame) {
-    takeFrame(picked, *known->second);
-    return;
-  }
-  if (known != prepared_.end()) {
+  const MeshFeaturesPtr known = store_.find(picked.body.mesh);
+  if (!known) {
+    hint_->write(tr("Finding edges and faces of the body…"));
+    store_.prepare(picked.body.mesh, [this, picked] { takeFeature(picked); });
+  } else if (kind_ == Kind::Frame) {
+    takeFrame(picked, known->measurable);
+  } else {
     const Vector3 p_B = inverse(picked.body.X_WB) * picked.p_W;
     const double snap = kind_ == Kind::Radius || kind_ == Kind::Section ? 0.0 : picked.snap;
-    const MeasureFeature feature = placed(known->second->featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB);
+    const MeasureFeature feature =
+        placed(known->measurable.featureAt(picked.hit.triangle, p_B, snap), picked.body.X_WB);
     if (kind_ == Kind::Section) {
       setKind(Kind::None);
       emit facePicked(feature);
-    } else if (picked.item) {
-      takeAlignment(*picked.item, feature);
     } else {
       addFeature(feature);
     }
-    return;
   }
-  const auto prepare = [this, picked](const WorkWatch&) -> BackgroundTask::Delivery {
-    auto mesh = std::make_shared<const MeasurableMesh>(picked.body.mesh);
-    return [this, picked, mesh] {
-      prepared_[picked.body.mesh] = mesh;
-      takeFeature(picked);
-    };
-  };
-  writeHint(tr("Finding edges and faces of the body…"));
-  preparation_.start("finding edges and faces", prepare, bench_.work.isAtOnce());
 }
 
 void MeasureController::takeFrame(const Picked& picked, const MeasurableMesh& mesh) {
@@ -243,25 +208,6 @@ void MeasureController::takeFrame(const Picked& picked, const MeasurableMesh& me
   }
   setKind(Kind::None);
   emit framePicked(picked.body, *frame);
-}
-
-/// A click that does not fit leaves what was clicked first.
-void MeasureController::takeAlignment(const AssemblyItem& item, const MeasureFeature& feature) {
-  if (!canAlign(feature, feature)) {
-    writeHint(tr("This is neither a plane nor a cylinder."));
-  } else if (features_.empty()) {
-    moving_ = item;
-    addFeature(feature);
-    emit movingPicked(item);
-  } else if (item == moving_) {
-    writeHint(tr("This is what moves. Click a face of another body. Esc ends this."));
-  } else if (!canAlign(features_.front(), feature)) {
-    writeHint(tr("A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this."));
-  } else {
-    const MeasureFeature moving = features_.front();
-    setKind(Kind::None);
-    emit alignmentPicked(moving_, moving, feature);
-  }
 }
 
 void MeasureController::addFeature(const MeasureFeature& feature) {
@@ -341,8 +287,8 @@ void MeasureController::measureClearance() {
       }
     };
   };
-  writeHint(tr("Measuring the clearance…"));
-  preparation_.start("measuring a clearance", measure, bench_.work.isAtOnce());
+  hint_->write(tr("Measuring the clearance…"));
+  measuring_.start("measuring a clearance", measure, bench_.work.isAtOnce());
 }
 
 void MeasureController::show(const QString& text, MeasurePicture picture) {
@@ -368,10 +314,6 @@ void MeasureController::showHint() {
       case Kind::Radius: text = tr("Click a cylindrical face. Esc ends measuring."); break;
       case Kind::Frame: text = tr("Click a plane or a cylinder of what is placed. Esc ends this."); break;
       case Kind::Section: text = tr("Click the face that the section lies along. Esc ends this."); break;
-      case Kind::Align:
-        text = first ? tr("Click a plane or a cylinder of what moves. Esc ends this.")
-                     : tr("Click the plane or the cylinder of another body that it goes onto. Esc ends this.");
-        break;
       case Kind::Clearance:
         text = first ? tr("Click the first body. Esc ends measuring.") : tr("Click the second body.");
         break;
@@ -384,21 +326,7 @@ void MeasureController::showHint() {
         break;
     }
   }
-  writeHint(text);
-}
-
-void MeasureController::writeHint(const QString& text) {
-  hint_->setText(text);
-  hint_->setVisible(!text.isEmpty());
-  placeHint();
-}
-
-/// In the middle of the lower border.
-void MeasureController::placeHint() {
-  hint_->adjustSize();
-  const QSize scene = bench_.scene.widget()->size();
-  hint_->move((scene.width() - hint_->width()) / 2, scene.height() - hint_->height() - kHintMargin);
-  hint_->raise();
+  hint_->write(text);
 }
 
 void MeasureController::addCommands() {

@@ -21,6 +21,8 @@ const std::vector<SampleScenario>& sampleScenarios() {
        QT_TRANSLATE_NOOP("Samples", "A flat world in the manner of Cailhol et al. 2019")},
       {"environment-1/scenario.json", QT_TRANSLATE_NOOP("Samples", "Environment 1"),
        QT_TRANSLATE_NOOP("Samples", "The cluttered environment of Blin et al. 2016 (figure 3)")},
+      {"bolted-brackets/scenario.json", QT_TRANSLATE_NOOP("Samples", "Bolted brackets"),
+       QT_TRANSLATE_NOOP("Samples", "Ten parts that touch, as CAD systems export them")},
       {"roller-stand/scenario.json", QT_TRANSLATE_NOOP("Samples", "Roller stand"),
        QT_TRANSLATE_NOOP("Samples", "A roller on a shaft between two walls")},
       {"pump/unmount.json", QT_TRANSLATE_NOOP("Samples", "Pump, unmounting"),

@@ -71,7 +71,7 @@ QString styleSheetFrom(const Tones& tones) {
              "QTreeView::indicator:unchecked { width: 11px; height: 11px; border: 1px solid %5; border-radius: 2px; }"
              "#attributes { background: %1; }"  // as behind other editors: on their own colour they have no edge
              "QLabel#authority { font-weight: 600; }"
-             "#measure-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
+             "#scene-hint { background: %1; border: 1px solid %2; border-radius: 4px; }"
              "#notice { background: %1; border: 1px solid %2; border-left: 4px solid #d55e00; border-radius: 4px; }"
              "#arrange-bar { background: %1; border: 1px solid %2; border-radius: 4px; }"
              "#arrange-bar QToolButton { border: 1px solid %2; background: %3; }"

@@ -7,6 +7,8 @@
 
 #include <sstream>
 
+#include "widgets/panels/section_panel.h"
+
 namespace glissade {
 namespace {
 
@@ -86,7 +88,12 @@ TourController::TourController(const Workbench& bench)
   addCommands();
 }
 
-void TourController::start() { go(0); }
+void TourController::start() {
+  if (const auto* section = bench_.window.findChild<SectionPanel*>()) {
+    connect(section, &SectionPanel::changed, this, &TourController::check, Qt::UniqueConnection);
+  }
+  go(0);
+}
 
 void TourController::go(std::optional<std::size_t> to) {
   current_ = to;

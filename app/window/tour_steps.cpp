@@ -29,8 +29,9 @@ bool hasSolvedByGts(const Workbench& bench) {
   return hasRun(bench, "gts") && bench.run.snapshot()->state == SessionState::Solved;
 }
 bool isStepChosen(const Workbench& bench) { return hasSelectedRow(bench, "steps"); }
-bool isNutOpen(const Workbench& bench) { return isOpen(bench, "nut-and-bolt/scenario.json"); }
-bool hasNutPath(const Workbench& bench) { return isNutOpen(bench) && bench.document.results().path != nullptr; }
+bool areBracketsOpen(const Workbench& bench) { return isOpen(bench, "bolted-brackets/scenario.json"); }
+bool hasNutPath(const Workbench& bench) { return areBracketsOpen(bench) && bench.document.results().path != nullptr; }
+bool isCutOpen(const Workbench& bench) { return !bench.scene.view().sections().empty(); }
 bool hasSequence(const Workbench& bench) { return bench.actions["sequence.export"]->isEnabled(); }
 
 }  // namespace
@@ -79,42 +80,52 @@ const std::vector<TourStep>& tourSteps() {
        isStepChosen},
       {QT_TRANSLATE_NOOP("Tour", "Open parts"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Now parts. Open the sample \"Nut and bolt\" (samples/nut-and-bolt). With parts of your own, "
-                         "begin with File > New from parts (Ctrl+N): STEP, mesh or URDF files."),
+                         "Now parts. Open the sample \"Bolted brackets\" (samples/bolted-brackets): two brackets on a "
+                         "plate, with bolts, a rod and nuts. With parts of your own, begin with File > New from parts "
+                         "(Ctrl+N): STEP, mesh or URDF files."),
        "file.open",
-       {"open-sample nut-and-bolt/scenario.json"},
-       isNutOpen},
-      {QT_TRANSLATE_NOOP("Tour", "Find the fits"),
+       {"open-sample bolted-brackets/scenario.json"},
+       areBracketsOpen},
+      {QT_TRANSLATE_NOOP("Tour", "See the fits"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Choose Assembly > Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or "
-                         "overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a "
-                         "clearance of 0.1 mm: the list is empty, and nothing has to be allowed."),
+                         "Choose Assembly > Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits "
+                         "lists the pairs, with gap and allowance: by so much the part that moves is taken thinner "
+                         "against the other one. A click on a row marks the two parts."),
        "fits.find",
        {"action fits.find"},
        nullptr},
-      {QT_TRANSLATE_NOOP("Tour", "Plan a motion"),
+      {QT_TRANSLATE_NOOP("Tour", "Take a part out"),
        QT_TRANSLATE_NOOP("Tour",
-                         "Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to "
-                         "turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P)."),
+                         "Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the "
+                         "clearance along the motion, the allowances, and plays it (Ctrl+P)."),
        "run.start",
        {"action run.start"},
        hasNutPath},
+      {QT_TRANSLATE_NOOP("Tour", "Cut it open"),
+       QT_TRANSLATE_NOOP(
+           "Tour",
+           "Open the panel Section (Alt+7) and check Y: the plane cuts the bodies open, so that bolts, rod "
+           "and holes are seen. The slider moves the plane."),
+       "panel.section",
+       {"action panel.section", "section y 0.5"},
+       isCutOpen},
       {QT_TRANSLATE_NOOP("Tour", "Plan the sequence"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Choose Assembly > Plan the sequence (Ctrl+J): in which order do the parts leave? Each step "
-           "has a motion that is proved. A click on a row shows the step; Explode moves the parts apart."),
+           "Choose Assembly > Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has "
+           "a motion that is proved. The rod leaves before the bolts, which have no room below it. A click "
+           "on a row shows the step."),
        "sequence.plan",
-       {"action sequence.plan"},
+       {"section y off", "action sequence.plan"},
        hasSequence},
-      {QT_TRANSLATE_NOOP("Tour", "Write the report"),
+      {QT_TRANSLATE_NOOP("Tour", "Write the instruction"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Choose Assembly > Sequence > Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a "
-           "work instruction with a picture of each step. Run > Path > Report of the path does the same for one "
-           "motion. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
+           "The slider Explode in the panel Sequence moves the parts apart. Choose Assembly > Save the "
+           "sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture "
+           "of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command."),
        "sequence.export",
-       {"export-sequence {report}"},
+       {"explode 1", "export-sequence {report}"},
        nullptr},
   };
   return steps;

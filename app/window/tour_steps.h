@@ -17,7 +17,7 @@ struct TourStep {
   bool (*isDone)(const Workbench& bench);
 };
 
-/// Five with the teaching scenario, then five with parts.
+/// Five with the teaching scenario, then six with parts that touch.
 const std::vector<TourStep>& tourSteps();
 
 }  // namespace glissade

@@ -55,10 +55,9 @@ std::vector<QLatin1String> choiceIds() {
   std::vector<QLatin1String> ids;
   for (const ActionSpec& spec : actionSpecs()) {
     const QLatin1String id(spec.id);
-    if (id.startsWith(QLatin1String("navigation.")) ||
-        id == QLatin1String("view.orthographic") || id == QLatin1String("display.depth-shading") ||
-        id == QLatin1String("path.follow") || id == QLatin1String("section.handles") ||
-        id == QLatin1String("layer.grid")) {
+    if (id.startsWith(QLatin1String("navigation.")) || id == QLatin1String("view.orthographic") ||
+        id == QLatin1String("display.depth-shading") || id == QLatin1String("path.follow") ||
+        id == QLatin1String("section.handles") || id == QLatin1String("layer.grid")) {
       ids.push_back(id);
     }
   }

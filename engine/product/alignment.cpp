@@ -1,9 +1,27 @@
 #include "engine/product/alignment.h"
 
+#include <numbers>
+
 namespace glissade {
 namespace {
 
-using Kind = MeasureFeature::Kind;
+using FeatureKind = MeasureFeature::Kind;
+
+enum class Form { Point, Line, Plane };
+
+Form formOf(const MeasureFeature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::Face: return Form::Plane;
+    case FeatureKind::Edge:
+    case FeatureKind::Cylinder: return Form::Line;
+    default: return Form::Point;
+  }
+}
+
+/// The point that stays while the body turns.
+const Vector3& pivotOf(const MeasureFeature& feature) {
+  return feature.kind == FeatureKind::Cylinder ? feature.axisPoint : feature.picked;
+}
 
 /// `by` about a point that stays where it is.
 Pose turnAbout(const Vector3& point, const Quaternion& by) { return {point - by * point, by}; }
@@ -15,22 +33,77 @@ Quaternion leastTurn(const Vector3& from, const Vector3& to) {
   return (Quaternion::FromTwoVectors(nearly * from, to) * nearly).normalized();
 }
 
+/// The direction across `line` that is nearest to `direction`. The second step mends the loss of digits where the two
+/// are nearly parallel.
+Vector3 nearestAcross(const Vector3& direction, const Vector3& line) {
+  constexpr double kParallel = 1e-12;
+  Vector3 across = direction - direction.dot(line) * line;
+  if (across.norm() < kParallel) across = line.unitOrthogonal();
+  across.normalize();
+  return (across - across.dot(line) * line).normalized();
+}
+
+/// Of two lines, or two planes.
+Vector3 nearestAlong(const MeasureFeature& moving, const MeasureFeature& fixed, bool flipped) {
+  const bool isLine = formOf(moving) == Form::Line;
+  const bool opposite = (!isLine || moving.direction.dot(fixed.direction) < 0.0) != flipped;
+  return opposite ? Vector3(-fixed.direction) : fixed.direction;
+}
+
+bool isTangency(const MeasureFeature& moving, const MeasureFeature& fixed) {
+  return (moving.kind == FeatureKind::Cylinder) != (fixed.kind == FeatureKind::Cylinder) &&
+         (formOf(moving) == Form::Plane) != (formOf(fixed) == Form::Plane);
+}
+
+/// How the body turns.
+Quaternion turnOf(const MeasureFeature& moving, const MeasureFeature& fixed, bool flipped) {
+  if (formOf(moving) == Form::Point || formOf(fixed) == Form::Point) return Quaternion::Identity();
+  if (formOf(moving) == formOf(fixed)) return leastTurn(moving.direction, nearestAlong(moving, fixed, flipped));
+  const Vector3 direction = nearestAcross(moving.direction, fixed.direction);
+  const Quaternion turn = leastTurn(moving.direction, direction);
+  if (!flipped || isTangency(moving, fixed)) return turn;
+  const Vector3& edge = formOf(moving) == Form::Line ? direction : fixed.direction;
+  return Quaternion(Eigen::AngleAxisd(std::numbers::pi, edge)) * turn;
+}
+
+/// Height of the cylinder's axis over the plane.
+double tangentHeight(const MeasureFeature& cylinder, bool flipped) {
+  return cylinder.isHole != flipped ? -cylinder.radius : cylinder.radius;
+}
+
+/// How far the body moves after it has turned. `apart`: from the moving pivot
+/// to the fixed one.
+Vector3 shiftOf(const MeasureFeature& turned, const MeasureFeature& fixed, const Vector3& apart, bool flipped) {
+  const Form movingForm = formOf(turned);
+  const Form fixedForm = formOf(fixed);
+  if (movingForm == Form::Plane || fixedForm == Form::Plane) {
+    const bool isFixed = fixedForm == Form::Plane;
+    const Vector3& normal = isFixed ? fixed.direction : turned.direction;
+    double along = apart.dot(normal);
+    if (isTangency(turned, fixed)) along += isFixed ? tangentHeight(turned, flipped) : -tangentHeight(fixed, flipped);
+    return along * normal;
+  }
+  if (movingForm == Form::Line || fixedForm == Form::Line) {
+    const Vector3& line = fixedForm == Form::Line ? fixed.direction : turned.direction;
+    return apart - apart.dot(line) * line;
+  }
+  return apart;
+}
+
 }  // namespace
 
 bool canAlign(const MeasureFeature& moving, const MeasureFeature& fixed) {
-  return moving.kind == fixed.kind && (moving.kind == Kind::Face || moving.kind == Kind::Cylinder);
+  return moving.kind != FeatureKind::FreeFace && fixed.kind != FeatureKind::FreeFace;
+}
+
+bool canFlip(const MeasureFeature& moving, const MeasureFeature& fixed) {
+  return canAlign(moving, fixed) && formOf(moving) != Form::Point && formOf(fixed) != Form::Point;
 }
 
 Pose alignment(const MeasureFeature& moving, const MeasureFeature& fixed, bool flipped) {
-  const bool isAxis = moving.kind == Kind::Cylinder;
-  const Vector3& line = fixed.direction;
-  const bool opposite = (!isAxis || moving.direction.dot(line) < 0.0) != flipped;
-  const Vector3 direction = opposite ? Vector3(-line) : line;
-  const Vector3& pivot = isAxis ? moving.axisPoint : moving.picked;
-  const Pose turned = turnAbout(pivot, leastTurn(moving.direction, direction));
-  const Vector3 apart = (isAxis ? fixed.axisPoint : fixed.picked) - pivot;
-  const Vector3 along = apart.dot(line) * line;
-  return Pose::translation(isAxis ? Vector3(apart - along) : along) * turned;
+  const Pose turned = turnAbout(pivotOf(moving), turnOf(moving, fixed, flipped));
+  const Vector3 apart = pivotOf(fixed) - pivotOf(moving);
+  return Pose::translation(shiftOf(placed(moving, turned), fixed, apart, flipped)) * turned;
 }
 
 }  // namespace glissade

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -12,10 +14,8 @@ namespace {
 constexpr double kSmoothSurface = 0.866;
 /// Sine below which directions are parallel.
 constexpr double kParallelSine = 1e-6;
-
-std::pair<std::uint32_t, std::uint32_t> edgeKey(std::uint32_t a, std::uint32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
+/// Cosine between an edge and the axis of a cylinder below which the edge goes round it.
+constexpr double kRoundCosine = 0.5;
 
 double shareOnSegment(const Vector3& p, const Vector3& from, const Vector3& to) {
   const double squared = (to - from).squaredNorm();
@@ -92,23 +92,95 @@ MeasureFeature placed(const MeasureFeature& feature, const Pose& X_WB) {
 }
 
 MeasurableMesh::MeasurableMesh(MeshPtr mesh) : mesh_(std::move(mesh)), regions_(findSurfaceRegions(*mesh_)) {
+  sides_.reserve(3 * mesh_->triangles.size());
   for (std::size_t i = 0; i < mesh_->triangles.size(); ++i) {
     const auto& [a, b, c] = mesh_->triangles[i];
-    for (const auto& key : {edgeKey(a, b), edgeKey(b, c), edgeKey(c, a)}) {
-      trianglesAt_[key].push_back(static_cast<std::uint32_t>(i));
+    const auto triangle = static_cast<std::uint32_t>(i);
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      sides_.push_back({std::min(from, to), std::max(from, to), triangle});
     }
   }
+  std::sort(sides_.begin(), sides_.end(), [](const EdgeSide& one, const EdgeSide& other) {
+    return std::tie(one.low, one.high, one.triangle) < std::tie(other.low, other.high, other.triangle);
+  });
 }
 
-bool MeasurableMesh::isFeatureEdge(std::uint32_t a, std::uint32_t b) const {
-  const std::vector<std::uint32_t>& sides = trianglesAt_.at(edgeKey(a, b));
-  if (sides.size() != 2) return true;
-  const SurfaceRegions::Label& one = regions_.labels[sides[0]];
-  const SurfaceRegions::Label& other = regions_.labels[sides[1]];
+MeasurableMesh::EdgeSides MeasurableMesh::sidesOf(std::uint32_t a, std::uint32_t b) const {
+  const EdgeSide edge{std::min(a, b), std::max(a, b), 0};
+  const auto [first, last] =
+      std::equal_range(sides_.begin(), sides_.end(), edge, [](const EdgeSide& one, const EdgeSide& other) {
+        return std::tie(one.low, one.high) < std::tie(other.low, other.high);
+      });
+  return {sides_.data() + (first - sides_.begin()), sides_.data() + (last - sides_.begin())};
+}
+
+bool MeasurableMesh::isFeatureEdge(const EdgeSides& sides) const {
+  if (sides.last - sides.first != 2) return true;
+  const std::uint32_t left = sides.first[0].triangle;
+  const std::uint32_t right = sides.first[1].triangle;
+  const SurfaceRegions::Label& one = regions_.labels[left];
+  const SurfaceRegions::Label& other = regions_.labels[right];
   if (one.kind != other.kind || one.index != other.index) return true;
   if (one.kind != SurfaceRegions::Kind::Free) return false;
-  return faceNormal(*mesh_, mesh_->triangles[sides[0]]).dot(faceNormal(*mesh_, mesh_->triangles[sides[1]])) <
-         kSmoothSurface;
+  return faceNormal(*mesh_, mesh_->triangles[left]).dot(faceNormal(*mesh_, mesh_->triangles[right])) < kSmoothSurface;
+}
+
+std::optional<std::size_t> MeasurableMesh::rimOf(std::uint32_t a, std::uint32_t b) const {
+  const EdgeSides sides = sidesOf(a, b);
+  if (!isFeatureEdge(sides)) return std::nullopt;
+  const Vector3 along = (mesh_->vertices[b] - mesh_->vertices[a]).stableNormalized();
+  for (const EdgeSide* side = sides.first; side != sides.last; ++side) {
+    const SurfaceRegions::Label& label = regions_.labels[side->triangle];
+    if (label.kind != SurfaceRegions::Kind::Cylinder) continue;
+    if (std::abs(along.dot(regions_.cylinders[label.index].direction)) < kRoundCosine) return label.index;
+  }
+  return std::nullopt;
+}
+
+MeasureFeature MeasurableMesh::cylinderAt(std::size_t cylinder, const Vector3& p) const {
+  const CylinderRegion& region = regions_.cylinders[cylinder];
+  MeasureFeature feature;
+  feature.kind = MeasureFeature::Kind::Cylinder;
+  feature.picked = p;
+  feature.direction = region.direction;
+  feature.axisPoint = region.point + (p - region.point).dot(region.direction) * region.direction;
+  feature.radius = region.radius;
+  feature.isHole = !region.shaft;
+  return feature;
+}
+
+MeasureFeature MeasurableMesh::alignableAt(std::size_t triangle, const Vector3& p, double snap) const {
+  const TriangleIndices& corners = mesh_->triangles[triangle];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t a = corners[i];
+    const std::uint32_t b = corners[(i + 1) % 3];
+    const Vector3& from = mesh_->vertices[a];
+    const Vector3& to = mesh_->vertices[b];
+    if ((from + shareOnSegment(p, from, to) * (to - from) - p).norm() > snap) continue;
+    if (const auto cylinder = rimOf(a, b)) return cylinderAt(*cylinder, p);
+  }
+  return featureAt(triangle, p, snap);
+}
+
+std::vector<Vector3> MeasurableMesh::outlineAt(std::size_t triangle) const {
+  const SurfaceRegions::Label& region = regions_.labels[triangle];
+  std::vector<Vector3> segments;
+  if (region.kind == SurfaceRegions::Kind::Free) return segments;
+  const auto isOfRegion = [&](const EdgeSide& side) {
+    const SurfaceRegions::Label& label = regions_.labels[side.triangle];
+    return label.kind == region.kind && label.index == region.index;
+  };
+  const EdgeSide* end = sides_.data() + sides_.size();
+  for (const EdgeSide* first = sides_.data(); first != end;) {
+    const EdgeSides sides{first, std::find_if(first, end, [first](const EdgeSide& side) {
+                            return side.low != first->low || side.high != first->high;
+                          })};
+    if (std::any_of(sides.first, sides.last, isOfRegion) && isFeatureEdge(sides)) {
+      segments.insert(segments.end(), {mesh_->vertices[first->low], mesh_->vertices[first->high]});
+    }
+    first = sides.last;
+  }
+  return segments;
 }
 
 MeasureFeature MeasurableMesh::featureAt(std::size_t triangle, const Vector3& p, double snap) const {
@@ -133,7 +205,11 @@ MeasureFeature MeasurableMesh::featureAt(std::size_t triangle, const Vector3& p,
     const Vector3 on = from + shareOnSegment(p, from, to) * (to - from);
     if (!isFeatureEdge(corners[i], corners[(i + 1) % 3]) || (on - p).norm() > nearest) continue;
     nearest = (on - p).norm();
-    feature = {MeasureFeature::Kind::Edge, on, from, to, (to - from).stableNormalized(), Vector3::Zero(), 0.0};
+    feature.kind = MeasureFeature::Kind::Edge;
+    feature.picked = on;
+    feature.from = from;
+    feature.to = to;
+    feature.direction = (to - from).stableNormalized();
   }
   if (feature.kind == MeasureFeature::Kind::Edge) return feature;
   const SurfaceRegions::Label& label = regions_.labels[triangle];
@@ -143,11 +219,7 @@ MeasureFeature MeasurableMesh::featureAt(std::size_t triangle, const Vector3& p,
     feature.kind = MeasureFeature::Kind::Face;
     feature.direction = regions_.planes[label.index].normal;
   } else if (label.kind == SurfaceRegions::Kind::Cylinder) {
-    const CylinderRegion& cylinder = regions_.cylinders[label.index];
-    feature.kind = MeasureFeature::Kind::Cylinder;
-    feature.direction = cylinder.direction;
-    feature.axisPoint = cylinder.point + (p - cylinder.point).dot(cylinder.direction) * cylinder.direction;
-    feature.radius = cylinder.radius;
+    return cylinderAt(label.index, p);
   }
   return feature;
 }

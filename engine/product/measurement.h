@@ -1,9 +1,7 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "engine/product/surface_regions.h"
@@ -20,6 +18,7 @@ struct MeasureFeature {
   Vector3 direction = Vector3::UnitZ();  ///< unit: of an edge, of a cylinder's axis; of a face its normal
   Vector3 axisPoint = Vector3::Zero();   ///< of a cylinder
   double radius = 0.0;                   ///< of a cylinder, metres
+  bool isHole = false;                   ///< of a cylinder: the material is outside
 };
 
 /// The feature of a body at X_WB in the world.
@@ -35,17 +34,43 @@ class MeasurableMesh {
   /// else the surface. In the mesh's frame.
   MeasureFeature featureAt(std::size_t triangle, const Vector3& p, double snap) const;
 
+  /// What is meant where a body is aligned: as featureAt(), but the circular edge of a cylinder means the cylinder.
+  MeasureFeature alignableAt(std::size_t triangle, const Vector3& p, double snap) const;
+
+  /// The border of the plane or the cylinder that the triangle is of: two points for each segment, in the mesh's frame.
+  /// Empty on free surfaces.
+  std::vector<Vector3> outlineAt(std::size_t triangle) const;
+
   /// A frame for placing the body by the plane or the cylinder that the triangle is of, in the mesh's frame. Origin:
   /// the middle of the face, or of the part of the axis beside it. z: the outward normal, or the axis, towards its
   /// largest coordinate. x: as near as can be to x, or to y where z is near x. Nothing on free surfaces.
   std::optional<Pose> frameAt(std::size_t triangle) const;
 
+  const TriangleMesh& mesh() const { return *mesh_; }
+  const SurfaceRegions& regions() const { return regions_; }
+
  private:
-  bool isFeatureEdge(std::uint32_t a, std::uint32_t b) const;
+  /// A triangle at an edge, whose vertices are in order.
+  struct EdgeSide {
+    std::uint32_t low;
+    std::uint32_t high;
+    std::uint32_t triangle;
+  };
+  struct EdgeSides {
+    const EdgeSide* first;
+    const EdgeSide* last;
+  };
+
+  EdgeSides sidesOf(std::uint32_t a, std::uint32_t b) const;
+  bool isFeatureEdge(const EdgeSides& sides) const;
+  bool isFeatureEdge(std::uint32_t a, std::uint32_t b) const { return isFeatureEdge(sidesOf(a, b)); }
+  /// The cylinder whose circular edge this is, by its index; nothing where it is none.
+  std::optional<std::size_t> rimOf(std::uint32_t a, std::uint32_t b) const;
+  MeasureFeature cylinderAt(std::size_t cylinder, const Vector3& p) const;
 
   MeshPtr mesh_;
   SurfaceRegions regions_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> trianglesAt_;  ///< by edge
+  std::vector<EdgeSide> sides_;  ///< in the order of their edges
 };
 
 /// A distance, with the two points that it is between.

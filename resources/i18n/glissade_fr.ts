@@ -2,6 +2,73 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
+    <name>ActionHelp</name>
+    <message>
+        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
+        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce bouge&#xa0;; les autres sont statiques ou mobiles.</translation>
+    </message>
+    <message>
+        <source>A scenario holds bodies, the object that moves, its start and goal, places, fits, kept paths and parameters.</source>
+        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
+    </message>
+    <message>
+        <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is proved free of penetration. Parameters can be changed while the run goes on.</source>
+        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction déterminent le calcul. Un chemin trouvé est prouvé sans pénétration. Les paramètres peuvent être modifiés pendant le calcul.</translation>
+    </message>
+    <message>
+        <source>The program changes the values while it plans, from what computer, operator and contact have earned lately. A slider that is touched is set by hand again.</source>
+        <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que vous touchez reprend votre valeur.</translation>
+    </message>
+    <message>
+        <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. The strategies GT and GTS plan a coarse path through places first.</source>
+        <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Les stratégies GT et GTS planifient d&apos;abord un chemin grossier par les lieux.</translation>
+    </message>
+    <message>
+        <source>The coarse path is planned again at once, also during a run. An edit of a place is saved with the scenario and can be undone.</source>
+        <translation>Le chemin grossier est aussitôt replanifié, même pendant un calcul. La modification d&apos;un lieu est enregistrée avec le scénario et peut être annulée.</translation>
+    </message>
+    <message>
+        <source>A milestone is a configuration in the border of two places that the path passes through. It can be dragged in the scene, too.</source>
+        <translation>Un jalon est une configuration de passage à la frontière de deux lieux. Vous pouvez aussi le faire glisser dans la scène.</translation>
+    </message>
+    <message>
+        <source>CAD parts touch in their assembled position. Where clearance is required, start or goal have to move by the distance that is found and stated.</source>
+        <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ ou le but doivent être écartés&#xa0;; la distance trouvée est indiquée.</translation>
+    </message>
+    <message>
+        <source>The object is the one rigid body whose motion is planned. All other bodies are obstacles.</source>
+        <translation>L&apos;objet est le corps rigide dont le mouvement est planifié. Tous les autres corps sont des obstacles.</translation>
+    </message>
+    <message>
+        <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
+        <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement indique de combien l&apos;objet est aminci face à un corps, et chaque résultat le mentionne.</translation>
+    </message>
+    <message>
+        <source>Assembly is the reverse order. The plan says which step makes way for which, which parts have to be held, and which tool turns a fastener.</source>
+        <translation>L&apos;assemblage est l&apos;ordre inverse. Le plan dit quelle étape libère laquelle, quelles pièces il faut tenir, et quel outil tourne une fixation.</translation>
+    </message>
+    <message>
+        <source>The shortened path is proved like the planned one; both are kept.</source>
+        <translation>Le chemin raccourci est prouvé comme le chemin planifié&#xa0;; les deux sont conservés.</translation>
+    </message>
+    <message>
+        <source>The surface contains the object at every time of the path, and is nowhere farther from it than the stated bound.</source>
+        <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
+    </message>
+    <message>
+        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and by how much the object would have to be thinner.</source>
+        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et de combien l&apos;objet devrait être plus mince.</translation>
+    </message>
+    <message>
+        <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
+        <translation>Chaque calcul est enregistré avec sa graine, ses paramètres et ce que l&apos;opérateur a fait. La relecture donne le même graphe, nœud par nœud.</translation>
+    </message>
+    <message>
+        <source>Keys and devices move the object as a rule. In camera mode the same input moves the view instead.</source>
+        <translation>D&apos;ordinaire, touches et périphériques déplacent l&apos;objet. En mode caméra, ils déplacent la vue.</translation>
+    </message>
+</context>
+<context>
     <name>Actions</name>
     <message>
         <source>Rename...</source>
@@ -37,7 +104,7 @@
     </message>
     <message>
         <source>Left orbits, middle or Shift + left pans, right zooms</source>
-        <translation>Gauche : tourner ; milieu ou Maj + gauche : déplacer ; droit : zoomer</translation>
+        <translation>Gauche&#xa0;: tourner&#xa0;; milieu ou Maj + gauche&#xa0;: déplacer&#xa0;; droit&#xa0;: zoomer</translation>
     </message>
     <message>
         <source>&amp;CAD</source>
@@ -45,7 +112,7 @@
     </message>
     <message>
         <source>Middle orbits, Ctrl + middle pans, Shift + middle zooms</source>
-        <translation>Milieu : tourner ; Ctrl + milieu : déplacer ; Maj + milieu : zoomer</translation>
+        <translation>Milieu&#xa0;: tourner&#xa0;; Ctrl + milieu&#xa0;: déplacer&#xa0;; Maj + milieu&#xa0;: zoomer</translation>
     </message>
     <message>
         <source>&amp;Blender</source>
@@ -53,7 +120,7 @@
     </message>
     <message>
         <source>Middle orbits, Shift + middle pans, Ctrl + middle zooms</source>
-        <translation>Milieu : tourner ; Maj + milieu : déplacer ; Ctrl + milieu : zoomer</translation>
+        <translation>Milieu&#xa0;: tourner&#xa0;; Maj + milieu&#xa0;: déplacer&#xa0;; Ctrl + milieu&#xa0;: zoomer</translation>
     </message>
     <message>
         <source>FreeCAD &amp;gesture</source>
@@ -61,7 +128,7 @@
     </message>
     <message>
         <source>Left orbits, right pans, both roll</source>
-        <translation>Gauche : tourner ; droit : déplacer ; les deux : incliner</translation>
+        <translation>Gauche&#xa0;: tourner&#xa0;; droit&#xa0;: déplacer&#xa0;; les deux&#xa0;: incliner</translation>
     </message>
     <message>
         <source>&amp;Trackball</source>
@@ -101,7 +168,7 @@
     </message>
     <message>
         <source>Draw only the edges of bodies; hidden edges are dashed</source>
-        <translation>Ne dessiner que les arêtes des corps ; les arêtes cachées sont en tirets</translation>
+        <translation>Ne dessiner que les arêtes des corps&#xa0;; les arêtes cachées sont en tirets</translation>
     </message>
     <message>
         <source>Draw the selected bodies opaque, with their edges</source>
@@ -257,7 +324,7 @@
     </message>
     <message>
         <source>Build the environment model: octree, places, borders, compatibility</source>
-        <translation>Construire le modèle de l&apos;environnement : octree, lieux, frontières, compatibilité</translation>
+        <translation>Construire le modèle de l&apos;environnement&#xa0;: octree, lieux, frontières, compatibilité</translation>
     </message>
     <message>
         <source>&amp;Add attribute...</source>
@@ -289,7 +356,7 @@
     </message>
     <message>
         <source>Show the places, coloured by complexity; click to select</source>
-        <translation>Montrer les lieux, colorés selon leur complexité ; cliquer pour sélectionner</translation>
+        <translation>Montrer les lieux, colorés selon leur complexité&#xa0;; cliquer pour sélectionner</translation>
     </message>
     <message>
         <source>Show where places meet</source>
@@ -337,7 +404,7 @@
     </message>
     <message>
         <source>Show the configurations to pass through; drag one to move it, Ctrl+drag to turn it</source>
-        <translation>Montrer les configurations de passage ; faire glisser un jalon pour le déplacer, avec Ctrl pour le tourner</translation>
+        <translation>Montrer les configurations de passage&#xa0;; faire glisser un jalon pour le déplacer, avec Ctrl pour le tourner</translation>
     </message>
     <message>
         <source>Steer the &amp;camera</source>
@@ -349,7 +416,7 @@
     </message>
     <message>
         <source>Calibrate 6D mouse, keys and gamepad: live axes, curves, presets, buttons</source>
-        <translation>Étalonner souris 6D, clavier et manette : axes en direct, courbes, préréglages, boutons</translation>
+        <translation>Étalonner souris 6D, clavier et manette&#xa0;: axes en direct, courbes, préréglages, boutons</translation>
     </message>
     <message>
         <source>Save &amp;recording...</source>
@@ -377,11 +444,11 @@
     </message>
     <message>
         <source>Go back to the session; its run and parameters are as they were left</source>
-        <translation>Revenir à la session ; son calcul et ses paramètres n&apos;ont pas changé</translation>
+        <translation>Revenir à la session&#xa0;; son calcul et ses paramètres n&apos;ont pas changé</translation>
     </message>
     <message>
         <source>Colour the path by who made each segment: computer, operator, contact</source>
-        <translation>Colorer chaque segment du chemin selon son auteur : ordinateur, opérateur, contact</translation>
+        <translation>Colorer chaque segment du chemin selon son auteur&#xa0;: ordinateur, opérateur, contact</translation>
     </message>
     <message>
         <source>&amp;Open study results...</source>
@@ -397,7 +464,7 @@
     </message>
     <message>
         <source>Show what guides the hand: the force as an arrow, its strength as a tint</source>
-        <translation>Montrer la force de guidage : une flèche pour la force, une teinte pour son intensité</translation>
+        <translation>Montrer la force de guidage&#xa0;: une flèche pour la force, une teinte pour son intensité</translation>
     </message>
     <message>
         <source>Empty the list of the files opened last</source>
@@ -413,7 +480,7 @@
     </message>
     <message>
         <source>&amp;Why no path?</source>
-        <translation>&amp;Pourquoi pas de chemin ?</translation>
+        <translation>&amp;Pourquoi pas de chemin&#xa0;?</translation>
     </message>
     <message>
         <source>Play the way of &amp;least penetration</source>
@@ -465,7 +532,7 @@
     </message>
     <message>
         <source>Show why no path was found: blocking body, gap, way of least penetration</source>
-        <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé : corps bloquant, écart, chemin de moindre pénétration</translation>
+        <translation>Montrer pourquoi aucun chemin n&apos;a été trouvé&#xa0;: corps bloquant, écart, chemin de moindre pénétration</translation>
     </message>
     <message>
         <source>Bring the reasons why no path was found to the front</source>
@@ -485,7 +552,7 @@
     </message>
     <message>
         <source>Click a plane or a cylinder: the numbers of the placement are those of its frame</source>
-        <translation>Cliquer un plan ou un cylindre : les coordonnées affichées sont celles de son repère</translation>
+        <translation>Cliquer un plan ou un cylindre&#xa0;: les coordonnées affichées sont celles de son repère</translation>
     </message>
     <message>
         <source>&amp;Goal here</source>
@@ -493,7 +560,7 @@
     </message>
     <message>
         <source>Goal &amp;out</source>
-        <translation>But « de&amp;hors »</translation>
+        <translation>But «&#xa0;de&amp;hors&#xa0;»</translation>
     </message>
     <message>
         <source>S&amp;wap start and goal</source>
@@ -509,7 +576,7 @@
     </message>
     <message>
         <source>Save the certified path: as data, or as an animation for 3D viewers</source>
-        <translation>Enregistrer le chemin certifié : les données, ou une animation pour visionneuses 3D</translation>
+        <translation>Enregistrer le chemin certifié&#xa0;: les données, ou une animation pour visionneuses 3D</translation>
     </message>
     <message>
         <source>Read a path of this scenario, and prove that it holds or see where it is blocked</source>
@@ -521,7 +588,7 @@
     </message>
     <message>
         <source>Film the 3D view while the path is played: MP4, WebM or pictures</source>
-        <translation>Filmer la vue 3D pendant la lecture du chemin : MP4, WebM ou images</translation>
+        <translation>Filmer la vue 3D pendant la lecture du chemin&#xa0;: MP4, WebM ou images</translation>
     </message>
     <message>
         <source>&amp;Report of the path...</source>
@@ -533,7 +600,7 @@
     </message>
     <message>
         <source>Write the swept volume as triangles: STL or GLB</source>
-        <translation>Exporter le volume balayé sous forme de triangles : STL ou GLB</translation>
+        <translation>Exporter le volume balayé sous forme de triangles&#xa0;: STL ou GLB</translation>
     </message>
     <message>
         <source>Show the object at the first place where the path is blocked</source>
@@ -553,7 +620,7 @@
     </message>
     <message>
         <source>Allow the overlap of the chosen pair; results state it</source>
-        <translation>Admettre le recouvrement de la paire sélectionnée ; les résultats l&apos;indiquent</translation>
+        <translation>Admettre le recouvrement de la paire sélectionnée&#xa0;; les résultats l&apos;indiquent</translation>
     </message>
     <message>
         <source>The chosen pair is a thread that is drawn as cylinders</source>
@@ -585,7 +652,7 @@
     </message>
     <message>
         <source>Show the figures and curves of the selected paths side by side; of all where fewer than two are selected</source>
-        <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés ; de tous si moins de deux sont sélectionnés</translation>
+        <translation>Afficher côte à côte les valeurs et les courbes des chemins sélectionnés&#xa0;; de tous si moins de deux sont sélectionnés</translation>
     </message>
     <message>
         <source>Give the selected kept path another name</source>
@@ -593,7 +660,7 @@
     </message>
     <message>
         <source>Remove the selected paths from the scenario; Undo brings them back</source>
-        <translation>Supprimer du scénario les chemins sélectionnés ; Annuler les rétablit</translation>
+        <translation>Supprimer du scénario les chemins sélectionnés&#xa0;; Annuler les rétablit</translation>
     </message>
     <message>
         <source>&amp;Zoom to the selection</source>
@@ -605,7 +672,7 @@
     </message>
     <message>
         <source>Draw without perspective, so that lengths across the view are to scale</source>
-        <translation>Dessiner sans perspective : les longueurs parallèles à l&apos;écran sont à l&apos;échelle</translation>
+        <translation>Dessiner sans perspective&#xa0;: les longueurs parallèles à l&apos;écran sont à l&apos;échelle</translation>
     </message>
     <message>
         <source>Measure a &amp;distance</source>
@@ -613,7 +680,7 @@
     </message>
     <message>
         <source>Click two vertices, edges or faces; the pointer snaps to them</source>
-        <translation>Cliquer deux sommets, arêtes ou faces ; le pointeur s&apos;y accroche</translation>
+        <translation>Cliquer deux sommets, arêtes ou faces&#xa0;; le pointeur s&apos;y accroche</translation>
     </message>
     <message>
         <source>Measure an &amp;angle</source>
@@ -637,7 +704,7 @@
     </message>
     <message>
         <source>Click two bodies: their smallest distance</source>
-        <translation>Cliquer deux corps : leur plus petite distance</translation>
+        <translation>Cliquer deux corps&#xa0;: leur plus petite distance</translation>
     </message>
     <message>
         <source>Remove the mea&amp;surement</source>
@@ -745,19 +812,11 @@
     </message>
     <message>
         <source>Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or the body itself</source>
-        <translation>Déplacer et tourner les corps, le départ et le but dans la vue : par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
-    </message>
-    <message>
-        <source>Put an axis onto an axis, or a face onto a face: click that of what moves, then that of another body</source>
-        <translation>Aligner deux axes ou deux faces : cliquer d&apos;abord sur l&apos;élément à déplacer, puis sur celui d&apos;un autre corps</translation>
+        <translation>Déplacer et tourner les corps, le départ et le but dans la vue&#xa0;: par des flèches, des anneaux, les touches fléchées ou le corps lui-même</translation>
     </message>
     <message>
         <source>Flip the ali&amp;gnment</source>
         <translation>&amp;Retourner l&apos;alignement</translation>
-    </message>
-    <message>
-        <source>Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite</source>
-        <translation>Déplacer et tourner par pas entiers ; Ctrl maintenu fait l&apos;inverse</translation>
     </message>
     <message>
         <source>&amp;Manual</source>
@@ -785,7 +844,7 @@
     </message>
     <message>
         <source>End the run; what was found is still shown</source>
-        <translation>Arrêter le calcul ; ce qui a été trouvé reste affiché</translation>
+        <translation>Arrêter le calcul&#xa0;; ce qui a été trouvé reste affiché</translation>
     </message>
     <message>
         <source>Move the object back to the start</source>
@@ -837,7 +896,7 @@
     </message>
     <message>
         <source>Hide the selected obstacles; planning still takes them into account</source>
-        <translation>Masquer les obstacles sélectionnés ; la planification en tient toujours compte</translation>
+        <translation>Masquer les obstacles sélectionnés&#xa0;; la planification en tient toujours compte</translation>
     </message>
     <message>
         <source>Make a scenario from STEP, mesh or URDF files, one of which moves</source>
@@ -877,7 +936,7 @@
     </message>
     <message>
         <source>Give the chosen pair no allowance: it must keep the required clearance</source>
-        <translation>N&apos;admettre aucun amincissement pour la paire sélectionnée : elle doit garder le jeu exigé</translation>
+        <translation>N&apos;admettre aucun amincissement pour la paire sélectionnée&#xa0;: elle doit garder le jeu exigé</translation>
     </message>
     <message>
         <source>Undo the decision about the chosen pair</source>
@@ -885,11 +944,11 @@
     </message>
     <message>
         <source>Zoom to what is refused: the bodies, and where they overlap</source>
-        <translation>Zoomer sur le refus : les corps, et l&apos;endroit où ils se recouvrent</translation>
+        <translation>Zoomer sur le refus&#xa0;: les corps, et l&apos;endroit où ils se recouvrent</translation>
     </message>
     <message>
         <source>Give the object an allowance against the bodies that it overlaps there; results state it</source>
-        <translation>Amincir l&apos;objet face aux corps qu&apos;il recouvre à cet endroit ; les résultats l&apos;indiquent</translation>
+        <translation>Amincir l&apos;objet face aux corps qu&apos;il recouvre à cet endroit&#xa0;; les résultats l&apos;indiquent</translation>
     </message>
     <message>
         <source>Show all steps one after the other, or pause</source>
@@ -909,7 +968,7 @@
     </message>
     <message>
         <source>Remove the demands on the chosen parts: places, motions, directions, order</source>
-        <translation>Supprimer les exigences sur les pièces sélectionnées : places, mouvements, directions, ordre</translation>
+        <translation>Supprimer les exigences sur les pièces sélectionnées&#xa0;: places, mouvements, directions, ordre</translation>
     </message>
     <message>
         <source>Move the part of the chosen step by hand, among the parts that are present at that step</source>
@@ -921,11 +980,11 @@
     </message>
     <message>
         <source>Show the first steps in the window: places and strategies, then parts</source>
-        <translation>Montrer les premières étapes dans la fenêtre : lieux et stratégies, puis pièces</translation>
+        <translation>Montrer les premières étapes dans la fenêtre&#xa0;: lieux et stratégies, puis pièces</translation>
     </message>
     <message>
         <source>&amp;What&apos;s this?</source>
-        <translation>&amp;Qu&apos;est-ce que c&apos;est ?</translation>
+        <translation>&amp;Qu&apos;est-ce que c&apos;est&#xa0;?</translation>
     </message>
     <message>
         <source>Click anything in the window to read what it is for</source>
@@ -1224,10 +1283,6 @@
         <translation>&amp;Rétablir la disposition</translation>
     </message>
     <message>
-        <source>What &amp;stands in the way</source>
-        <translation>Ce &amp;qui fait obstacle</translation>
-    </message>
-    <message>
         <source>&amp;Difficulty panel</source>
         <translation>Panneau &amp;Difficulté</translation>
     </message>
@@ -1290,10 +1345,6 @@
     <message>
         <source>&amp;Require clearance</source>
         <translation>Exiger un &amp;jeu</translation>
-    </message>
-    <message>
-        <source>&amp;Take the fit as measured</source>
-        <translation>Prendre l&apos;ajustement &amp;mesuré</translation>
     </message>
     <message>
         <source>&amp;Fits panel</source>
@@ -1392,10 +1443,6 @@
         <translation>&amp;Ordre du montage</translation>
     </message>
     <message>
-        <source>&amp;Removed parts stand aside</source>
-        <translation>&amp;Pièces sorties à côté</translation>
-    </message>
-    <message>
         <source>Show the &amp;whole product</source>
         <translation>Montrer &amp;tout le produit</translation>
     </message>
@@ -1426,10 +1473,6 @@
     <message>
         <source>&amp;Back to the sequence</source>
         <translation>Retour à la &amp;séquence</translation>
-    </message>
-    <message>
-        <source>&amp;Align faces or axes...</source>
-        <translation>&amp;Aligner des faces ou des axes...</translation>
     </message>
     <message>
         <source>&amp;Snap to steps</source>
@@ -1601,7 +1644,7 @@
     </message>
     <message>
         <source>Cancel the work in the background: reading, smoothing, looking for reasons</source>
-        <translation>Arrêter le travail en arrière-plan : lecture, lissage, recherche des causes</translation>
+        <translation>Arrêter le travail en arrière-plan&#xa0;: lecture, lissage, recherche des causes</translation>
     </message>
     <message>
         <source>Why there i&amp;s no path</source>
@@ -1609,7 +1652,7 @@
     </message>
     <message>
         <source>The selected body becomes the object, from its present pose to &quot;out&quot;; the former object stays at its start</source>
-        <translation>Le corps sélectionné devient l&apos;objet, de sa position actuelle vers « dehors » ; l&apos;ancien objet reste à son départ</translation>
+        <translation>Le corps sélectionné devient l&apos;objet, de sa position actuelle vers «&#xa0;dehors&#xa0;»&#xa0;; l&apos;ancien objet reste à son départ</translation>
     </message>
     <message>
         <source>Where the object touches or overlaps a body at its start or goal, move it clear by the smallest distance that is found</source>
@@ -1622,10 +1665,6 @@
     <message>
         <source>Show the swept volume: all that the object covers along the path</source>
         <translation>Montrer tout le volume que l&apos;objet occupe le long du chemin, sans rien en omettre</translation>
-    </message>
-    <message>
-        <source>Mark as a t&amp;hread</source>
-        <translation>Déclarer comme &amp;filetage</translation>
     </message>
     <message>
         <source>&amp;Use the measured fit</source>
@@ -1645,23 +1684,66 @@
     </message>
     <message>
         <source>Move the chosen step of the sequence one row up; the other steps are planned again</source>
-        <translation>Monter d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
+        <translation>Monter d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
     </message>
     <message>
         <source>Move the chosen step of the sequence one row down; the other steps are planned again</source>
-        <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée ; la suite est replanifiée</translation>
+        <translation>Descendre d&apos;une ligne l&apos;étape sélectionnée&#xa0;; la suite est replanifiée</translation>
     </message>
     <message>
         <source>Keep the places and motions of the chosen steps, or release them</source>
         <translation>Garder la place et le mouvement des étapes sélectionnées, ou les libérer</translation>
     </message>
     <message>
-        <source>Reverse the last alignment: the axis or the face points the other way</source>
-        <translation>Retourner ce qui vient d&apos;être aligné : l&apos;axe ou la face change de sens</translation>
+        <source>Put a vertex, an edge, an axis or a plane onto one of another body: click that of what moves, then the other</source>
+        <translation>Mettre un sommet, une arête, un axe ou un plan sur celui d&apos;un autre corps : cliquer celui de ce qui bouge, puis l&apos;autre</translation>
     </message>
     <message>
-        <source>Export path</source>
-        <translation>Exporter le chemin</translation>
+        <source>Turn what was aligned last round: the axis, or the face, looks the other way; a cylinder goes to the other side of the plane</source>
+        <translation>Retourner ce qui a été aligné en dernier : l&apos;axe ou la face regarde de l&apos;autre côté ; un cylindre passe de l&apos;autre côté du plan</translation>
+    </message>
+    <message>
+        <source>Let the arrows and rings of arranging move by whole steps; Ctrl held suspends it</source>
+        <translation>Faire avancer les flèches et les anneaux par pas entiers ; Ctrl maintenu le suspend</translation>
+    </message>
+    <message>
+        <source>Snap &amp;to faces and axes</source>
+        <translation>Accrocher aux &amp;faces et aux axes</translation>
+    </message>
+    <message>
+        <source>Let what is dragged by an arrow or a square meet faces and axes of other bodies; Ctrl held suspends it</source>
+        <translation>Accrocher ce qui est tiré par une flèche ou un carré aux faces et aux axes d&apos;autres corps ; Ctrl maintenu le suspend</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;Align...</source>
+        <translation>&amp;Aligner...</translation>
+    </message>
+</context>
+<context>
+    <name>Arranging</name>
+    <message>
+        <source>the start</source>
+        <translation>le départ</translation>
+    </message>
+    <message>
+        <source>the goal</source>
+        <translation>le but</translation>
+    </message>
+    <message>
+        <source>on the axis of %1</source>
+        <translation>sur l&apos;axe de %1</translation>
+    </message>
+    <message>
+        <source>on the face of %1</source>
+        <translation>sur la face de %1</translation>
+    </message>
+    <message>
+        <source>level with the face of %1</source>
+        <translation>au niveau de la face de %1</translation>
     </message>
 </context>
 <context>
@@ -1708,11 +1790,11 @@
     </message>
     <message>
         <source>Class of the body, whose attributes it has: screw, seal, base_part.</source>
-        <translation>Classe du corps, dont il reprend les attributs : screw, seal, base_part.</translation>
+        <translation>Classe du corps, dont il reprend les attributs&#xa0;: screw, seal, base_part.</translation>
     </message>
     <message>
         <source>Mass of the body. 0: by its volume and density.</source>
-        <translation>Masse du corps. 0 : d'après son volume et sa masse volumique.</translation>
+        <translation>Masse du corps. 0&#xa0;: d&apos;après son volume et sa masse volumique.</translation>
     </message>
     <message>
         <source>The body leaves as early as it can, and is put in as late as it can.</source>
@@ -1720,7 +1802,7 @@
     </message>
     <message>
         <source>The assembly begins with the body: it does not leave.</source>
-        <translation>L&apos;assemblage commence par ce corps : il ne sort pas.</translation>
+        <translation>L&apos;assemblage commence par ce corps&#xa0;: il ne sort pas.</translation>
     </message>
     <message>
         <source>The body does not leave.</source>
@@ -1736,7 +1818,7 @@
     </message>
     <message>
         <source>Which tool turns the body: by_shape, none, or one of the tools.</source>
-        <translation>Outil qui fait tourner le corps : by_shape, none, ou l&apos;un des outils.</translation>
+        <translation>Outil qui fait tourner le corps&#xa0;: by_shape, none, ou l&apos;un des outils.</translation>
     </message>
     <message>
         <source>Narrowness</source>
@@ -1764,7 +1846,7 @@
     </message>
     <message>
         <source>How hard the place is to cross: 1 for the widest, one more each time the width halves.</source>
-        <translation>Difficulté de traversée du lieu : 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
+        <translation>Difficulté de traversée du lieu&#xa0;: 1 pour les plus larges, un de plus à chaque division de la largeur par deux.</translation>
     </message>
     <message>
         <source>Mobile bodies are in the place.</source>
@@ -1780,7 +1862,7 @@
     </message>
     <message>
         <source>Whether the object goes through: 0 not at all, from 0.5 on it fits, 1 with ease.</source>
-        <translation>Aptitude de l&apos;objet à passer : 0, il ne passe pas ; à partir de 0,5, il passe ; 1, il passe aisément.</translation>
+        <translation>Aptitude de l&apos;objet à passer&#xa0;: 0, il ne passe pas&#xa0;; à partir de 0,5, il passe&#xa0;; 1, il passe aisément.</translation>
     </message>
     <message>
         <source>No path may lead through the place.</source>
@@ -1792,7 +1874,7 @@
     </message>
     <message>
         <source>Static bodies shape the places; mobile ones clutter them.</source>
-        <translation>Les corps statiques délimitent les lieux ; les corps mobiles les encombrent.</translation>
+        <translation>Les corps statiques délimitent les lieux&#xa0;; les corps mobiles les encombrent.</translation>
     </message>
     <message>
         <source>What the body is shaped like.</source>
@@ -1835,19 +1917,19 @@
     </message>
     <message>
         <source>A person: keys, 6D mouse and gamepad together.</source>
-        <translation>Une personne : clavier, souris 6D et manette ensemble.</translation>
+        <translation>Une personne&#xa0;: clavier, souris 6D et manette ensemble.</translation>
     </message>
     <message>
         <source>A person: the keys of the window.</source>
-        <translation>Une personne : les touches de la fenêtre.</translation>
+        <translation>Une personne&#xa0;: les touches de la fenêtre.</translation>
     </message>
     <message>
         <source>A person: a 3Dconnexion mouse.</source>
-        <translation>Une personne : une souris 3Dconnexion.</translation>
+        <translation>Une personne&#xa0;: une souris 3Dconnexion.</translation>
     </message>
     <message>
         <source>A person: a game controller.</source>
-        <translation>Une personne : une manette de jeu.</translation>
+        <translation>Une personne&#xa0;: une manette de jeu.</translation>
     </message>
     <message>
         <source>Follows the way-points fast and exactly.</source>
@@ -1874,11 +1956,11 @@
     </message>
     <message>
         <source>the object penetrates &apos;%1&apos;</source>
-        <translation>l&apos;objet pénètre dans « %1 »</translation>
+        <translation>l&apos;objet pénètre dans «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the object is %1 m from &apos;%2&apos;, nearer than the required clearance of %3 m</source>
-        <translation>l&apos;objet est à %1 m de « %2 », moins que le jeu exigé de %3 m</translation>
+        <translation>l&apos;objet est à %1 m de «&#xa0;%2 », moins que le jeu exigé de %3 m</translation>
     </message>
     <message>
         <source>Move the start away or lower the required clearance.</source>
@@ -1942,7 +2024,7 @@
     </message>
     <message>
         <source>ffmpeg could not write the film: %1</source>
-        <translation>ffmpeg n&apos;a pas pu écrire le film : %1</translation>
+        <translation>ffmpeg n&apos;a pas pu écrire le film&#xa0;: %1</translation>
     </message>
     <message>
         <source>Check the folder, its free space, and that ffmpeg has the codecs libx264 and libvpx-vp9.</source>
@@ -1954,7 +2036,7 @@
     </message>
     <message>
         <source>Choose one of: .mp4, .webm, .png.</source>
-        <translation>Choisissez parmi : .mp4, .webm, .png.</translation>
+        <translation>Choisissez parmi&#xa0;: .mp4, .webm, .png.</translation>
     </message>
     <message>
         <source>Solve first.</source>
@@ -1998,7 +2080,7 @@
     </message>
     <message>
         <source>has its parts in other files, and none of them is there: %1 (looked for in &apos;%2&apos;)</source>
-        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe : %1 (cherchés dans « %2 »)</translation>
+        <translation>a ses pièces dans d&apos;autres fichiers, dont aucun n&apos;existe&#xa0;: %1 (cherchés dans «&#xa0;%2 »)</translation>
     </message>
     <message>
         <source>Put the files there and load again, or export the product as one file.</source>
@@ -2006,7 +2088,7 @@
     </message>
     <message>
         <source>names &apos;%1&apos; for a part, which holds this file itself</source>
-        <translation>nomme pour une pièce le fichier « %1 », qui contient le présent fichier</translation>
+        <translation>nomme pour une pièce le fichier «&#xa0;%1&#xa0;», qui contient le présent fichier</translation>
     </message>
     <message>
         <source>Export the product as one file.</source>
@@ -2014,11 +2096,11 @@
     </message>
     <message>
         <source>had %1 planar holes, which were closed as asked for; %2 holes are left open</source>
-        <translation>avait %1 trous plans, fermés comme demandé ; %2 trous restent ouverts</translation>
+        <translation>avait %1 trous plans, fermés comme demandé&#xa0;; %2 trous restent ouverts</translation>
     </message>
     <message>
         <source>Look at them: what is behind a closed hole is solid.</source>
-        <translation>Vérifiez-les : ce qui est derrière un trou fermé est plein.</translation>
+        <translation>Vérifiez-les&#xa0;: ce qui est derrière un trou fermé est plein.</translation>
     </message>
     <message>
         <source>is not a closed surface</source>
@@ -2026,11 +2108,11 @@
     </message>
     <message>
         <source>Being inside it is not seen as a collision; close its surface, or let planar holes be closed (--close-holes).</source>
-        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision ; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
+        <translation>Une position à l&apos;intérieur n&apos;est pas reconnue comme une collision&#xa0;; fermez sa surface, ou faites fermer les trous plans (--close-holes).</translation>
     </message>
     <message>
         <source>edits cannot be saved automatically: %1</source>
-        <translation>les modifications ne peuvent pas être enregistrées automatiquement : %1</translation>
+        <translation>les modifications ne peuvent pas être enregistrées automatiquement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save the scenario.</source>
@@ -2058,7 +2140,7 @@
     </message>
     <message>
         <source>the milestone would be in collision with &apos;%1&apos;</source>
-        <translation>le jalon serait en collision avec « %1 »</translation>
+        <translation>le jalon serait en collision avec «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Drop it where the object is free.</source>
@@ -2106,7 +2188,7 @@
     </message>
     <message>
         <source>Choose one of: %1</source>
-        <translation>Choisissez parmi : %1</translation>
+        <translation>Choisissez parmi&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose one of %1</source>
@@ -2130,11 +2212,11 @@
     </message>
     <message>
         <source>was not saved: another program has changed the file since it was read</source>
-        <translation>n&apos;a pas été enregistré : un autre programme a modifié le fichier depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré&#xa0;: un autre programme a modifié le fichier depuis sa lecture</translation>
     </message>
     <message>
         <source>was not saved: the file has been removed or renamed since it was read</source>
-        <translation>n&apos;a pas été enregistré : le fichier a été supprimé ou renommé depuis sa lecture</translation>
+        <translation>n&apos;a pas été enregistré&#xa0;: le fichier a été supprimé ou renommé depuis sa lecture</translation>
     </message>
     <message>
         <source>Save under another name, or open the file again.</source>
@@ -2150,7 +2232,7 @@
     </message>
     <message>
         <source>cannot be saved: %1</source>
-        <translation>ne peut pas être enregistré : %1</translation>
+        <translation>ne peut pas être enregistré&#xa0;: %1</translation>
     </message>
     <message>
         <source>out of memory</source>
@@ -2202,7 +2284,7 @@
     </message>
     <message>
         <source>is of a kind that is not read (&apos;%1&apos;)</source>
-        <translation>est d&apos;un type qui n&apos;est pas lu (« %1 »)</translation>
+        <translation>est d&apos;un type qui n&apos;est pas lu («&#xa0;%1 »)</translation>
     </message>
     <message>
         <source>is a building model (IFC), not a product</source>
@@ -2254,7 +2336,7 @@
     </message>
     <message>
         <source>Correct the rule: %1</source>
-        <translation>Corrigez la règle : %1</translation>
+        <translation>Corrigez la règle&#xa0;: %1</translation>
     </message>
     <message>
         <source>has no last rule that always holds</source>
@@ -2262,11 +2344,11 @@
     </message>
     <message>
         <source>there is no local planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de planificateur local « %1 »</translation>
+        <translation>il n&apos;y a pas de planificateur local «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>OMPL&apos;s path is not certified: it touches or passes through an obstacle</source>
-        <translation>le chemin d&apos;OMPL n&apos;est pas certifié : il touche ou traverse un obstacle</translation>
+        <translation>le chemin d&apos;OMPL n&apos;est pas certifié&#xa0;: il touche ou traverse un obstacle</translation>
     </message>
     <message>
         <source>OMPL&apos;s planner was given no free start within the bounds</source>
@@ -2338,7 +2420,7 @@
     </message>
     <message>
         <source>They have no area, so that no surface is missing.</source>
-        <translation>Leur aire est nulle : il ne manque aucune surface.</translation>
+        <translation>Leur aire est nulle&#xa0;: il ne manque aucune surface.</translation>
     </message>
     <message>
         <source>the bodies have too many triangles for a GLB file (4 GiB)</source>
@@ -2350,11 +2432,11 @@
     </message>
     <message>
         <source>Make a scenario that has each part as a body: New from parts does so with STEP files.</source>
-        <translation>Faites un scénario où chaque pièce est un corps : Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
+        <translation>Faites un scénario où chaque pièce est un corps&#xa0;: Nouveau à partir de pièces le fait pour les fichiers STEP.</translation>
     </message>
     <message>
         <source>does not fit the content: the file was edited outside of Glissade, or it is damaged</source>
-        <translation>ne correspond pas au contenu : le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
+        <translation>ne correspond pas au contenu&#xa0;: le fichier a été modifié hors de Glissade, ou il est endommagé</translation>
     </message>
     <message>
         <source>holds a number that is out of range</source>
@@ -2402,7 +2484,7 @@
     </message>
     <message>
         <source>holds one body: there is nothing to take apart</source>
-        <translation>contient un seul corps : il n&apos;y a rien à démonter</translation>
+        <translation>contient un seul corps&#xa0;: il n&apos;y a rien à démonter</translation>
     </message>
     <message>
         <source>Give a product of several parts.</source>
@@ -2414,11 +2496,11 @@
     </message>
     <message>
         <source>the journal cannot be written: %1</source>
-        <translation>le journal ne peut pas être écrit : %1</translation>
+        <translation>le journal ne peut pas être écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>is damaged: %1</source>
-        <translation>est endommagé : %1</translation>
+        <translation>est endommagé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Use an undamaged copy.</source>
@@ -2502,7 +2584,7 @@
     </message>
     <message>
         <source>the scenario&apos;s rule %1 uses the attribute &apos;%2&apos;</source>
-        <translation>la règle %1 du scénario utilise l&apos;attribut « %2 »</translation>
+        <translation>la règle %1 du scénario utilise l&apos;attribut «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Change the rule first.</source>
@@ -2510,7 +2592,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
-        <translation>« %1 » n&apos;est pas un nombre</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre</translation>
     </message>
     <message>
         <source>Write it like 0.25.</source>
@@ -2534,7 +2616,7 @@
     </message>
     <message>
         <source>the goal &apos;out&apos; cannot be reached: the workspace has no room outside the box around the obstacles</source>
-        <translation>le but « dehors » est hors d&apos;atteinte : l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
+        <translation>le but «&#xa0;dehors&#xa0;» est hors d&apos;atteinte&#xa0;: l&apos;espace de travail n&apos;a pas de place hors de la boîte englobante des obstacles</translation>
     </message>
     <message>
         <source>the step limit of %1 was reached without a path</source>
@@ -2570,7 +2652,7 @@
     </message>
     <message>
         <source>Make &apos;%1&apos; the object first.</source>
-        <translation>Faites d&apos;abord de « %1 » l&apos;objet.</translation>
+        <translation>Faites d&apos;abord de «&#xa0;%1&#xa0;» l&apos;objet.</translation>
     </message>
     <message>
         <source>no product is open</source>
@@ -2598,11 +2680,11 @@
     </message>
     <message>
         <source>%1; %2</source>
-        <translation>%1 ; %2</translation>
+        <translation>%1&#xa0;; %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1. %2</source>
@@ -2634,7 +2716,7 @@
     </message>
     <message>
         <source>cannot be started: %1: %2</source>
-        <translation>ne peut pas être lancé : %1 : %2</translation>
+        <translation>ne peut pas être lancé&#xa0;: %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Install the program again.</source>
@@ -2646,7 +2728,7 @@
     </message>
     <message>
         <source>cannot be read: %1</source>
-        <translation>ne peut pas être lu : %1</translation>
+        <translation>ne peut pas être lu&#xa0;: %1</translation>
     </message>
     <message>
         <source>is too large</source>
@@ -2658,7 +2740,7 @@
     </message>
     <message>
         <source>cannot be opened: %1</source>
-        <translation>ne peut pas être ouvert : %1</translation>
+        <translation>ne peut pas être ouvert&#xa0;: %1</translation>
     </message>
     <message>
         <source>Check the name and the folder.</source>
@@ -2714,7 +2796,7 @@
     </message>
     <message>
         <source>cannot be saved over the present file: %1</source>
-        <translation>ne peut pas remplacer le fichier présent : %1</translation>
+        <translation>ne peut pas remplacer le fichier présent&#xa0;: %1</translation>
     </message>
     <message>
         <source>its folder could not be flushed to the disk</source>
@@ -2734,7 +2816,7 @@
     </message>
     <message>
         <source>no earlier version was kept: %1</source>
-        <translation>aucune version antérieure n&apos;a été conservée : %1</translation>
+        <translation>aucune version antérieure n&apos;a été conservée&#xa0;: %1</translation>
     </message>
     <message>
         <source>its folder of earlier versions cannot be made</source>
@@ -2750,11 +2832,11 @@
     </message>
     <message>
         <source>there was not enough memory while %1 (%2)</source>
-        <translation>la mémoire n&apos;a pas suffi pour cette opération : %1 (%2)</translation>
+        <translation>la mémoire n&apos;a pas suffi pour cette opération&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>an error occurred while %1: %2</source>
-        <translation>une erreur est survenue pendant cette opération : %1 (%2)</translation>
+        <translation>une erreur est survenue pendant cette opération&#xa0;: %1 (%2)</translation>
     </message>
     <message>
         <source>of an unknown kind</source>
@@ -2886,7 +2968,7 @@
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation>ligne %1 : %2</translation>
+        <translation>ligne %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>column %1</source>
@@ -2898,11 +2980,11 @@
     </message>
     <message>
         <source>body &apos;%1&apos;</source>
-        <translation>corps « %1 »</translation>
+        <translation>corps «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>part &apos;%1&apos;</source>
-        <translation>pièce « %1 »</translation>
+        <translation>pièce «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>part %1</source>
@@ -2910,19 +2992,19 @@
     </message>
     <message>
         <source>asset &apos;%1&apos;</source>
-        <translation>asset « %1 »</translation>
+        <translation>asset «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>link &apos;%1&apos;</source>
-        <translation>corps URDF « %1 »</translation>
+        <translation>corps URDF «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>joint &apos;%1&apos;</source>
-        <translation>liaison « %1 »</translation>
+        <translation>liaison «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>« %1 » et « %2 »</translation>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1 and %2 more</source>
@@ -2974,15 +3056,15 @@
     </message>
     <message>
         <source>is too large: it has %1, and at most %2 are read with the memory of this machine</source>
-        <translation>est trop grand : il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
+        <translation>est trop grand&#xa0;: il a %1, et au plus %2 sont lus avec la mémoire de cette machine</translation>
     </message>
     <message>
         <source>takes too long to read: it is too complex or malformed</source>
-        <translation>est trop long à lire : il est trop complexe ou mal formé</translation>
+        <translation>est trop long à lire&#xa0;: il est trop complexe ou mal formé</translation>
     </message>
     <message>
         <source>was not read: the library that reads this format crashed on it%1</source>
-        <translation>n&apos;a pas été lu : la bibliothèque qui lit ce format s&apos;est arrêtée brutalement%1</translation>
+        <translation>n&apos;a pas été lu&#xa0;: la bibliothèque qui lit ce format s&apos;est arrêtée brutalement%1</translation>
     </message>
     <message>
         <source>the importer failed on it</source>
@@ -2990,15 +3072,15 @@
     </message>
     <message>
         <source>was not read: the importing process cannot give up its rights (%1)</source>
-        <translation>n&apos;a pas été lu : le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
+        <translation>n&apos;a pas été lu&#xa0;: le processus d&apos;import ne peut pas abandonner ses droits (%1)</translation>
     </message>
     <message>
         <source>Files are read only where the kernel permits seccomp filters: use another machine or container.</source>
-        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp : utilisez une autre machine ou un autre conteneur.</translation>
+        <translation>Les fichiers ne sont lus que si le noyau permet les filtres seccomp&#xa0;: utilisez une autre machine ou un autre conteneur.</translation>
     </message>
     <message>
         <source>holds %1 vertices and %2 triangles; at most %3 of each are read</source>
-        <translation>contient %1 sommets et %2 triangles ; au plus %3 de chaque sont lus</translation>
+        <translation>contient %1 sommets et %2 triangles&#xa0;; au plus %3 de chaque sont lus</translation>
     </message>
     <message>
         <source>has a vertex whose coordinates are not finite, or too large</source>
@@ -3018,7 +3100,7 @@
     </message>
     <message>
         <source>Use STL, OBJ, PLY, DAE, glTF or GLB; &quot;step&quot; and &quot;urdf&quot; are shapes of their own in a scenario.</source>
-        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB ; dans un scénario, « step » et « urdf » sont des formes à part.</translation>
+        <translation>Utilisez STL, OBJ, PLY, DAE, glTF ou GLB&#xa0;; dans un scénario, «&#xa0;step&#xa0;» et «&#xa0;urdf&#xa0;» sont des formes à part.</translation>
     </message>
     <message>
         <source>Export the part again, for example as binary STL or GLB.</source>
@@ -3026,15 +3108,15 @@
     </message>
     <message>
         <source>Buffers in files of their own are not read: export it as one .glb file.</source>
-        <translation>Les tampons dans des fichiers séparés ne sont pas lus : exportez-le en un seul fichier .glb.</translation>
+        <translation>Les tampons dans des fichiers séparés ne sont pas lus&#xa0;: exportez-le en un seul fichier .glb.</translation>
     </message>
     <message>
         <source>is not &apos;key = value&apos;</source>
-        <translation>n&apos;est pas de la forme « clé = valeur »</translation>
+        <translation>n&apos;est pas de la forme «&#xa0;clé = valeur&#xa0;»</translation>
     </message>
     <message>
         <source>gives &apos;%1&apos; a second time</source>
-        <translation>donne « %1 » une seconde fois</translation>
+        <translation>donne «&#xa0;%1&#xa0;» une seconde fois</translation>
     </message>
     <message>
         <source>is missing or empty</source>
@@ -3062,7 +3144,7 @@
     </message>
     <message>
         <source>the file name &apos;%1&apos; leaves the folder</source>
-        <translation>le nom de fichier « %1 » sort du dossier</translation>
+        <translation>le nom de fichier «&#xa0;%1&#xa0;» sort du dossier</translation>
     </message>
     <message>
         <source>Put the file beside the scenario or below it and name it relative to it.</source>
@@ -3074,11 +3156,11 @@
     </message>
     <message>
         <source>%1: the part is not closed there; proofs take what is missing as free space</source>
-        <translation>%1 : la pièce n&apos;y est pas fermée ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <translation>%1&#xa0;: la pièce n&apos;y est pas fermée&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>Do not trust paths near it; export it again, or as a mesh.</source>
-        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle ; exportez-la de nouveau, ou en maillage.</translation>
+        <translation>Ne vous fiez pas aux chemins qui passent près d&apos;elle&#xa0;; exportez-la de nouveau, ou en maillage.</translation>
     </message>
     <message>
         <source>has a part that is at no place in space</source>
@@ -3098,7 +3180,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
-        <translation>« %1 » est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
+        <translation>«&#xa0;%1&#xa0;» est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
     </message>
     <message>
         <source>%1 more could not be made</source>
@@ -3146,11 +3228,11 @@
     </message>
     <message>
         <source>is missing, and proofs take it as free space: its file &apos;%1&apos; %2 (looked for in &apos;%3&apos;)</source>
-        <translation>manque, et les preuves la prennent pour de l&apos;espace libre : son fichier « %1 » %2 (cherché dans « %3 »)</translation>
+        <translation>manque, et les preuves la prennent pour de l&apos;espace libre&#xa0;: son fichier «&#xa0;%1&#xa0;» %2 (cherché dans «&#xa0;%3&#xa0;»)</translation>
     </message>
     <message>
         <source>ends before END-ISO-10303-21: it is cut off</source>
-        <translation>finit avant END-ISO-10303-21 : il est tronqué</translation>
+        <translation>finit avant END-ISO-10303-21&#xa0;: il est tronqué</translation>
     </message>
     <message>
         <source>Export it again as STEP AP214 or AP242, or its parts as meshes.</source>
@@ -3178,7 +3260,7 @@
     </message>
     <message>
         <source>%1 %2 a part in a way that cannot be read: write it as a part of its own</source>
-        <translation>%1 %2 une pièce d&apos;une façon qui ne peut pas être lue : écrivez-la comme une pièce à part</translation>
+        <translation>%1 %2 une pièce d&apos;une façon qui ne peut pas être lue&#xa0;: écrivez-la comme une pièce à part</translation>
     </message>
     <message>
         <source>%1 places a part that could not be made</source>
@@ -3186,7 +3268,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is distorted by its assembly</source>
-        <translation>« %1 » est déformée par son assemblage</translation>
+        <translation>«&#xa0;%1&#xa0;» est déformée par son assemblage</translation>
     </message>
     <message>
         <source>a mirrored or scaled part was not found in its assembly</source>
@@ -3230,7 +3312,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a value</source>
-        <translation>« %1 » n&apos;est pas une valeur</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une valeur</translation>
     </message>
     <message>
         <source>a number has %1 characters</source>
@@ -3238,11 +3320,11 @@
     </message>
     <message>
         <source>&apos;%1&apos; is not a finite number</source>
-        <translation>« %1 » n&apos;est pas un nombre fini</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un nombre fini</translation>
     </message>
     <message>
         <source>the filter of system calls cannot be loaded: %1</source>
-        <translation>le filtre des appels système ne peut pas être chargé : %1</translation>
+        <translation>le filtre des appels système ne peut pas être chargé&#xa0;: %1</translation>
     </message>
     <message>
         <source>has a link that is the child of two joints</source>
@@ -3254,7 +3336,7 @@
     </message>
     <message>
         <source>is not fixed: only rigid bodies are read</source>
-        <translation>n&apos;est pas fixe : seuls les corps rigides sont lus</translation>
+        <translation>n&apos;est pas fixe&#xa0;: seuls les corps rigides sont lus</translation>
     </message>
     <message>
         <source>has links that no joint connects to its root</source>
@@ -3294,7 +3376,7 @@
     </message>
     <message>
         <source>ends inside the element &apos;%1&apos;</source>
-        <translation>finit à l&apos;intérieur de l&apos;élément « %1 »</translation>
+        <translation>finit à l&apos;intérieur de l&apos;élément «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not valid UTF-8 text</source>
@@ -3318,7 +3400,7 @@
     </message>
     <message>
         <source>has a processing instruction that does not end with its first &apos;&gt;&apos;</source>
-        <translation>a une instruction de traitement qui ne finit pas à son premier « &gt; »</translation>
+        <translation>a une instruction de traitement qui ne finit pas à son premier «&#xa0;&gt;&#xa0;»</translation>
     </message>
     <message>
         <source>has the end tag of an element that is not open</source>
@@ -3358,7 +3440,7 @@
     </message>
     <message>
         <source>has &apos;&lt;&apos; in the value of an attribute, which XML writes as &amp;lt;</source>
-        <translation>a « &lt; » dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
+        <translation>a «&#xa0;&lt;&#xa0;» dans la valeur d&apos;un attribut, ce que XML écrit &amp;lt;</translation>
     </message>
     <message>
         <source>has a tag or an attribute without a name</source>
@@ -3382,15 +3464,15 @@
     </message>
     <message>
         <source>has no whole number &apos;%1&apos;</source>
-        <translation>n&apos;a pas de nombre entier « %1 »</translation>
+        <translation>n&apos;a pas de nombre entier «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is not a glTF file: its JSON is malformed or cut off</source>
-        <translation>n&apos;est pas un fichier glTF : son JSON est mal formé ou tronqué</translation>
+        <translation>n&apos;est pas un fichier glTF&#xa0;: son JSON est mal formé ou tronqué</translation>
     </message>
     <message>
         <source>is of version %1; only 2 is read</source>
-        <translation>est de la version %1 ; seule la version 2 est lue</translation>
+        <translation>est de la version %1&#xa0;; seule la version 2 est lue</translation>
     </message>
     <message>
         <source>claims a length of %1 bytes but is only %2 bytes long</source>
@@ -3398,7 +3480,7 @@
     </message>
     <message>
         <source>has a &apos;uri&apos; that is no text</source>
-        <translation>a un « uri » qui n&apos;est pas un texte</translation>
+        <translation>a un «&#xa0;uri&#xa0;» qui n&apos;est pas un texte</translation>
     </message>
     <message>
         <source>keeps its data in a file of its own (%1)</source>
@@ -3454,7 +3536,7 @@
     </message>
     <message>
         <source>has a &apos;%1&apos; that is not %2 numbers</source>
-        <translation>a un « %1 » qui n&apos;est pas fait de %2 nombres</translation>
+        <translation>a un «&#xa0;%1&#xa0;» qui n&apos;est pas fait de %2 nombres</translation>
     </message>
     <message>
         <source>has a rotation of length zero</source>
@@ -3474,11 +3556,11 @@
     </message>
     <message>
         <source>has instances by the extension &apos;EXT_mesh_gpu_instancing&apos;, which is not read</source>
-        <translation>a des instances par l&apos;extension « EXT_mesh_gpu_instancing », qui n&apos;est pas lue</translation>
+        <translation>a des instances par l&apos;extension «&#xa0;EXT_mesh_gpu_instancing&#xa0;», qui n&apos;est pas lue</translation>
     </message>
     <message>
         <source>%1: has a skin, which is not applied</source>
-        <translation>%1 : a une peau (« skin »), qui n&apos;est pas appliquée</translation>
+        <translation>%1&#xa0;: a une peau («&#xa0;skin&#xa0;»), qui n&apos;est pas appliquée</translation>
     </message>
     <message>
         <source>has no primitives</source>
@@ -3490,7 +3572,7 @@
     </message>
     <message>
         <source>%1: has morph targets, which are not applied</source>
-        <translation>%1 : a des cibles de morphage, qui ne sont pas appliquées</translation>
+        <translation>%1&#xa0;: a des cibles de morphage, qui ne sont pas appliquées</translation>
     </message>
     <message>
         <source>has a position that is not a finite number</source>
@@ -3506,11 +3588,11 @@
     </message>
     <message>
         <source>the last line has no end; the file may be cut off</source>
-        <translation>la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+        <translation>la dernière ligne n&apos;a pas de fin&#xa0;; le fichier est peut-être tronqué</translation>
     </message>
     <message>
         <source>line %1: the last line has no end; the file may be cut off</source>
-        <translation>ligne %1 : la dernière ligne n&apos;a pas de fin ; le fichier est peut-être tronqué</translation>
+        <translation>ligne %1&#xa0;: la dernière ligne n&apos;a pas de fin&#xa0;; le fichier est peut-être tronqué</translation>
     </message>
     <message>
         <source>has a free-form curve or surface (%1), which is not read</source>
@@ -3582,7 +3664,7 @@
     </message>
     <message>
         <source>does not begin with &apos;ply&apos;</source>
-        <translation>ne commence pas par « ply »</translation>
+        <translation>ne commence pas par «&#xa0;ply&#xa0;»</translation>
     </message>
     <message>
         <source>has a property before any element</source>
@@ -3590,7 +3672,7 @@
     </message>
     <message>
         <source>does not say its format before &apos;end_header&apos;</source>
-        <translation>n&apos;indique pas son format avant « end_header »</translation>
+        <translation>n&apos;indique pas son format avant «&#xa0;end_header&#xa0;»</translation>
     </message>
     <message>
         <source>ends after its header</source>
@@ -3602,7 +3684,7 @@
     </message>
     <message>
         <source>ends before &apos;end_header&apos;</source>
-        <translation>finit avant « end_header »</translation>
+        <translation>finit avant «&#xa0;end_header&#xa0;»</translation>
     </message>
     <message>
         <source>ends before its last element</source>
@@ -3634,7 +3716,7 @@
     </message>
     <message>
         <source>has faces without a list &apos;vertex_indices&apos;</source>
-        <translation>a des faces sans liste « vertex_indices »</translation>
+        <translation>a des faces sans liste «&#xa0;vertex_indices&#xa0;»</translation>
     </message>
     <message>
         <source>has a face of %1 corners</source>
@@ -3654,7 +3736,7 @@
     </message>
     <message>
         <source>ends before &apos;endsolid&apos;</source>
-        <translation>finit avant « endsolid »</translation>
+        <translation>finit avant «&#xa0;endsolid&#xa0;»</translation>
     </message>
     <message>
         <source>ends before %1</source>
@@ -3662,7 +3744,7 @@
     </message>
     <message>
         <source>has %1 where &apos;%2&apos; is expected</source>
-        <translation>a %1 là où « %2 » est attendu</translation>
+        <translation>a %1 là où «&#xa0;%2&#xa0;» est attendu</translation>
     </message>
     <message>
         <source>is too short for an STL file</source>
@@ -3722,23 +3804,23 @@
     </message>
     <message>
         <source>Give one of %1.</source>
-        <translation>Donnez l&apos;une de ces valeurs : %1.</translation>
+        <translation>Donnez l&apos;une de ces valeurs&#xa0;: %1.</translation>
     </message>
     <message>
         <source>the attribute name &apos;%1&apos; is not a word</source>
-        <translation>le nom d&apos;attribut « %1 » n&apos;est pas un mot</translation>
+        <translation>le nom d&apos;attribut «&#xa0;%1&#xa0;» n&apos;est pas un mot</translation>
     </message>
     <message>
         <source>Use lower-case letters, digits and &apos;_&apos;, a letter first.</source>
-        <translation>Utilisez des minuscules, des chiffres et « _ », en commençant par une lettre.</translation>
+        <translation>Utilisez des minuscules, des chiffres et «&#xa0;_&#xa0;», en commençant par une lettre.</translation>
     </message>
     <message>
         <source>there is an attribute &apos;%1&apos; already</source>
-        <translation>il y a déjà un attribut « %1 »</translation>
+        <translation>il y a déjà un attribut «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has no choices</source>
-        <translation>l&apos;attribut « %1 » n&apos;a pas de choix</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» n&apos;a pas de choix</translation>
     </message>
     <message>
         <source>Give at least one.</source>
@@ -3746,7 +3828,7 @@
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has a choice without a name</source>
-        <translation>l&apos;attribut « %1 » a un choix sans nom</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un choix sans nom</translation>
     </message>
     <message>
         <source>Remove it.</source>
@@ -3754,7 +3836,7 @@
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has the choice &apos;%2&apos; twice</source>
-        <translation>l&apos;attribut « %1 » a deux fois le choix « %2 »</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a deux fois le choix «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Remove one.</source>
@@ -3762,7 +3844,7 @@
     </message>
     <message>
         <source>the attribute &apos;%1&apos; has a minimum above its maximum</source>
-        <translation>l&apos;attribut « %1 » a un minimum supérieur à son maximum</translation>
+        <translation>l&apos;attribut «&#xa0;%1&#xa0;» a un minimum supérieur à son maximum</translation>
     </message>
     <message>
         <source>Swap them.</source>
@@ -3770,15 +3852,15 @@
     </message>
     <message>
         <source>the parents of the class &apos;%1&apos; form a cycle</source>
-        <translation>les classes mères de la classe « %1 » forment un cycle</translation>
+        <translation>les classes mères de la classe «&#xa0;%1&#xa0;» forment un cycle</translation>
     </message>
     <message>
         <source>Correct &apos;of&apos;.</source>
-        <translation>Corrigez « of ».</translation>
+        <translation>Corrigez «&#xa0;of&#xa0;».</translation>
     </message>
     <message>
         <source>the class &apos;%1&apos; is of &apos;%2&apos;, which is not a class</source>
-        <translation>la classe « %1 » est de « %2 », qui n&apos;est pas une classe</translation>
+        <translation>la classe «&#xa0;%1&#xa0;» est de «&#xa0;%2&#xa0;», qui n&apos;est pas une classe</translation>
     </message>
     <message>
         <source>edits the same place as /places/%1</source>
@@ -3786,35 +3868,35 @@
     </message>
     <message>
         <source>Merge the two edits: where they differ, the later one applies.</source>
-        <translation>Réunissez les deux modifications : là où elles diffèrent, la seconde s&apos;applique.</translation>
+        <translation>Réunissez les deux modifications&#xa0;: là où elles diffèrent, la seconde s&apos;applique.</translation>
     </message>
     <message>
         <source>has the name &apos;%1&apos;, which another place has already</source>
-        <translation>porte le nom « %1 », qu&apos;un autre lieu porte déjà</translation>
+        <translation>porte le nom «&#xa0;%1&#xa0;», qu&apos;un autre lieu porte déjà</translation>
     </message>
     <message>
         <source>lies in no place and near none, so the edit has no effect</source>
-        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun : la modification n&apos;a pas d&apos;effet</translation>
+        <translation>n&apos;est dans aucun lieu ni près d&apos;aucun&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
     </message>
     <message>
         <source>Move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Déplacez son « at » dans le lieu concerné.</translation>
+        <translation>Déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
     </message>
     <message>
         <source>lies in no place; the edit applies to the nearest place, %1</source>
-        <translation>n&apos;est dans aucun lieu ; la modification s&apos;applique au lieu le plus proche, %1</translation>
+        <translation>n&apos;est dans aucun lieu&#xa0;; la modification s&apos;applique au lieu le plus proche, %1</translation>
     </message>
     <message>
         <source>Edit that place once more, or move its &quot;at&quot; into the place that it is about.</source>
-        <translation>Modifiez de nouveau ce lieu, ou déplacez son « at » dans le lieu concerné.</translation>
+        <translation>Modifiez de nouveau ce lieu, ou déplacez son «&#xa0;at&#xa0;» dans le lieu concerné.</translation>
     </message>
     <message>
         <source>lies in no border of two places and near none, so the edit has no effect</source>
-        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune : la modification n&apos;a pas d&apos;effet</translation>
+        <translation>n&apos;est sur aucune frontière de deux lieux ni près d&apos;aucune&#xa0;: la modification n&apos;a pas d&apos;effet</translation>
     </message>
     <message>
         <source>Move its &quot;at&quot; to where the two places meet.</source>
-        <translation>Déplacez son « at » là où les deux lieux se touchent.</translation>
+        <translation>Déplacez son «&#xa0;at&#xa0;» là où les deux lieux se touchent.</translation>
     </message>
     <message>
         <source>is too small for this workspace</source>
@@ -3830,7 +3912,7 @@
     </message>
     <message>
         <source>names no way to find places: &apos;%1&apos;</source>
-        <translation>ne nomme aucune méthode de recherche des lieux : « %1 »</translation>
+        <translation>ne nomme aucune méthode de recherche des lieux&#xa0;: «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Grows places from the coarsest free cells down (Cailhol et al. 2019, section 5.1.2).</source>
@@ -3894,11 +3976,11 @@
     </message>
     <message>
         <source>the object is in the threads of %1, which no turn leaves at the same time: their axes or pitches differ</source>
-        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps : leurs axes ou leurs pas diffèrent</translation>
+        <translation>l&apos;objet est dans les filetages de %1, qu&apos;aucune rotation ne dévisse en même temps&#xa0;: leurs axes ou leurs pas diffèrent</translation>
     </message>
     <message>
         <source>the object cannot be turned out of the thread of %1, because %2</source>
-        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1 : %2</translation>
+        <translation>l&apos;objet ne peut pas être dévissé du filetage de %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>it has no room</source>
@@ -3922,19 +4004,19 @@
     </message>
     <message>
         <source>the object is nearer to &apos;%1&apos; than the required clearance</source>
-        <translation>l&apos;objet est plus près de « %1 » que le jeu exigé</translation>
+        <translation>l&apos;objet est plus près de «&#xa0;%1&#xa0;» que le jeu exigé</translation>
     </message>
     <message>
         <source>the object touches &apos;%1&apos;</source>
-        <translation>l&apos;objet touche « %1 »</translation>
+        <translation>l&apos;objet touche «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the object overlaps &apos;%1&apos; by %2 mm</source>
-        <translation>l&apos;objet recouvre « %1 » de %2 mm</translation>
+        <translation>l&apos;objet recouvre «&#xa0;%1&#xa0;» de %2 mm</translation>
     </message>
     <message>
         <source>&apos;%1&apos; was not expected</source>
-        <translation>« %1 » n&apos;était pas attendu</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;était pas attendu</translation>
     </message>
     <message>
         <source>%1 stands where a number is needed</source>
@@ -3942,7 +4024,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is missing</source>
-        <translation>« %1 » manque</translation>
+        <translation>«&#xa0;%1&#xa0;» manque</translation>
     </message>
     <message>
         <source>the rule ends too early</source>
@@ -3954,11 +4036,11 @@
     </message>
     <message>
         <source>the name &apos;%1&apos; is unknown</source>
-        <translation>le nom « %1 » est inconnu</translation>
+        <translation>le nom «&#xa0;%1&#xa0;» est inconnu</translation>
     </message>
     <message>
         <source>&apos;%1&apos; has the wrong number of arguments</source>
-        <translation>« %1 » n&apos;a pas le bon nombre d&apos;arguments</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;a pas le bon nombre d&apos;arguments</translation>
     </message>
     <message>
         <source>the rule is nested too deeply</source>
@@ -3978,7 +4060,7 @@
     </message>
     <message>
         <source>A cost is 0 or more: correct the rule %1</source>
-        <translation>Un coût vaut 0 ou plus : corrigez la règle %1</translation>
+        <translation>Un coût vaut 0 ou plus&#xa0;: corrigez la règle %1</translation>
     </message>
     <message>
         <source>between %1 and %2</source>
@@ -3994,11 +4076,11 @@
     </message>
     <message>
         <source>forbidden: %1</source>
-        <translation>interdits : %1</translation>
+        <translation>interdits&#xa0;: %1</translation>
     </message>
     <message>
         <source>of infinite cost by the rules: %1</source>
-        <translation>de coût infini d&apos;après les règles : %1</translation>
+        <translation>de coût infini d&apos;après les règles&#xa0;: %1</translation>
     </message>
     <message>
         <source>Check the semantic attributes of the places, or use strategy G.</source>
@@ -4074,19 +4156,19 @@
     </message>
     <message>
         <source>Lower %1, or plan with &apos;auto&apos;.</source>
-        <translation>Réduisez %1, ou planifiez avec « auto ».</translation>
+        <translation>Réduisez %1, ou planifiez avec «&#xa0;auto&#xa0;».</translation>
     </message>
     <message>
         <source>names the body &apos;%1&apos;, which is not there</source>
-        <translation>nomme le corps « %1 », qui n&apos;existe pas</translation>
+        <translation>nomme le corps «&#xa0;%1&#xa0;», qui n&apos;existe pas</translation>
     </message>
     <message>
         <source>See &apos;glissade-cli fits&apos; for the names.</source>
-        <translation>Les noms sont ceux de « glissade-cli fits ».</translation>
+        <translation>Les noms sont ceux de «&#xa0;glissade-cli fits&#xa0;».</translation>
     </message>
     <message>
         <source>allows for &apos;%1&apos; and &apos;%2&apos;, which do not touch where they are assembled</source>
-        <translation>donne un amincissement à « %1 » et « %2 », qui ne se touchent pas en position assemblée</translation>
+        <translation>donne un amincissement à «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;», qui ne se touchent pas en position assemblée</translation>
     </message>
     <message>
         <source>Remove the allowance.</source>
@@ -4094,7 +4176,7 @@
     </message>
     <message>
         <source>allows %1, more than the thickness of &apos;%2&apos; gives</source>
-        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de « %2 »</translation>
+        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>Give at most %1.</source>
@@ -4102,7 +4184,7 @@
     </message>
     <message>
         <source>calls &apos;%1&apos; and &apos;%2&apos; a thread, but no shaft of the one is on the axis of a hole of the other</source>
-        <translation>donne « %1 » et « %2 » pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
+        <translation>donne «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» pour un filetage, mais aucun arbre de l&apos;un n&apos;est sur l&apos;axe d&apos;un alésage de l&apos;autre</translation>
     </message>
     <message>
         <source>Give another kind.</source>
@@ -4126,7 +4208,7 @@
     </message>
     <message>
         <source>fit so that the object would have to be taken %1 thinner, which its local thickness or its shape does not give: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;objet devrait être aminci de %1, ce que son épaisseur locale ou sa forme ne permet pas : c&apos;est une collision</translation>
+        <translation>s&apos;ajustent de telle sorte que l&apos;objet devrait être aminci de %1, ce que son épaisseur locale ou sa forme ne permet pas&#xa0;: c&apos;est une collision</translation>
     </message>
     <message>
         <source>Mend the parts.</source>
@@ -4146,7 +4228,7 @@
     </message>
     <message>
         <source>it and %1 hold each other: neither was found to leave alone, nor both as one; motions of several bodies at the same time are not searched</source>
-        <translation>elle et %1 se bloquent mutuellement : aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble ; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
+        <translation>elle et %1 se bloquent mutuellement&#xa0;: aucun mouvement n&apos;a été trouvé, ni pour l&apos;une seule, ni pour les deux ensemble&#xa0;; les mouvements simultanés de plusieurs corps ne sont pas cherchés</translation>
     </message>
     <message>
         <source>the motion that a person gave it is not free</source>
@@ -4162,7 +4244,7 @@
     </message>
     <message>
         <source>a demand names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>une exigence nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>une exigence nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>a demand about a step names no body</source>
@@ -4174,7 +4256,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is in two steps or groups that are demanded</source>
-        <translation>« %1 » est dans deux étapes ou groupes exigés</translation>
+        <translation>«&#xa0;%1&#xa0;» est dans deux étapes ou groupes exigés</translation>
     </message>
     <message>
         <source>Name the same bodies in both, or remove one.</source>
@@ -4190,7 +4272,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; is demanded at two places</source>
-        <translation>« %1 » est exigé à deux places</translation>
+        <translation>«&#xa0;%1&#xa0;» est exigé à deux places</translation>
     </message>
     <message>
         <source>Remove one of them.</source>
@@ -4206,11 +4288,11 @@
     </message>
     <message>
         <source>&apos;%1&apos; has two demanded motions</source>
-        <translation>« %1 » a deux mouvements exigés</translation>
+        <translation>«&#xa0;%1&#xa0;» a deux mouvements exigés</translation>
     </message>
     <message>
         <source>a direction that is forbidden to &apos;%1&apos; has no length</source>
-        <translation>une direction interdite à « %1 » est de longueur nulle</translation>
+        <translation>une direction interdite à «&#xa0;%1&#xa0;» est de longueur nulle</translation>
     </message>
     <message>
         <source>Give three numbers, as 0 0 -1.</source>
@@ -4218,11 +4300,11 @@
     </message>
     <message>
         <source>names &apos;%1&apos;, which is not a body of the product</source>
-        <translation>nomme « %1 », qui n&apos;est pas un corps du produit</translation>
+        <translation>nomme «&#xa0;%1&#xa0;», qui n&apos;est pas un corps du produit</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is demanded to leave with others twice</source>
-        <translation>« %1 » est deux fois exigé dans un groupe</translation>
+        <translation>«&#xa0;%1&#xa0;» est deux fois exigé dans un groupe</translation>
     </message>
     <message>
         <source>Name each body once.</source>
@@ -4250,11 +4332,11 @@
     </message>
     <message>
         <source>&apos;%1&apos; stays, and is demanded to leave as step %2</source>
-        <translation>« %1 » reste, et doit sortir à l&apos;étape %2</translation>
+        <translation>«&#xa0;%1&#xa0;» reste, et doit sortir à l&apos;étape %2</translation>
     </message>
     <message>
         <source>is unknown: %1</source>
-        <translation>est inconnu : %1</translation>
+        <translation>est inconnu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose greedy or best-first.</source>
@@ -4262,7 +4344,7 @@
     </message>
     <message>
         <source>Whatever can leave leaves, the smallest first; what cannot is asked again when one of those in its way has left.</source>
-        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord ; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
+        <translation>Tout ce qui peut sortir sort, le plus petit d&apos;abord&#xa0;; ce qui ne le peut pas est réessayé quand un corps qui le gêne est sorti.</translation>
     </message>
     <message>
         <source>Best first</source>
@@ -4270,7 +4352,7 @@
     </message>
     <message>
         <source>The motions of the greedy strategy in the order that costs least: length, changes of direction and of tools, bodies that would fall.</source>
-        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux : longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
+        <translation>Les mouvements de la stratégie greedy dans l&apos;ordre le moins coûteux&#xa0;: longueur, changements de direction et d&apos;outil, corps qui tomberaient.</translation>
     </message>
     <message>
         <source>Few changes of tools</source>
@@ -4286,7 +4368,7 @@
     </message>
     <message>
         <source>&apos;%1&apos; needs the tool &apos;%2&apos;, which is unknown</source>
-        <translation>« %1 » demande l&apos;outil « %2 », qui est inconnu</translation>
+        <translation>«&#xa0;%1&#xa0;» demande l&apos;outil «&#xa0;%2&#xa0;», qui est inconnu</translation>
     </message>
     <message>
         <source>Choose hex_key, socket, screwdriver, open_wrench or none.</source>
@@ -4382,7 +4464,7 @@
     </message>
     <message>
         <source>the goal is &quot;out&quot;, which has no position</source>
-        <translation>le but est « dehors », qui n&apos;a pas de position</translation>
+        <translation>le but est «&#xa0;dehors&#xa0;», qui n&apos;a pas de position</translation>
     </message>
     <message>
         <source>Give the goal a position first.</source>
@@ -4454,7 +4536,7 @@
     </message>
     <message>
         <source>Give metres a turn, 0.00001 or more; below zero for a left-handed thread.</source>
-        <translation>Donnez des mètres par tour, 0.00001 ou plus ; négatif pour un filetage à gauche.</translation>
+        <translation>Donnez des mètres par tour, 0.00001 ou plus&#xa0;; négatif pour un filetage à gauche.</translation>
     </message>
     <message>
         <source>is neither of the two bodies</source>
@@ -4466,11 +4548,11 @@
     </message>
     <message>
         <source>is the same body as &apos;a&apos;</source>
-        <translation>est le même corps que « a »</translation>
+        <translation>est le même corps que «&#xa0;a&#xa0;»</translation>
     </message>
     <message>
         <source>is neither &quot;on&quot; nor &quot;off&quot;</source>
-        <translation>n&apos;est ni « on » ni « off »</translation>
+        <translation>n&apos;est ni «&#xa0;on&#xa0;» ni «&#xa0;off&#xa0;»</translation>
     </message>
     <message>
         <source>is about a pair that was there before</source>
@@ -4494,15 +4576,15 @@
     </message>
     <message>
         <source>Leave out &apos;unit&apos; and &apos;up_axis&apos;.</source>
-        <translation>Omettez « unit » et « up_axis ».</translation>
+        <translation>Omettez «&#xa0;unit&#xa0;» et «&#xa0;up_axis&#xa0;».</translation>
     </message>
     <message>
         <source>is not closed: faces or boundaries that could not be made: %1; proofs take what is missing as free space</source>
-        <translation>n&apos;est pas fermé : %1 faces ou contours n&apos;ont pas pu être construits ; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
+        <translation>n&apos;est pas fermé&#xa0;: %1 faces ou contours n&apos;ont pas pu être construits&#xa0;; les preuves prennent ce qui manque pour de l&apos;espace libre</translation>
     </message>
     <message>
         <source>is several parts in one body of the scenario, of which &apos;%1&apos; cannot be moved alone</source>
-        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont « %1 » ne peut pas être déplacée seule</translation>
+        <translation>est fait de plusieurs pièces en un seul corps du scénario, dont «&#xa0;%1&#xa0;» ne peut pas être déplacée seule</translation>
     </message>
     <message>
         <source>is not an object</source>
@@ -4514,7 +4596,7 @@
     </message>
     <message>
         <source>Remove it, or use one of: %1.</source>
-        <translation>Supprimez-la, ou utilisez l&apos;une de : %1.</translation>
+        <translation>Supprimez-la, ou utilisez l&apos;une de&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Add it.</source>
@@ -4550,7 +4632,7 @@
     </message>
     <message>
         <source>Give metres; check the unit.</source>
-        <translation>Donnez des mètres ; vérifiez l&apos;unité.</translation>
+        <translation>Donnez des mètres&#xa0;; vérifiez l&apos;unité.</translation>
     </message>
     <message>
         <source>is not from 1e-12 m to 1e9 m</source>
@@ -4590,7 +4672,7 @@
     </message>
     <message>
         <source>holds the key &apos;%1&apos; twice in one object</source>
-        <translation>contient deux fois la clé « %1 » dans un objet</translation>
+        <translation>contient deux fois la clé «&#xa0;%1&#xa0;» dans un objet</translation>
     </message>
     <message>
         <source>holds an object with more than %1 keys</source>
@@ -4646,7 +4728,7 @@
     </message>
     <message>
         <source>cannot be what moves: the scenario has its object</source>
-        <translation>ne peut pas être la pièce qui bouge : le scénario a déjà son objet</translation>
+        <translation>ne peut pas être la pièce qui bouge&#xa0;: le scénario a déjà son objet</translation>
     </message>
     <message>
         <source>Make it static or mobile.</source>
@@ -4662,11 +4744,11 @@
     </message>
     <message>
         <source>paths are not written as &apos;.%1&apos;</source>
-        <translation>les chemins ne s&apos;écrivent pas en « .%1 »</translation>
+        <translation>les chemins ne s&apos;écrivent pas en «&#xa0;.%1&#xa0;»</translation>
     </message>
     <message>
         <source>Choose one of: %1.</source>
-        <translation>Choisissez parmi : %1.</translation>
+        <translation>Choisissez parmi&#xa0;: %1.</translation>
     </message>
     <message>
         <source>a position of the path is beyond single precision</source>
@@ -4678,7 +4760,7 @@
     </message>
     <message>
         <source>is one too many: a path has at most %1 configurations</source>
-        <translation>est de trop : un chemin a au plus %1 configurations</translation>
+        <translation>est de trop&#xa0;: un chemin a au plus %1 configurations</translation>
     </message>
     <message>
         <source>Each line holds %1.</source>
@@ -4686,7 +4768,7 @@
     </message>
     <message>
         <source>Each line holds x y z qx qy qz qw; a CSV begins with its header.</source>
-        <translation>Chaque ligne contient x y z qx qy qz qw ; un CSV commence par son en-tête.</translation>
+        <translation>Chaque ligne contient x y z qx qy qz qw&#xa0;; un CSV commence par son en-tête.</translation>
     </message>
     <message>
         <source>does not have %1 columns</source>
@@ -4714,7 +4796,7 @@
     </message>
     <message>
         <source>Give the path as one of: %1.</source>
-        <translation>Donnez le chemin dans l&apos;un de ces formats : %1.</translation>
+        <translation>Donnez le chemin dans l&apos;un de ces formats&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Plan again. To use an edited plan, remove its checksum.</source>
@@ -4722,7 +4804,7 @@
     </message>
     <message>
         <source>is about a product that has &apos;%1&apos;</source>
-        <translation>concerne un produit qui a « %1 »</translation>
+        <translation>concerne un produit qui a «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is about a product with other bodies</source>
@@ -4786,7 +4868,7 @@
     </message>
     <message>
         <source>Change &quot;deflection&quot; of the asset there, or give the part file.</source>
-        <translation>Changez-y « deflection » de l&apos;asset, ou donnez le fichier de la pièce.</translation>
+        <translation>Changez-y «&#xa0;deflection&#xa0;» de l&apos;asset, ou donnez le fichier de la pièce.</translation>
     </message>
     <message>
         <source>is damaged, and names the scenario and the settings of the run</source>
@@ -4806,11 +4888,11 @@
     </message>
     <message>
         <source>is damaged: %1 lines of the journal are lost</source>
-        <translation>est endommagé : %1 lignes du journal sont perdues</translation>
+        <translation>est endommagé&#xa0;: %1 lignes du journal sont perdues</translation>
     </message>
     <message>
         <source>Nothing is missing until step %1; the replay may differ from the run after it.</source>
-        <translation>Rien ne manque jusqu&apos;au pas %1 ; ensuite la relecture peut différer du calcul.</translation>
+        <translation>Rien ne manque jusqu&apos;au pas %1&#xa0;; ensuite la relecture peut différer du calcul.</translation>
     </message>
     <message>
         <source>Name the scenario that the run was recorded on, as it was then.</source>
@@ -4818,23 +4900,23 @@
     </message>
     <message>
         <source>the run was recorded on another scenario than &apos;%1&apos;</source>
-        <translation>le calcul a été enregistré sur un autre scénario que « %1 »</translation>
+        <translation>le calcul a été enregistré sur un autre scénario que «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>the asset &apos;%1&apos; has changed since the run was recorded</source>
-        <translation>l&apos;asset « %1 » a changé depuis l&apos;enregistrement du calcul</translation>
+        <translation>l&apos;asset «&#xa0;%1&#xa0;» a changé depuis l&apos;enregistrement du calcul</translation>
     </message>
     <message>
         <source>there is no planner &apos;%1&apos;</source>
-        <translation>il n&apos;y a pas de stratégie « %1 »</translation>
+        <translation>il n&apos;y a pas de stratégie «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Replay it with the Glissade that recorded it: %1.</source>
-        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré : %1.</translation>
+        <translation>Rejouez-le avec la version de Glissade qui l&apos;a enregistré&#xa0;: %1.</translation>
     </message>
     <message>
         <source>names the unknown parameter &apos;%1&apos;</source>
-        <translation>nomme le paramètre inconnu « %1 »</translation>
+        <translation>nomme le paramètre inconnu «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>comes before the step above it</source>
@@ -4866,15 +4948,15 @@
     </message>
     <message>
         <source>Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE.</source>
-        <translation>Faites-en un scénario : glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
+        <translation>Faites-en un scénario&#xa0;: glissade-cli new OUT.json --moves FICHIER:PIÈCE --static FICHIER.</translation>
     </message>
     <message>
         <source>is not a colour: three numbers from 0 to 1</source>
-        <translation>n&apos;est pas une couleur : trois nombres de 0 à 1</translation>
+        <translation>n&apos;est pas une couleur&#xa0;: trois nombres de 0 à 1</translation>
     </message>
     <message>
         <source>is neither &quot;y&quot; nor &quot;z&quot;</source>
-        <translation>n&apos;est ni « y » ni « z »</translation>
+        <translation>n&apos;est ni «&#xa0;y&#xa0;» ni «&#xa0;z&#xa0;»</translation>
     </message>
     <message>
         <source>does not name exactly one shape</source>
@@ -4882,7 +4964,7 @@
     </message>
     <message>
         <source>names the asset &apos;%1&apos;, which is not in /assets</source>
-        <translation>nomme l&apos;asset « %1 », qui n&apos;est pas dans /assets</translation>
+        <translation>nomme l&apos;asset «&#xa0;%1&#xa0;», qui n&apos;est pas dans /assets</translation>
     </message>
     <message>
         <source>Add the asset.</source>
@@ -4894,7 +4976,7 @@
     </message>
     <message>
         <source>is neither &quot;static&quot; nor &quot;mobile&quot;</source>
-        <translation>n&apos;est ni « static » ni « mobile »</translation>
+        <translation>n&apos;est ni «&#xa0;static&#xa0;» ni «&#xa0;mobile&#xa0;»</translation>
     </message>
     <message>
         <source>is for mesh files only</source>
@@ -4902,11 +4984,11 @@
     </message>
     <message>
         <source>is said twice: there is &apos;centre_on_vertex_mean&apos;</source>
-        <translation>est dit deux fois : il y a « centre_on_vertex_mean »</translation>
+        <translation>est dit deux fois&#xa0;: il y a «&#xa0;centre_on_vertex_mean&#xa0;»</translation>
     </message>
     <message>
         <source>is neither a configuration nor &quot;out&quot;</source>
-        <translation>n&apos;est ni une configuration ni « out »</translation>
+        <translation>n&apos;est ni une configuration ni «&#xa0;out&#xa0;»</translation>
     </message>
     <message>
         <source>is not a parameter</source>
@@ -4914,11 +4996,11 @@
     </message>
     <message>
         <source>Remove it, or see &apos;glissade-cli plan --help&apos;.</source>
-        <translation>Supprimez-le, ou voyez « glissade-cli plan --help ».</translation>
+        <translation>Supprimez-le, ou voyez «&#xa0;glissade-cli plan --help&#xa0;».</translation>
     </message>
     <message>
         <source>holds a &apos;/&apos;</source>
-        <translation>contient un « / »</translation>
+        <translation>contient un «&#xa0;/&#xa0;»</translation>
     </message>
     <message>
         <source>Leave it out.</source>
@@ -4926,7 +5008,7 @@
     </message>
     <message>
         <source>has the id &apos;%1&apos; a second time</source>
-        <translation>a une seconde fois l&apos;identifiant « %1 »</translation>
+        <translation>a une seconde fois l&apos;identifiant «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>Give every one an id of its own.</source>
@@ -4934,11 +5016,11 @@
     </message>
     <message>
         <source>is not &quot;%1&quot;</source>
-        <translation>n&apos;est pas « %1 »</translation>
+        <translation>n&apos;est pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is version %1; this program reads up to version %2</source>
-        <translation>est de la version %1 ; ce programme lit jusqu&apos;à la version %2</translation>
+        <translation>est de la version %1&#xa0;; ce programme lit jusqu&apos;à la version %2</translation>
     </message>
     <message>
         <source>Check the scenario, then save it again or remove the checksum.</source>
@@ -4966,7 +5048,7 @@
     </message>
     <message>
         <source>is neither &quot;place&quot; nor &quot;body&quot;</source>
-        <translation>n&apos;est ni « place » ni « body »</translation>
+        <translation>n&apos;est ni «&#xa0;place&#xa0;» ni «&#xa0;body&#xa0;»</translation>
     </message>
     <message>
         <source>is not a type of attribute</source>
@@ -5010,7 +5092,7 @@
     </message>
     <message>
         <source>the class of &apos;%1&apos; is &apos;%2&apos;, which is not a class of bodies</source>
-        <translation>la classe de « %1 » est « %2 », qui n&apos;est pas une classe de corps</translation>
+        <translation>la classe de «&#xa0;%1&#xa0;» est «&#xa0;%2&#xa0;», qui n&apos;est pas une classe de corps</translation>
     </message>
     <message>
         <source>Choose one of %1, or add it under /sequence/classes.</source>
@@ -5018,15 +5100,15 @@
     </message>
     <message>
         <source>Give the whole name: %1.</source>
-        <translation>Donnez le nom entier : %1.</translation>
+        <translation>Donnez le nom entier&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The file holds one part: leave out the name.</source>
-        <translation>Le fichier contient une seule pièce : omettez le nom.</translation>
+        <translation>Le fichier contient une seule pièce&#xa0;: omettez le nom.</translation>
     </message>
     <message>
         <source>It holds: %1.</source>
-        <translation>Il contient : %1.</translation>
+        <translation>Il contient&#xa0;: %1.</translation>
     </message>
     <message>
         <source>STL is little-endian</source>
@@ -5034,7 +5116,7 @@
     </message>
     <message>
         <source>does not say its unit; its size is %1</source>
-        <translation>ne dit pas son unité ; sa taille est %1</translation>
+        <translation>ne dit pas son unité&#xa0;; sa taille est %1</translation>
     </message>
     <message>
         <source>it is taken in millimetres</source>
@@ -5054,11 +5136,11 @@
     </message>
     <message>
         <source>Give the unit: --unit 1mm, or --unit 1m.</source>
-        <translation>Donnez l&apos;unité : --unit 1mm, ou --unit 1m.</translation>
+        <translation>Donnez l&apos;unité&#xa0;: --unit 1mm, ou --unit 1m.</translation>
     </message>
     <message>
         <source>Give the unit: --unit 1m, or --unit 1mm.</source>
-        <translation>Donnez l&apos;unité : --unit 1m, ou --unit 1mm.</translation>
+        <translation>Donnez l&apos;unité&#xa0;: --unit 1m, ou --unit 1mm.</translation>
     </message>
     <message>
         <source>the bound of the swept volume is not above 0</source>
@@ -5082,11 +5164,11 @@
     </message>
     <message>
         <source>Put it into &quot;than&quot;.</source>
-        <translation>Mettez-le dans « than ».</translation>
+        <translation>Mettez-le dans «&#xa0;than&#xa0;».</translation>
     </message>
     <message>
         <source>names the unknown %1 &apos;%2&apos;</source>
-        <translation>nomme %1 inconnu « %2 »</translation>
+        <translation>nomme %1 inconnu «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>kind of runs</source>
@@ -5106,7 +5188,7 @@
     </message>
     <message>
         <source>no report, exit code %1: %2</source>
-        <translation>pas de rapport, code de sortie %1 : %2</translation>
+        <translation>pas de rapport, code de sortie %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>is not a status</source>
@@ -5114,7 +5196,7 @@
     </message>
     <message>
         <source>cannot be made: %1</source>
-        <translation>ne peut pas être créé : %1</translation>
+        <translation>ne peut pas être créé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Choose another --out.</source>
@@ -5162,7 +5244,7 @@
     </message>
     <message>
         <source>The same run must end the same everywhere: look for different builds of Glissade.</source>
-        <translation>Le même essai doit finir partout de la même façon : cherchez des versions différentes de Glissade.</translation>
+        <translation>Le même essai doit finir partout de la même façon&#xa0;: cherchez des versions différentes de Glissade.</translation>
     </message>
     <message>
         <source>is of another study, version or size than %1</source>
@@ -5174,7 +5256,7 @@
     </message>
     <message>
         <source>has no &apos;%1&apos;</source>
-        <translation>n&apos;a pas de « %1 »</translation>
+        <translation>n&apos;a pas de «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>is there a second time</source>
@@ -5182,7 +5264,7 @@
     </message>
     <message>
         <source>See &apos;glissade-cli plan --help&apos;; &apos;_&apos; stands for &apos;-&apos;.</source>
-        <translation>Voyez « glissade-cli plan --help » ; « _ » y remplace « - ».</translation>
+        <translation>Voyez «&#xa0;glissade-cli plan --help&#xa0;»&#xa0;; «&#xa0;_&#xa0;» y remplace «&#xa0;-&#xa0;».</translation>
     </message>
     <message>
         <source>is a limit</source>
@@ -5190,7 +5272,7 @@
     </message>
     <message>
         <source>Move it to &quot;limits&quot;.</source>
-        <translation>Déplacez-le dans « limits ».</translation>
+        <translation>Déplacez-le dans «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>is beyond %1</source>
@@ -5214,11 +5296,11 @@
     </message>
     <message>
         <source>is not a column of &quot;paper&quot;</source>
-        <translation>n&apos;est pas une colonne de « paper »</translation>
+        <translation>n&apos;est pas une colonne de «&#xa0;paper&#xa0;»</translation>
     </message>
     <message>
         <source>Use one of: %1.</source>
-        <translation>Utilisez l&apos;une de ces valeurs : %1.</translation>
+        <translation>Utilisez l&apos;une de ces valeurs&#xa0;: %1.</translation>
     </message>
     <message>
         <source>is a sequence with an operator</source>
@@ -5230,7 +5312,7 @@
     </message>
     <message>
         <source>Give time_limit under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit sous « limits ».</translation>
+        <translation>Donnez time_limit sous «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>is a sequence, which has no parameter %1</source>
@@ -5258,7 +5340,7 @@
     </message>
     <message>
         <source>Give time_limit, max_steps or max_samples under &quot;limits&quot;.</source>
-        <translation>Donnez time_limit, max_steps ou max_samples sous « limits ».</translation>
+        <translation>Donnez time_limit, max_steps ou max_samples sous «&#xa0;limits&#xa0;».</translation>
     </message>
     <message>
         <source>interrupted with %1 of %2 runs done</source>
@@ -5314,6 +5396,13 @@
     </message>
 </context>
 <context>
+    <name>FilmWriter</name>
+    <message>
+        <source>Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)</source>
+        <translation>Film (*.mp4);;Film (*.webm);;Série d&apos;images (*.png)</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and shortcuts</source>
@@ -5325,7 +5414,7 @@
     </message>
     <message>
         <source>While the 3D view has the focus; directions are those of the view.</source>
-        <translation>Quand la vue 3D a le focus ; les directions sont celles de la vue.</translation>
+        <translation>Quand la vue 3D a le focus&#xa0;; les directions sont celles de la vue.</translation>
     </message>
     <message>
         <source>Shortcuts</source>
@@ -5337,7 +5426,121 @@
     </message>
     <message>
         <source>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;A workbench for virtual assembly: certified motions, found by a planner and a person together.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel : des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+        <translation>&lt;h3&gt;Glissade %1&lt;/h3&gt;&lt;p&gt;Un établi pour l&apos;assemblage virtuel&#xa0;: des mouvements certifiés, trouvés ensemble par un planificateur et une personne.&lt;/p&gt;&lt;p&gt;N. Blin, M. Taïx, P. Fillatreau, J.-Y. Fourquet, &lt;i&gt;Tuning Interaction in Motion Planning with Contact&lt;/i&gt;, IEEE RO-MAN 2016.&lt;/p&gt;&lt;p&gt;S. Cailhol, P. Fillatreau, Y. Zhao, J.-Y. Fourquet, &lt;i&gt;Multi-layer path planning control for the simulation of manipulation tasks&lt;/i&gt;, RCIM 57, 2019.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ManualTables</name>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Ce qu&apos;elle fait</translation>
+    </message>
+    <message>
+        <source>In scripts</source>
+        <translation>Dans les scripts</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panneau</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Signification</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>During a run</source>
+        <translation>Pendant un calcul</translation>
+    </message>
+    <message>
+        <source>In files</source>
+        <translation>Dans les fichiers</translation>
+    </message>
+    <message>
+        <source>In files, on the command line</source>
+        <translation>Dans les fichiers, sur la ligne de commande</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>Stratégie</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>lieu</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>Attribute</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>In files and rules</source>
+        <translation>Dans les fichiers et les règles</translation>
+    </message>
+    <message>
+        <source>Of</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Ending</source>
+        <translation>Extension</translation>
+    </message>
+    <message>
+        <source>Can be read again</source>
+        <translation>Peut être relu</translation>
+    </message>
+</context>
+<context>
+    <name>ManualWriter</name>
+    <message>
+        <source>Glissade manual</source>
+        <translation>Manuel de Glissade</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
     </message>
 </context>
 <context>
@@ -5475,7 +5678,7 @@
     </message>
     <message>
         <source>The computer&apos;s share of the iterations: 1 is the automatic planner alone, 0 the operator alone.</source>
-        <translation>La part de l&apos;ordinateur dans les itérations : 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
+        <translation>La part de l&apos;ordinateur dans les itérations&#xa0;: 1 est le planificateur seul, 0 l&apos;opérateur seul.</translation>
     </message>
     <message>
         <source>Samples shot on the tangent plane each time contact mode is entered.</source>
@@ -5503,11 +5706,11 @@
     </message>
     <message>
         <source>Guidance: how strongly obstacles nearer than the contact distance push the hand away; 0 is off.</source>
-        <translation>Guidage : avec quelle force les obstacles plus proches que la distance de contact repoussent la main ; 0 pour aucune.</translation>
+        <translation>Guidage&#xa0;: avec quelle force les obstacles plus proches que la distance de contact repoussent la main&#xa0;; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Guidance: how strongly the path or the next milestone draws the hand; 0 is off.</source>
-        <translation>Guidage : avec quelle force le chemin ou le prochain jalon attire la main ; 0 pour aucune.</translation>
+        <translation>Guidage&#xa0;: avec quelle force le chemin ou le prochain jalon attire la main&#xa0;; 0 pour aucune.</translation>
     </message>
     <message>
         <source>Automatic tuning</source>
@@ -5515,7 +5718,7 @@
     </message>
     <message>
         <source>What sets itself while planning, added up: 1 for α, 2 for N, 4 for d. 0 is nothing, 7 all three.</source>
-        <translation>Valeurs que le programme règle pendant la planification, en somme : 1 pour α, 2 pour N, 4 pour d. 0 : aucune, 7 : les trois.</translation>
+        <translation>Valeurs que le programme règle pendant la planification, en somme&#xa0;: 1 pour α, 2 pour N, 4 pour d. 0&#xa0;: aucune, 7&#xa0;: les trois.</translation>
     </message>
     <message>
         <source>Clearance that a delivered path is proved to keep.</source>
@@ -5527,7 +5730,7 @@
     </message>
     <message>
         <source>In the window: planner steps a second, so that a person can watch and steer. 0 is full speed; the first paper&apos;s planner made 40.</source>
-        <translation>Dans la fenêtre : pas du planificateur par seconde, pour regarder et guider. 0 : pleine vitesse ; le planificateur du premier article en faisait 40.</translation>
+        <translation>Dans la fenêtre&#xa0;: pas du planificateur par seconde, pour regarder et guider. 0&#xa0;: pleine vitesse&#xa0;; le planificateur du premier article en faisait 40.</translation>
     </message>
     <message>
         <source>Contact gap</source>
@@ -5603,19 +5806,19 @@
     </message>
     <message>
         <source>Lockstep clock: planner steps in one second of the simulated or recorded operator.</source>
-        <translation>Horloge du mode pas à pas : pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
+        <translation>Horloge du mode pas à pas&#xa0;: pas du planificateur par seconde de l&apos;opérateur simulé ou enregistré.</translation>
     </message>
     <message>
         <source>Stop after this many planner steps; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de pas du planificateur ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de pas du planificateur&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Stop after this many random configurations; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de configurations aléatoires ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de configurations aléatoires&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Stop after this many seconds of planning; 0 is no limit.</source>
-        <translation>Arrêter après ce nombre de secondes de planification ; 0 : sans limite.</translation>
+        <translation>Arrêter après ce nombre de secondes de planification&#xa0;; 0&#xa0;: sans limite.</translation>
     </message>
     <message>
         <source>Strategy G gives up after this many random configurations.</source>
@@ -5635,11 +5838,11 @@
     </message>
     <message>
         <source>Shortcuts tried on the path found, each certified before it is taken; 0 leaves the path as planned.</source>
-        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris ; 0 laisse le chemin tel que planifié.</translation>
+        <translation>Raccourcis essayés sur le chemin trouvé, chacun certifié avant d&apos;être pris&#xa0;; 0 laisse le chemin tel que planifié.</translation>
     </message>
     <message>
         <source>Longest edge of the planners of unmodified OMPL, as a share of the space&apos;s extent; 0 is OMPL&apos;s default.</source>
-        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace ; 0 : valeur par défaut d&apos;OMPL.</translation>
+        <translation>Plus long segment des planificateurs d&apos;OMPL non modifié, en part de l&apos;étendue de l&apos;espace&#xa0;; 0&#xa0;: valeur par défaut d&apos;OMPL.</translation>
     </message>
     <message>
         <source>Distance of the configurations that the planners of unmodified OMPL check on an edge, as a share of the space&apos;s extent.</source>
@@ -5647,7 +5850,7 @@
     </message>
     <message>
         <source>Planners of strategy auto that work at the same time, on as many of the machine&apos;s cores. Another number is another search; the cores do not change it.</source>
-        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche ; le nombre de cœurs ne la change pas.</translation>
+        <translation>Nombre de planificateurs de la stratégie auto qui travaillent en même temps, sur autant de cœurs de la machine. Un autre nombre donne une autre recherche&#xa0;; le nombre de cœurs ne la change pas.</translation>
     </message>
 </context>
 <context>
@@ -5696,23 +5899,23 @@
     </message>
     <message>
         <source>G: geometry</source>
-        <translation>G : géométrie</translation>
+        <translation>G&#xa0;: géométrie</translation>
     </message>
     <message>
         <source>GT: and topology</source>
-        <translation>GT : avec topologie</translation>
+        <translation>GT&#xa0;: avec topologie</translation>
     </message>
     <message>
         <source>GTS1: and semantics, same shape</source>
-        <translation>GTS1 : avec sémantique, même forme</translation>
+        <translation>GTS1&#xa0;: avec sémantique, même forme</translation>
     </message>
     <message>
         <source>GTS2: and semantics, compatible</source>
-        <translation>GTS2 : avec sémantique, compatibilité</translation>
+        <translation>GTS2&#xa0;: avec sémantique, compatibilité</translation>
     </message>
     <message>
         <source>GTS: in a loop, with scores</source>
-        <translation>GTS : en boucle, avec scores</translation>
+        <translation>GTS&#xa0;: en boucle, avec scores</translation>
     </message>
     <message>
         <source>Own rules</source>
@@ -5720,39 +5923,39 @@
     </message>
     <message>
         <source>OMPL: RRT-Connect</source>
-        <translation>OMPL : RRT-Connect</translation>
+        <translation>OMPL&#xa0;: RRT-Connect</translation>
     </message>
     <message>
         <source>OMPL: BKPIECE</source>
-        <translation>OMPL : BKPIECE</translation>
+        <translation>OMPL&#xa0;: BKPIECE</translation>
     </message>
     <message>
         <source>OMPL: PRM</source>
-        <translation>OMPL : PRM</translation>
+        <translation>OMPL&#xa0;: PRM</translation>
     </message>
     <message>
         <source>OMPL: EST</source>
-        <translation>OMPL : EST</translation>
+        <translation>OMPL&#xa0;: EST</translation>
     </message>
     <message>
         <source>OMPL unmodified: RRT-Connect</source>
-        <translation>OMPL non modifié : RRT-Connect</translation>
+        <translation>OMPL non modifié&#xa0;: RRT-Connect</translation>
     </message>
     <message>
         <source>OMPL unmodified: RRT</source>
-        <translation>OMPL non modifié : RRT</translation>
+        <translation>OMPL non modifié&#xa0;: RRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: TRRT</source>
-        <translation>OMPL non modifié : TRRT</translation>
+        <translation>OMPL non modifié&#xa0;: TRRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: BiTRRT</source>
-        <translation>OMPL non modifié : BiTRRT</translation>
+        <translation>OMPL non modifié&#xa0;: BiTRRT</translation>
     </message>
     <message>
         <source>OMPL unmodified: BKPIECE</source>
-        <translation>OMPL non modifié : BKPIECE</translation>
+        <translation>OMPL non modifié&#xa0;: BKPIECE</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -5764,15 +5967,15 @@
     </message>
     <message>
         <source>Several planners work side by side; those that make progress get more time. No settings are needed.</source>
-        <translation>Plusieurs planificateurs travaillent en parallèle ; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
+        <translation>Plusieurs planificateurs travaillent en parallèle&#xa0;; ceux qui progressent reçoivent plus de temps. Aucun réglage n&apos;est nécessaire.</translation>
     </message>
     <message>
         <source>You steer the object and the computer searches with you; near an obstacle the object slides on it (Blin et al. 2016, Algorithm 1).</source>
-        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous ; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
+        <translation>Vous guidez l&apos;objet et l&apos;ordinateur cherche avec vous&#xa0;; près d&apos;un obstacle, l&apos;objet glisse dessus (Blin et al. 2016, algorithme 1).</translation>
     </message>
     <message>
         <source>The computer alone: the same planner with an authority of 1.</source>
-        <translation>L&apos;ordinateur seul : le même planificateur avec une autorité de 1.</translation>
+        <translation>L&apos;ordinateur seul&#xa0;: le même planificateur avec une autorité de 1.</translation>
     </message>
     <message>
         <source>Operator and computer share authority, no contact sampling (Blin et al. 2016, table I).</source>
@@ -5780,7 +5983,7 @@
     </message>
     <message>
         <source>As the papers&apos; software of 2016: near an obstacle contact sampling pre-empts the authority draw.</source>
-        <translation>Comme le logiciel des articles en 2016 : près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
+        <translation>Comme le logiciel des articles en 2016&#xa0;: près d&apos;un obstacle, les échantillons de contact passent avant le tirage de l&apos;autorité.</translation>
     </message>
     <message>
         <source>One RRT in the whole workspace (Cailhol et al. 2019, section 6.1).</source>
@@ -5824,23 +6027,23 @@
     </message>
     <message>
         <source>RRT-Connect as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT-Connect tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>RRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>RRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>TRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>TRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BiTRRT as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BiTRRT tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
     <message>
         <source>BKPIECE as OMPL&apos;s users run it: collisions by FCL, edges looked at every so often; the first path is judged by our certificate.</source>
-        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL : collisions par FCL, arêtes vérifiées par points ; le premier chemin est jugé par notre certificat.</translation>
+        <translation>BKPIECE tel que l&apos;emploient les utilisateurs d&apos;OMPL&#xa0;: collisions par FCL, arêtes vérifiées par points&#xa0;; le premier chemin est jugé par notre certificat.</translation>
     </message>
 </context>
 <context>
@@ -5945,6 +6148,172 @@
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Maj</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Méta</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Échap</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Retour arrière</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Entrée (pavé)</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Inser</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Suppr</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Bas</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page préc.</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page suiv.</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Four bodies</source>
+        <translation>Quatre corps</translation>
+    </message>
+    <message>
+        <source>A flat world in the manner of Cailhol et al. 2019</source>
+        <translation>Un monde plat à la manière de Cailhol et al. 2019</translation>
+    </message>
+    <message>
+        <source>Environment 1</source>
+        <translation>Environnement 1</translation>
+    </message>
+    <message>
+        <source>The cluttered environment of Blin et al. 2016 (figure 3)</source>
+        <translation>L&apos;environnement encombré de Blin et al. 2016 (figure 3)</translation>
+    </message>
+    <message>
+        <source>Roller stand</source>
+        <translation>Support à rouleau</translation>
+    </message>
+    <message>
+        <source>A roller on a shaft between two walls</source>
+        <translation>Un rouleau sur un axe entre deux parois</translation>
+    </message>
+    <message>
+        <source>Pump, unmounting</source>
+        <translation>Pompe, démontage</translation>
+    </message>
+    <message>
+        <source>The pump leaves its seat in the power-electronics frame</source>
+        <translation>La pompe quitte son logement dans le châssis d&apos;électronique de puissance</translation>
+    </message>
+    <message>
+        <source>Nut and bolt</source>
+        <translation>Vis et écrou</translation>
+    </message>
+    <message>
+        <source>A nut on its bolt, with modelled threads</source>
+        <translation>Un écrou sur sa vis, aux filets modélisés</translation>
+    </message>
+    <message>
+        <source>Shape game: star, tight</source>
+        <translation>Jeu de formes&#xa0;: étoile, serré</translation>
+    </message>
+    <message>
+        <source>The shape game of Cailhol et al. 2019 (figure 13)</source>
+        <translation>Le jeu de formes de Cailhol et al. 2019 (figure 13)</translation>
+    </message>
+    <message>
+        <source>Environment 2</source>
+        <translation>Environnement 2</translation>
+    </message>
+    <message>
+        <source>The very cluttered environment of Blin et al. 2016 (figure 11)</source>
+        <translation>L&apos;environnement très encombré de Blin et al. 2016 (figure 11)</translation>
+    </message>
+    <message>
+        <source>Interlocked: a turn</source>
+        <translation>Imbriqués&#xa0;: une rotation</translation>
+    </message>
+    <message>
+        <source>A key whose bar lies across the slot of the cover</source>
+        <translation>Une clé dont la barre est en travers de la fente du couvercle</translation>
+    </message>
+    <message>
+        <source>Sliding plane</source>
+        <translation>Plan de glissement</translation>
+    </message>
+    <message>
+        <source>The L slides on a plane</source>
+        <translation>Le L glisse sur un plan</translation>
+    </message>
+    <message>
+        <source>Bolted brackets</source>
+        <translation>Équerres boulonnées</translation>
+    </message>
+    <message>
+        <source>Ten parts that touch, as CAD systems export them</source>
+        <translation>Dix pièces qui se touchent, comme les systèmes de CAO les exportent</translation>
+    </message>
+</context>
+<context>
     <name>SaveConflict</name>
     <message>
         <source>The file is gone</source>
@@ -5956,11 +6325,11 @@
     </message>
     <message>
         <source>Another program has removed or renamed the file since it was opened:</source>
-        <translation>Un autre programme a supprimé ou renommé le fichier depuis son ouverture :</translation>
+        <translation>Un autre programme a supprimé ou renommé le fichier depuis son ouverture&#xa0;:</translation>
     </message>
     <message>
         <source>Another program has changed the file since it was opened:</source>
-        <translation>Un autre programme a modifié le fichier depuis son ouverture :</translation>
+        <translation>Un autre programme a modifié le fichier depuis son ouverture&#xa0;:</translation>
     </message>
     <message>
         <source>Save it there again, or under another name.</source>
@@ -5968,7 +6337,7 @@
     </message>
     <message>
         <source>Overwrite it with your version: the other version stays under File &gt; Earlier versions. Or open the other version: your edits are lost. Or save your version under another name.</source>
-        <translation>Remplacez-le par votre version : l&apos;autre version reste sous Fichier &gt; Versions antérieures. Ou ouvrez l&apos;autre version : vos modifications sont perdues. Ou enregistrez votre version sous un autre nom.</translation>
+        <translation>Remplacez-le par votre version&#xa0;: l&apos;autre version reste sous Fichier &gt; Versions antérieures. Ou ouvrez l&apos;autre version&#xa0;: vos modifications sont perdues. Ou enregistrez votre version sous un autre nom.</translation>
     </message>
     <message>
         <source>Save &amp;again</source>
@@ -5995,7 +6364,7 @@
     </message>
     <message>
         <source>Planning: sampling on the nearest obstacle&apos;s tangent plane</source>
-        <translation>Planification : échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
+        <translation>Planification&#xa0;: échantillonnage sur le plan tangent de l&apos;obstacle le plus proche</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -6003,7 +6372,7 @@
     </message>
     <message>
         <source>Solved: the path is certified free of penetration</source>
-        <translation>Résolu : le chemin est certifié sans pénétration</translation>
+        <translation>Résolu&#xa0;: le chemin est certifié sans pénétration</translation>
     </message>
     <message>
         <source>Failed</source>
@@ -6011,47 +6380,138 @@
     </message>
     <message>
         <source>Planning: step %1 of %2, place %3 is crossed</source>
-        <translation>Planification : étape %1 sur %2, traversée du lieu %3</translation>
+        <translation>Planification&#xa0;: étape %1 sur %2, traversée du lieu %3</translation>
     </message>
     <message>
         <source>Planning: milestones in the borders</source>
-        <translation>Planification : recherche des jalons dans les frontières</translation>
+        <translation>Planification&#xa0;: recherche des jalons dans les frontières</translation>
     </message>
     <message>
         <source>The path does not hold here: see Path. Start (F5) looks for another.</source>
-        <translation>Le chemin n&apos;est pas valide ici : voir le panneau Chemin. Démarrer (F5) en cherche un autre.</translation>
+        <translation>Le chemin n&apos;est pas valide ici&#xa0;: voir le panneau Chemin. Démarrer (F5) en cherche un autre.</translation>
     </message>
     <message>
         <source>The path holds: certified free of penetration</source>
-        <translation>Chemin valide : certifié sans pénétration</translation>
+        <translation>Chemin valide&#xa0;: certifié sans pénétration</translation>
     </message>
     <message>
         <source>The start is refused: see the message over the scene.</source>
-        <translation>Le départ est refusé : voir le message au-dessus de la scène.</translation>
+        <translation>Le départ est refusé&#xa0;: voir le message au-dessus de la scène.</translation>
     </message>
     <message>
         <source>The goal is refused: see the message over the scene.</source>
-        <translation>Le but est refusé : voir le message au-dessus de la scène.</translation>
+        <translation>Le but est refusé&#xa0;: voir le message au-dessus de la scène.</translation>
     </message>
     <message>
         <source>Planning: growing two trees</source>
-        <translation>Planification : croissance de deux arbres</translation>
+        <translation>Planification&#xa0;: croissance de deux arbres</translation>
     </message>
     <message>
         <source>Stopped: what was found is still shown</source>
-        <translation>Arrêté : ce qui a été trouvé reste affiché</translation>
+        <translation>Arrêté&#xa0;: ce qui a été trouvé reste affiché</translation>
     </message>
     <message>
         <source>Planning: finding the places</source>
-        <translation>Planification : recherche des lieux</translation>
+        <translation>Planification&#xa0;: recherche des lieux</translation>
     </message>
     <message>
         <source>Planning: searching the whole workspace</source>
-        <translation>Planification : recherche dans tout l&apos;espace de travail</translation>
+        <translation>Planification&#xa0;: recherche dans tout l&apos;espace de travail</translation>
     </message>
     <message>
         <source>%1 s of %2 s</source>
         <translation>%1 s sur %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Ouvrir un scénario</translation>
+    </message>
+    <message>
+        <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the object that moves, its start and its goal.</source>
+        <translation>Ouvrez l&apos;exemple «&#xa0;Quatre corps&#xa0;»&#xa0;: sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
+    </message>
+    <message>
+        <source>See the places</source>
+        <translation>Voir les lieux</translation>
+    </message>
+    <message>
+        <source>Plan with topology</source>
+        <translation>Planifier avec la topologie</translation>
+    </message>
+    <message>
+        <source>Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
+        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine&#xa0;: le panneau Plan dit où et pourquoi.</translation>
+    </message>
+    <message>
+        <source>Plan with semantics</source>
+        <translation>Planifier avec la sémantique</translation>
+    </message>
+    <message>
+        <source>Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
+        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
+    </message>
+    <message>
+        <source>Look at a step</source>
+        <translation>Regarder une étape</translation>
+    </message>
+    <message>
+        <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
+        <translation>Cliquez une ligne du tableau dans le panneau Plan (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Sémantique.</translation>
+    </message>
+    <message>
+        <source>Open parts</source>
+        <translation>Ouvrir des pièces</translation>
+    </message>
+    <message>
+        <source>Plan the sequence</source>
+        <translation>Planifier la séquence</translation>
+    </message>
+    <message>
+        <source>Press F8 (View &gt; Layers of places &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
+        <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
+    </message>
+    <message>
+        <source>Now parts. Open the sample &quot;Bolted brackets&quot; (samples/bolted-brackets): two brackets on a plate, with bolts, a rod and nuts. With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
+        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Équerres boulonnées » (samples/bolted-brackets) : deux équerres sur une plaque, avec des vis, une tige et des écrous. Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
+    </message>
+    <message>
+        <source>See the fits</source>
+        <translation>Voir les ajustements</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Find fits (Ctrl+I). The parts touch, as most CAD parts do. The panel Fits lists the pairs, with gap and allowance: by so much the part that moves is taken thinner against the other one. A click on a row marks the two parts.</source>
+        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Les pièces se touchent, comme la plupart des pièces CAO. Le panneau Ajustements énumère les paires, avec écart et tolérance : d&apos;autant la pièce qui bouge est prise plus mince contre l&apos;autre. Un clic sur une ligne marque les deux pièces.</translation>
+    </message>
+    <message>
+        <source>Take a part out</source>
+        <translation>Sortir une pièce</translation>
+    </message>
+    <message>
+        <source>Press Start (F5): the planner searches how the nut leaves the rod. The panel Path shows the clearance along the motion, the allowances, and plays it (Ctrl+P).</source>
+        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou quitte la tige. Le panneau Chemin montre le jeu le long du mouvement, les tolérances, et le joue (Ctrl+P).</translation>
+    </message>
+    <message>
+        <source>Cut it open</source>
+        <translation>Voir en coupe</translation>
+    </message>
+    <message>
+        <source>Open the panel Section (Alt+7) and check Y: the plane cuts the bodies open, so that bolts, rod and holes are seen. The slider moves the plane.</source>
+        <translation>Ouvrez le panneau Coupe (Alt+7) et cochez Y : le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. Le curseur déplace le plan.</translation>
+    </message>
+    <message>
+        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
+        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces partent-elles ? Chaque étape a un mouvement prouvé. La tige part avant les vis, qui n&apos;ont pas de place sous elle. Un clic sur une ligne montre l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Write the instruction</source>
+        <translation>Écrire la fiche d&apos;instructions</translation>
+    </message>
+    <message>
+        <source>The slider Explode in the panel Sequence moves the parts apart. Choose Assembly &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
+        <translation>Le curseur Éclater du panneau Séquence écarte les pièces. Choisissez Assemblage &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
     </message>
 </context>
 <context>
@@ -6062,15 +6522,15 @@
     </message>
     <message>
         <source>%1: the file is not there any more.</source>
-        <translation>%1 : le fichier n&apos;est plus là.</translation>
+        <translation>%1&#xa0;: le fichier n&apos;est plus là.</translation>
     </message>
     <message>
         <source>%1: the file is as it was before these edits.</source>
-        <translation>%1 : le fichier est tel qu&apos;il était avant ces modifications.</translation>
+        <translation>%1&#xa0;: le fichier est tel qu&apos;il était avant ces modifications.</translation>
     </message>
     <message>
         <source>%1: the file has changed since. You will be asked before it is overwritten.</source>
-        <translation>%1 : le fichier a changé depuis. Une confirmation sera demandée avant de le remplacer.</translation>
+        <translation>%1&#xa0;: le fichier a changé depuis. Une confirmation sera demandée avant de le remplacer.</translation>
     </message>
     <message>
         <source>Unsaved edits were left</source>
@@ -6090,7 +6550,7 @@
     </message>
     <message>
         <source>Glissade ended unexpectedly. Edits of the scenario &quot;%1&quot; from %2 are still there.</source>
-        <translation>Glissade s&apos;est arrêté de façon inattendue. Des modifications du scénario « %1 » du %2 sont encore là.</translation>
+        <translation>Glissade s&apos;est arrêté de façon inattendue. Des modifications du scénario «&#xa0;%1&#xa0;» du %2 sont encore là.</translation>
     </message>
     <message>
         <source>Glissade ended unexpectedly. The edits from %1 are damaged and cannot be opened.</source>
@@ -6098,120 +6558,383 @@
     </message>
 </context>
 <context>
-    <name>FilmWriter</name>
+    <name>WhatsThis</name>
     <message>
-        <source>Film (*.mp4);;Film (*.webm);;Series of pictures (*.png)</source>
-        <translation>Film (*.mp4);;Film (*.webm);;Série d&apos;images (*.png)</translation>
+        <source>All bodies of the scenario: the object that moves with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
+        <translation>Tous les corps du scénario&#xa0;: l&apos;objet avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous&#xa0;: la position et les angles de la sélection.</translation>
+    </message>
+    <message>
+        <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
+        <translation>Ce que l&apos;on sait des lieux et des corps. En haut&#xa0;: les lieux, leur complexité et leur largeur&#xa0;; en bas&#xa0;: les attributs de la sélection. Le chemin grossier est recalculé à chaque modification.</translation>
+    </message>
+    <message>
+        <source>The pairs of bodies that touch or overlap as designed, with their kind and the allowance that planning takes. The menu of a row accepts a clash or marks a thread.</source>
+        <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une collision ou de déclarer un filetage.</translation>
+    </message>
+    <message>
+        <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
+        <translation>Chiffres du calcul&#xa0;: itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
+    </message>
+    <message>
+        <source>The steps of the coarse path through places, with the planner of each and its result. A click on a row shows its place in the scene.</source>
+        <translation>Les étapes du chemin grossier par les lieux, avec le planificateur de chacune et son résultat. Un clic sur une ligne montre son lieu dans la scène.</translation>
+    </message>
+    <message>
+        <source>The path that was found, its certificate and its clearance. The slider and the curve move the object along it.</source>
+        <translation>Le chemin trouvé, son certificat et son jeu. Le curseur et la courbe déplacent l&apos;objet le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The paths that the scenario keeps. Each is proved again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
+        <translation>Les chemins conservés dans le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou modifié. La case affiche un chemin dans la scène.</translation>
+    </message>
+    <message>
+        <source>All messages since the program was started.</source>
+        <translation>Tous les messages depuis le démarrage du programme.</translation>
+    </message>
+    <message>
+        <source>In which order the parts of the product leave, each with a proved motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
+        <translation>L&apos;ordre dans lequel les pièces du produit sortent, chacune par un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Une étape peut être déplacée, verrouillée ou faite à la main.</translation>
+    </message>
+    <message>
+        <source>Why no path was found: where the trees come nearest, which body stands between them, and how much is missing.</source>
+        <translation>Pourquoi aucun chemin n&apos;a été trouvé&#xa0;: où les arbres sont les plus proches, quel corps les sépare, et combien il manque.</translation>
+    </message>
+    <message>
+        <source>Files, undo, the run, and views of the scene.</source>
+        <translation>Fichiers, annulation, calcul et vues de la scène.</translation>
+    </message>
+    <message>
+        <source>The recorded run that is replayed, step by step.</source>
+        <translation>L&apos;enregistrement que l&apos;on relit, pas à pas.</translation>
+    </message>
+    <message>
+        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
+        <translation>La scène. Bouton gauche&#xa0;: tourner&#xa0;; bouton du milieu&#xa0;: déplacer&#xa0;; molette&#xa0;: zoomer&#xa0;; double clic&#xa0;: cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
+    </message>
+    <message>
+        <source>What can be opened: new parts, recent files and samples.</source>
+        <translation>Ce que l&apos;on peut ouvrir&#xa0;: nouvelles pièces, fichiers récents et exemples.</translation>
+    </message>
+    <message>
+        <source>The name of the body. A checked box draws it.</source>
+        <translation>Nom du corps. La case l&apos;affiche ou le masque.</translation>
+    </message>
+    <message>
+        <source>Moved: the object. Static bodies stay; mobile bodies can be moved out of the way by a person.</source>
+        <translation>Objet&#xa0;: le corps qui bouge. Les corps statiques restent en place&#xa0;; une personne peut écarter les corps mobiles.</translation>
+    </message>
+    <message>
+        <source>How many triangles its surface has.</source>
+        <translation>Nombre de triangles de sa surface.</translation>
+    </message>
+    <message>
+        <source>A place or a body. F2 renames a place.</source>
+        <translation>Un lieu ou un corps. F2 renomme un lieu.</translation>
+    </message>
+    <message>
+        <source>How hard the place is to pass, from its width and from what clutters it.</source>
+        <translation>Difficulté de traversée, d&apos;après la largeur du lieu et ce qui l&apos;encombre.</translation>
+    </message>
+    <message>
+        <source>How wide the place is at its narrowest.</source>
+        <translation>Largeur du lieu à son endroit le plus étroit.</translation>
+    </message>
+    <message>
+        <source>The name of the attribute. Your own can be renamed and removed.</source>
+        <translation>Nom de l&apos;attribut. Les attributs personnels peuvent être renommés et supprimés.</translation>
+    </message>
+    <message>
+        <source>Its value for what is selected.</source>
+        <translation>Sa valeur pour la sélection.</translation>
+    </message>
+    <message>
+        <source>How they meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
+        <translation>Type de contact&#xa0;: plan, cylindrique, filetage, serrage, recouvrement, contact ou collision.</translation>
+    </message>
+    <message>
+        <source>The distance of the surfaces; negative where the bodies overlap.</source>
+        <translation>Distance des surfaces&#xa0;; négative si les corps se recouvrent.</translation>
+    </message>
+    <message>
+        <source>The first body of the pair.</source>
+        <translation>Le premier corps de la paire.</translation>
+    </message>
+    <message>
+        <source>The second body of the pair.</source>
+        <translation>Le second corps de la paire.</translation>
+    </message>
+    <message>
+        <source>By how much the object is taken thinner against the other body.</source>
+        <translation>Amincissement de l&apos;objet face à l&apos;autre corps.</translation>
+    </message>
+    <message>
+        <source>What was decided about the pair.</source>
+        <translation>Ce qui a été décidé pour la paire.</translation>
+    </message>
+    <message>
+        <source>The place that the step crosses.</source>
+        <translation>Le lieu que l&apos;étape traverse.</translation>
+    </message>
+    <message>
+        <source>The place that it leads to.</source>
+        <translation>Le lieu vers lequel elle mène.</translation>
+    </message>
+    <message>
+        <source>The planner that searches the step.</source>
+        <translation>Le planificateur qui calcule l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Random configurations that were drawn for the step.</source>
+        <translation>Configurations aléatoires tirées pour l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>The name of the path. A checked box draws it.</source>
+        <translation>Nom du chemin. La case l&apos;affiche ou le masque.</translation>
+    </message>
+    <message>
+        <source>Whether the path holds in the present arrangement.</source>
+        <translation>Validité du chemin dans la disposition actuelle.</translation>
+    </message>
+    <message>
+        <source>The smallest distance to other bodies along the path.</source>
+        <translation>La plus petite distance aux autres corps le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The length of the way of the reference point.</source>
+        <translation>Longueur du trajet du point de référence.</translation>
+    </message>
+    <message>
+        <source>By how much the object turns along the path.</source>
+        <translation>Rotation totale de l&apos;objet le long du chemin.</translation>
+    </message>
+    <message>
+        <source>The strategy that found it.</source>
+        <translation>La stratégie qui l&apos;a trouvé.</translation>
+    </message>
+    <message>
+        <source>The seed of that run: the same seed gives the same path.</source>
+        <translation>La graine de ce calcul&#xa0;: la même graine donne le même chemin.</translation>
+    </message>
+    <message>
+        <source>The largest allowance that the path needs.</source>
+        <translation>Le plus grand amincissement dont le chemin a besoin.</translation>
+    </message>
+    <message>
+        <source>The number of the step.</source>
+        <translation>Le numéro de l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>The part that leaves or is put in, and the kind of its motion.</source>
+        <translation>La pièce qui sort ou qui est montée, et le type de son mouvement.</translation>
+    </message>
+    <message>
+        <source>The smallest distance to other parts, and the largest allowance.</source>
+        <translation>La plus petite distance aux autres pièces, et le plus grand amincissement.</translation>
+    </message>
+    <message>
+        <source>The tool that turns a fastener, and which parts have to be held.</source>
+        <translation>L&apos;outil qui tourne une fixation, et les pièces à tenir.</translation>
+    </message>
+    <message>
+        <source>Whether the independent check agrees, and what the step does not keep.</source>
+        <translation>Résultat de la vérification indépendante, et ce que l&apos;étape ne respecte pas.</translation>
+    </message>
+    <message>
+        <source>The place that was examined.</source>
+        <translation>L&apos;endroit examiné.</translation>
+    </message>
+    <message>
+        <source>The distance or the overlap there.</source>
+        <translation>La distance ou le recouvrement à cet endroit.</translation>
+    </message>
+    <message>
+        <source>The body that is nearest there.</source>
+        <translation>Le corps le plus proche à cet endroit.</translation>
+    </message>
+    <message>
+        <source>When the message came.</source>
+        <translation>Heure du message.</translation>
+    </message>
+    <message>
+        <source>Information, warning or error.</source>
+        <translation>Information, avertissement ou erreur.</translation>
+    </message>
+    <message>
+        <source>What happened.</source>
+        <translation>Ce qui s&apos;est passé.</translation>
+    </message>
+    <message>
+        <source>Panels that share a place. Alt and a digit bring one to the front; View &gt; Panels shows and hides them.</source>
+        <translation>Panneaux superposés. Alt et un chiffre mettent un panneau au premier plan&#xa0;; Vue &gt; Panneaux les affiche et les masque.</translation>
+    </message>
+    <message>
+        <source>All commands. Ctrl+K finds one by a part of its name.</source>
+        <translation>Toutes les commandes. Ctrl+K en trouve une par une partie de son nom.</translation>
+    </message>
+    <message>
+        <source>What the program is doing, what keys and devices move, and devices.</source>
+        <translation>L&apos;activité du programme, ce que déplacent les touches et les périphériques, et les périphériques eux-mêmes.</translation>
+    </message>
+    <message>
+        <source>The settings of the next run. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved during a run.</source>
+        <translation>Réglages du prochain calcul. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet&#xa0;: vous, un périphérique ou une personne simulée. Les curseurs peuvent être déplacés pendant le calcul.</translation>
+    </message>
+    <message>
+        <source>Where the value comes from: computed from geometry, a class of bodies, or you.</source>
+        <translation>Origine de la valeur&#xa0;: calcul géométrique, classe de corps, ou vous.</translation>
+    </message>
+    <message>
+        <source>Removes your value.</source>
+        <translation>Annule votre valeur.</translation>
+    </message>
+    <message>
+        <source>The result of the step.</source>
+        <translation>Le résultat de l&apos;étape.</translation>
+    </message>
+    <message>
+        <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning ignores them.</source>
+        <translation>Plans qui coupent les corps dans la vue : perpendiculaires à un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification n&apos;en tient pas compte.</translation>
     </message>
 </context>
 <context>
-    <name>glissade::PreferencesDialog</name>
+    <name>glissade::AlignTool</name>
     <message>
-        <source>Preferences</source>
-        <translation>Préférences</translation>
+        <source>vertex</source>
+        <translation>sommet</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Langue</translation>
+        <source>edge</source>
+        <translation>arête</translation>
     </message>
     <message>
-        <source>Another language is used from the next start on.</source>
-        <translation>Une autre langue s&apos;applique au prochain démarrage.</translation>
+        <source>cylinder</source>
+        <translation>cylindre</translation>
     </message>
     <message>
-        <source>&amp;Theme</source>
-        <translation>&amp;Thème</translation>
+        <source>plane</source>
+        <translation>plan</translation>
     </message>
     <message>
-        <source>&amp;Size of texts</source>
-        <translation>Ta&amp;ille des textes</translation>
+        <source>free surface</source>
+        <translation>surface libre</translation>
     </message>
     <message>
-        <source>&amp;Navigation</source>
-        <translation>&amp;Navigation</translation>
+        <source>in one plane</source>
+        <translation>dans un même plan</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Comme le bureau</translation>
+        <source>in one point</source>
+        <translation>en un même point</translation>
     </message>
     <message>
-        <source> pt</source>
-        <translation> pt</translation>
+        <source>tangent</source>
+        <translation>tangent</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Clair</translation>
+        <source>in the plane</source>
+        <translation>dans le plan</translation>
     </message>
     <message>
-        <source>Dark</source>
-        <translation>Sombre</translation>
+        <source>on the axis</source>
+        <translation>sur l&apos;axe</translation>
     </message>
     <message>
-        <source> s</source>
-        <translation> s</translation>
+        <source>on the edge</source>
+        <translation>sur l&apos;arête</translation>
     </message>
     <message>
-        <source>&amp;Background of the scene</source>
-        <translation>&amp;Fond de la scène</translation>
+        <source>on one line</source>
+        <translation>sur une même droite</translation>
     </message>
     <message>
-        <source>&amp;Goal and its tree</source>
-        <translation>&amp;But et son arbre</translation>
+        <source>Finding edges and faces of the body…</source>
+        <translation>Recherche des arêtes et des faces du corps…</translation>
     </message>
     <message>
-        <source>&amp;Path and selection</source>
-        <translation>&amp;Chemin et sélection</translation>
+        <source>This is a free surface: it has no plane and no axis.</source>
+        <translation>C&apos;est une surface libre : elle n&apos;a ni plan ni axe.</translation>
     </message>
     <message>
-        <source>&amp;Reset the colours</source>
-        <translation>&amp;Réinitialiser les couleurs</translation>
+        <source>This is what moves. Click another body. Esc ends this.</source>
+        <translation>C&apos;est ce qui bouge. Cliquer un autre corps. Échap termine.</translation>
     </message>
     <message>
-        <source>Inches</source>
-        <translation>Pouces</translation>
+        <source>Click to align: %1 with %2 of %3, %4. Esc ends this.</source>
+        <translation>Cliquer pour aligner : %1 avec %2 de %3, %4. Échap termine.</translation>
     </message>
     <message>
-        <source>L&amp;engths</source>
-        <translation>&amp;Longueurs</translation>
+        <source>Click what moves: %1 of %2. Esc ends this.</source>
+        <translation>Cliquer ce qui bouge : %1 de %2. Échap termine.</translation>
     </message>
     <message>
-        <source>Metres</source>
-        <translation>Mètres</translation>
+        <source>Click the vertex, edge or face of another body that it goes onto. Esc ends this.</source>
+        <translation>Cliquer le sommet, l&apos;arête ou la face d&apos;un autre corps sur lequel il va. Échap termine.</translation>
     </message>
     <message>
-        <source>Millimetres</source>
-        <translation>Millimètres</translation>
-    </message>
-    <message>
-        <source>Save &amp;unsaved edits every</source>
-        <translation>&amp;Sauvegarde automatique toutes les</translation>
-    </message>
-    <message>
-        <source>Start and &amp;its tree</source>
-        <translation>&amp;Départ et son arbre</translation>
-    </message>
-    <message>
-        <source>Use the colours of the theme again: they are distinct to people with colour blindness</source>
-        <translation>Reprendre les couleurs du thème : les personnes daltoniennes les distinguent</translation>
-    </message>
-    <message>
-        <source>What is not saved is written into the program&apos;s data folder, to be offered after a crash</source>
-        <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
-    </message>
-    <message>
-        <source>µm, mm or m, as it fits</source>
-        <translation>µm, mm ou m, selon la longueur</translation>
-    </message>
-    <message>
-        <source>Light or dark, as the desktop was when the program started</source>
-        <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
+        <source>Click a vertex, an edge or a face of what moves. Esc ends this.</source>
+        <translation>Cliquer un sommet, une arête ou une face de ce qui bouge. Échap termine.</translation>
     </message>
 </context>
 <context>
-    <name>glissade::FilmJob</name>
+    <name>glissade::ArrangeBar</name>
     <message>
-        <source>Making the film</source>
-        <translation>Création du film</translation>
+        <source>Arranging</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>Step of distances</source>
+        <translation>Pas des distances</translation>
+    </message>
+    <message>
+        <source>Step of angles</source>
+        <translation>Pas des angles</translation>
+    </message>
+    <message>
+        <source>End arranging (Esc)</source>
+        <translation>Terminer la disposition (Échap)</translation>
+    </message>
+    <message>
+        <source>End arranging</source>
+        <translation>Terminer la disposition</translation>
+    </message>
+    <message>
+        <source>%1, in any unit: 25.4 mm, 1 in, 30 deg</source>
+        <translation>%1, dans n&apos;importe quelle unité&#xa0;: 25,4 mm, 1 in, 30 deg</translation>
+    </message>
+    <message>
+        <source>Arranging: click a body, the start or the goal</source>
+        <translation>Disposition&#xa0;: cliquez un corps, le départ ou le but</translation>
+    </message>
+    <message>
+        <source>Arranging %1</source>
+        <translation>Disposition&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>“%1” is not a step. Write 10, 25.4 mm, 1 in or 30 deg.</source>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un pas. Écrivez 10, 25,4 mm, 1 in ou 30 deg.</translation>
+    </message>
+    <message>
+        <source>Drag an arrow, a square or a ring; Ctrl suspends snapping. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
+        <translation>Tirer une flèche, un carré ou un anneau ; Ctrl suspend l&apos;accrochage. Tirer le corps lui-même, avec Ctrl pour le tourner. Les flèches du clavier et Page préc./suiv. déplacent d&apos;un pas, avec Maj elles tournent. Échap termine.</translation>
+    </message>
+    <message>
+        <source>To faces</source>
+        <translation>Aux faces</translation>
+    </message>
+    <message>
+        <source>Snapped: %1. Ctrl suspends snapping.</source>
+        <translation>Accroché : %1. Ctrl suspend l&apos;accrochage.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ArrangeController</name>
+    <message>
+        <source>%1 is aligned. %2 reverses the direction.</source>
+        <translation>%1&#xa0;: aligné. %2 le retourne.</translation>
+    </message>
+    <message>
+        <source>%1 is aligned.</source>
+        <translation>%1 : aligné.</translation>
     </message>
 </context>
 <context>
@@ -6222,7 +6945,7 @@
     </message>
     <message>
         <source>Goal out</source>
-        <translation>But : dehors</translation>
+        <translation>But&#xa0;: dehors</translation>
     </message>
     <message>
         <source>Fit the workspace</source>
@@ -6254,7 +6977,7 @@
     </message>
     <message>
         <source>Clear of all bodies: %1</source>
-        <translation>À l&apos;écart de tous les corps : %1</translation>
+        <translation>À l&apos;écart de tous les corps&#xa0;: %1</translation>
     </message>
     <message>
         <source>This cannot be done</source>
@@ -6418,14 +7141,14 @@
     </message>
     <message>
         <source>Computer: random configurations. Operator: where he held the object. Contact: shot on the tangent plane of his nearest obstacle.</source>
-        <translation>Ordinateur : configurations aléatoires. Opérateur : positions où il tenait l&apos;objet. Contact : tirées sur le plan tangent de l&apos;obstacle le plus proche.</translation>
+        <translation>Ordinateur&#xa0;: configurations aléatoires. Opérateur&#xa0;: positions où il tenait l&apos;objet. Contact&#xa0;: tirées sur le plan tangent de l&apos;obstacle le plus proche.</translation>
     </message>
 </context>
 <context>
     <name>glissade::AxisBar</name>
     <message>
         <source>Thin: as the device reports it. Thick: after shaping. Hatched: the dead zone.</source>
-        <translation>Trait fin : valeur du périphérique. Trait épais : après mise en forme. Hachures : zone morte.</translation>
+        <translation>Trait fin&#xa0;: valeur du périphérique. Trait épais&#xa0;: après mise en forme. Hachures&#xa0;: zone morte.</translation>
     </message>
 </context>
 <context>
@@ -6496,6 +7219,13 @@
     </message>
 </context>
 <context>
+    <name>glissade::BusyBar</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+</context>
+<context>
     <name>glissade::CalibrationDialog</name>
     <message>
         <source>&amp;One axis at a time (the dominant one)</source>
@@ -6523,7 +7253,7 @@
     </message>
     <message>
         <source>The settings cannot be written: %1</source>
-        <translation>Les réglages ne peuvent pas être écrits : %1</translation>
+        <translation>Les réglages ne peuvent pas être écrits&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -6615,7 +7345,7 @@
     </message>
     <message>
         <source>connected: %1</source>
-        <translation>connecté : %1</translation>
+        <translation>connecté&#xa0;: %1</translation>
     </message>
     <message>
         <source>not connected</source>
@@ -6647,6 +7377,13 @@
     <message>
         <source>measuring the clearance</source>
         <translation>mesure du jeu en cours</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ColourButton</name>
+    <message>
+        <source>As the theme</source>
+        <translation>Couleur du thème</translation>
     </message>
 </context>
 <context>
@@ -6729,6 +7466,13 @@
     <message>
         <source>Figures of the paths, side by side</source>
         <translation>Valeurs des chemins, côte à côte</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ContextMenus</name>
+    <message>
+        <source>&amp;Display</source>
+        <translation>&amp;Affichage</translation>
     </message>
 </context>
 <context>
@@ -6838,7 +7582,7 @@
     <name>glissade::DeviceController</name>
     <message>
         <source>6D mouse: %1</source>
-        <translation>Souris 6D : %1</translation>
+        <translation>Souris 6D&#xa0;: %1</translation>
     </message>
     <message>
         <source>none</source>
@@ -6846,19 +7590,19 @@
     </message>
     <message>
         <source>No 6D mouse, or spacenavd does not run; looked for again and again</source>
-        <translation>Aucune souris 6D, ou spacenavd n&apos;est pas lancé ; la recherche continue</translation>
+        <translation>Aucune souris 6D, ou spacenavd n&apos;est pas lancé&#xa0;; la recherche continue</translation>
     </message>
     <message>
         <source>Gamepad: %1</source>
-        <translation>Manette : %1</translation>
+        <translation>Manette&#xa0;: %1</translation>
     </message>
     <message>
         <source>Moves: camera</source>
-        <translation>Déplace : caméra</translation>
+        <translation>Déplace&#xa0;: caméra</translation>
     </message>
     <message>
         <source>Moves: object</source>
-        <translation>Déplace : objet</translation>
+        <translation>Déplace&#xa0;: objet</translation>
     </message>
     <message>
         <source>error</source>
@@ -6968,7 +7712,7 @@
     </message>
     <message>
         <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré : %1.</translation>
+        <translation>Pas encore enregistré&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Save keeps all of it in the scenario.</source>
@@ -7024,7 +7768,14 @@
     </message>
     <message>
         <source>Save the scenario?</source>
-        <translation>Enregistrer le scénario ?</translation>
+        <translation>Enregistrer le scénario&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::FilmJob</name>
+    <message>
+        <source>Making the film</source>
+        <translation>Création du film</translation>
     </message>
 </context>
 <context>
@@ -7158,7 +7909,61 @@
     </message>
     <message>
         <source>Pairs of bodies: %1 (%2)</source>
-        <translation>Paires de corps : %1 (%2)</translation>
+        <translation>Paires de corps&#xa0;: %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::GhostRow</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>nombre</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>tous les</translation>
+    </message>
+    <message>
+        <source>Ghosts of the object along the path</source>
+        <translation>Fantômes de l&apos;objet le long du chemin</translation>
+    </message>
+    <message>
+        <source>Draw the object along the path: not at all, at a number of places, or every so many millimetres</source>
+        <translation>Dessiner l&apos;objet le long du chemin : pas du tout, en un nombre de lieux, ou tous les tant de millimètres</translation>
+    </message>
+    <message>
+        <source>Number of ghosts</source>
+        <translation>Nombre de fantômes</translation>
+    </message>
+    <message>
+        <source>Number of ghosts between start and goal</source>
+        <translation>Nombre de fantômes entre le départ et le but</translation>
+    </message>
+    <message>
+        <source>Spacing of ghosts</source>
+        <translation>Espacement des fantômes</translation>
+    </message>
+    <message>
+        <source>Spacing of ghosts, in any unit: 25.4 mm, 1 in. Turns count as far as they move the object. At most %1 are drawn.</source>
+        <translation>Espacement des fantômes, dans une unité quelconque : 25,4 mm, 1 in. Les rotations comptent autant qu&apos;elles déplacent l&apos;objet. Au plus %1 sont dessinés.</translation>
+    </message>
+    <message>
+        <source>Ghosts</source>
+        <translation>Fantômes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::InstructionJob</name>
+    <message>
+        <source>Checking the steps and choosing the views</source>
+        <translation>Vérification des étapes et choix des points de vue</translation>
+    </message>
+    <message>
+        <source>Writing the work instruction</source>
+        <translation>Écriture de la gamme de montage</translation>
     </message>
 </context>
 <context>
@@ -7169,7 +7974,7 @@
     </message>
     <message>
         <source>Same scenario, seed and inputs: same roadmap</source>
-        <translation>Mêmes scénario, graine et entrées : même graphe</translation>
+        <translation>Mêmes scénario, graine et entrées&#xa0;: même graphe</translation>
     </message>
     <message>
         <source>Whose configuration was tried last</source>
@@ -7209,7 +8014,7 @@
     </message>
     <message>
         <source>Replayed: as it was at this step</source>
-        <translation>Relecture : tel qu&apos;à ce pas</translation>
+        <translation>Relecture&#xa0;: tel qu&apos;à ce pas</translation>
     </message>
     <message>
         <source>Pace</source>
@@ -7217,15 +8022,15 @@
     </message>
     <message>
         <source>Advanced: the first paper</source>
-        <translation>Avancé : premier article</translation>
+        <translation>Avancé&#xa0;: premier article</translation>
     </message>
     <message>
         <source>Advanced: places and semantics (second paper)</source>
-        <translation>Avancé : lieux et sémantique (second article)</translation>
+        <translation>Avancé&#xa0;: lieux et sémantique (second article)</translation>
     </message>
     <message>
         <source>Advanced: OMPL</source>
-        <translation>Avancé : OMPL</translation>
+        <translation>Avancé&#xa0;: OMPL</translation>
     </message>
 </context>
 <context>
@@ -7255,7 +8060,7 @@
     </message>
     <message>
         <source>Not proved: the scenario was changed, and a body is in the way.</source>
-        <translation>Non prouvé : le scénario a changé, et un corps fait obstacle.</translation>
+        <translation>Non prouvé&#xa0;: le scénario a changé, et un corps fait obstacle.</translation>
     </message>
     <message>
         <source>Free of penetration, but it does not lead from the start to the goal any more.</source>
@@ -7263,7 +8068,7 @@
     </message>
     <message>
         <source>Not proved: another object moves now.</source>
-        <translation>Non prouvé : l&apos;objet n&apos;est plus le même.</translation>
+        <translation>Non prouvé&#xa0;: l&apos;objet n&apos;est plus le même.</translation>
     </message>
     <message>
         <source>proved %1, required %2</source>
@@ -7335,11 +8140,11 @@
     </message>
     <message>
         <source>Checked: drawn in this colour beside the others</source>
-        <translation>Coché : dessiné de cette couleur à côté des autres</translation>
+        <translation>Coché&#xa0;: dessiné de cette couleur à côté des autres</translation>
     </message>
     <message>
         <source>The path that was found is not kept yet: Keep (Ctrl+Alt+K) or Save (Ctrl+S).</source>
-        <translation>Le chemin trouvé n&apos;est pas encore conservé : Conserver (Ctrl+Alt+K) ou Enregistrer (Ctrl+S).</translation>
+        <translation>Le chemin trouvé n&apos;est pas encore conservé&#xa0;: Conserver (Ctrl+Alt+K) ou Enregistrer (Ctrl+S).</translation>
     </message>
     <message>
         <source>No path is kept yet. A path that is found can be kept in the scenario.</source>
@@ -7347,7 +8152,7 @@
     </message>
     <message>
         <source>Kept in the scenario: %1</source>
-        <translation>Conservés dans le scénario : %1</translation>
+        <translation>Conservés dans le scénario&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7389,11 +8194,11 @@
     <name>glissade::LogController</name>
     <message>
         <source>The report is in the clipboard. Read it before you send it: it names files.</source>
-        <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer : il nomme des fichiers.</translation>
+        <translation>Le rapport est dans le presse-papiers. Relisez-le avant de l&apos;envoyer&#xa0;: il nomme des fichiers.</translation>
     </message>
     <message>
         <source>Run %1: %2, seed %3</source>
-        <translation>Calcul %1 : %2, graine %3</translation>
+        <translation>Calcul %1&#xa0;: %2, graine %3</translation>
     </message>
     <message>
         <source>%1 (%2 s, %3 nodes)</source>
@@ -7401,15 +8206,15 @@
     </message>
     <message>
         <source>Opened &apos;%1&apos;, obstacles: %2</source>
-        <translation>« %1 » ouvert, obstacles : %2</translation>
+        <translation>«&#xa0;%1&#xa0;» ouvert, obstacles&#xa0;: %2</translation>
     </message>
     <message>
         <source>Start: %1</source>
-        <translation>Départ : %1</translation>
+        <translation>Départ&#xa0;: %1</translation>
     </message>
     <message>
         <source>Goal: %1</source>
-        <translation>But : %1</translation>
+        <translation>But&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7515,6 +8320,95 @@
     </message>
 </context>
 <context>
+    <name>glissade::ManualBrowser</name>
+    <message>
+        <source>Glissade manual</source>
+        <translation>Manuel de Glissade</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Page précédente</translation>
+    </message>
+    <message>
+        <source>The page before</source>
+        <translation>La page précédente</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Page suivante</translation>
+    </message>
+    <message>
+        <source>The page after it</source>
+        <translation>La page suivante</translation>
+    </message>
+    <message>
+        <source>A−</source>
+        <translation>A−</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Précédent</translation>
+    </message>
+    <message>
+        <source>The place before</source>
+        <translation>L&apos;endroit précédent</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>The next place</source>
+        <translation>L&apos;endroit suivant</translation>
+    </message>
+    <message>
+        <source>In the browser</source>
+        <translation>Dans le navigateur</translation>
+    </message>
+    <message>
+        <source>Open the page on the disk with the web browser</source>
+        <translation>Ouvrir la page du disque avec le navigateur web</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>The manual does not have this text.</source>
+        <translation>Le manuel ne contient pas ce texte.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ManualController</name>
+    <message>
+        <source>The manual cannot be shown</source>
+        <translation>Le manuel ne peut pas être affiché</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ManualView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Page du manuel</translation>
+    </message>
+</context>
+<context>
     <name>glissade::MeasureController</name>
     <message>
         <source>Finding edges and faces of the body…</source>
@@ -7530,7 +8424,7 @@
     </message>
     <message>
         <source>A vertex or a free surface has no direction: click edges, planes or cylinders.</source>
-        <translation>Un sommet ou une surface libre n&apos;a pas de direction : cliquez des arêtes, des plans ou des cylindres.</translation>
+        <translation>Un sommet ou une surface libre n&apos;a pas de direction&#xa0;: cliquez des arêtes, des plans ou des cylindres.</translation>
     </message>
     <message>
         <source>Angle %1</source>
@@ -7597,22 +8491,6 @@
         <translation>Cliquez la seconde arête ou face.</translation>
     </message>
     <message>
-        <source>This is what moves. Click a face of another body. Esc ends this.</source>
-        <translation>C&apos;est l&apos;élément à déplacer. Cliquez une face d&apos;un autre corps. Échap termine.</translation>
-    </message>
-    <message>
-        <source>A plane goes onto a plane, and a cylinder onto a cylinder. Click another face. Esc ends this.</source>
-        <translation>Un plan s&apos;aligne sur un plan, et un cylindre sur un cylindre. Cliquez une autre face. Échap termine.</translation>
-    </message>
-    <message>
-        <source>Click a plane or a cylinder of what moves. Esc ends this.</source>
-        <translation>Cliquez un plan ou un cylindre de l&apos;élément à déplacer. Échap termine.</translation>
-    </message>
-    <message>
-        <source>Click the plane or the cylinder of another body that it goes onto. Esc ends this.</source>
-        <translation>Cliquez le plan ou le cylindre d&apos;un autre corps sur lequel l&apos;aligner. Échap termine.</translation>
-    </message>
-    <message>
         <source>Click the face that the section lies along. Esc ends this.</source>
         <translation>Cliquez la face le long de laquelle la coupe se place. Échap termine.</translation>
     </message>
@@ -7634,6 +8512,48 @@
     <message>
         <source>Error</source>
         <translation>Erreur</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsController</name>
+    <message>
+        <source>Named &amp;views</source>
+        <translation>&amp;Vues nommées</translation>
+    </message>
+    <message>
+        <source>Look from there again</source>
+        <translation>Regarder de nouveau de là</translation>
+    </message>
+    <message>
+        <source>Save this view</source>
+        <translation>Enregistrer cette vue</translation>
+    </message>
+    <message>
+        <source>Name of the view</source>
+        <translation>Nom de la vue</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::NamedViewsDialog</name>
+    <message>
+        <source>Named views</source>
+        <translation>Vues nommées</translation>
+    </message>
+    <message>
+        <source>&amp;Go to</source>
+        <translation>&amp;Rappeler</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>Re&amp;nommer</translation>
+    </message>
+    <message>
+        <source>R&amp;emove</source>
+        <translation>&amp;Supprimer</translation>
     </message>
 </context>
 <context>
@@ -7667,7 +8587,7 @@
     </message>
     <message>
         <source>How fast a run goes: choose a pace or type steps a second, to watch and to steer</source>
-        <translation>Vitesse du calcul : choisissez une cadence ou saisissez un nombre de pas par seconde, pour regarder et guider</translation>
+        <translation>Vitesse du calcul&#xa0;: choisissez une cadence ou saisissez un nombre de pas par seconde, pour regarder et guider</translation>
     </message>
 </context>
 <context>
@@ -7682,7 +8602,7 @@
     </message>
     <message>
         <source>The program sets this value while planning. Press here, or move the slider, to use your value again: %1</source>
-        <translation>Le programme règle cette valeur pendant la planification. Appuyez ici ou déplacez le curseur pour la reprendre ; la vôtre est %1</translation>
+        <translation>Le programme règle cette valeur pendant la planification. Appuyez ici ou déplacez le curseur pour la reprendre&#xa0;; la vôtre est %1</translation>
     </message>
     <message>
         <source>Let the program set this value while planning</source>
@@ -7744,7 +8664,7 @@
     </message>
     <message>
         <source>Width × depth × height: shows whether the unit is right</source>
-        <translation>Largeur × profondeur × hauteur : montre si l&apos;unité est la bonne</translation>
+        <translation>Largeur × profondeur × hauteur&#xa0;: montre si l&apos;unité est la bonne</translation>
     </message>
     <message>
         <source>Add &amp;files…</source>
@@ -7800,7 +8720,7 @@
     </message>
     <message>
         <source>Unit of the file; of all selected rows together</source>
-        <translation>Unité du fichier ; pour toutes les lignes sélectionnées</translation>
+        <translation>Unité du fichier&#xa0;; pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>m</source>
@@ -7820,7 +8740,7 @@
     </message>
     <message>
         <source>The file&apos;s axis that points up; of all selected rows together</source>
-        <translation>Axe vertical du fichier ; pour toutes les lignes sélectionnées</translation>
+        <translation>Axe vertical du fichier&#xa0;; pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>Add the files of parts</source>
@@ -7848,11 +8768,11 @@
     </message>
     <message>
         <source>The file says its unit itself; Z is up</source>
-        <translation>Le fichier donne lui-même son unité ; Z est l&apos;axe vertical</translation>
+        <translation>Le fichier donne lui-même son unité&#xa0;; Z est l&apos;axe vertical</translation>
     </message>
     <message>
         <source>What the part is in the scenario; static or mobile: all selected rows together</source>
-        <translation>Rôle de la pièce dans le scénario ; statique ou mobile : pour toutes les lignes sélectionnées</translation>
+        <translation>Rôle de la pièce dans le scénario&#xa0;; statique ou mobile&#xa0;: pour toutes les lignes sélectionnées</translation>
     </message>
     <message>
         <source>Select several rows to choose their role, unit or axis together.</source>
@@ -7868,11 +8788,11 @@
     </message>
     <message>
         <source>Closes holes of meshes whose edge lies in a plane; a warning says how many</source>
-        <translation>Ferme les trous des maillages dont le bord est dans un plan ; un avertissement dit combien</translation>
+        <translation>Ferme les trous des maillages dont le bord est dans un plan&#xa0;; un avertissement dit combien</translation>
     </message>
     <message>
         <source>The files do not say their unit: by their size it is the metre.</source>
-        <translation>Les fichiers ne donnent pas leur unité : d&apos;après leur taille, c&apos;est le mètre.</translation>
+        <translation>Les fichiers ne donnent pas leur unité&#xa0;: d&apos;après leur taille, c&apos;est le mètre.</translation>
     </message>
     <message>
         <source>In the way, but a person could move it</source>
@@ -7880,7 +8800,7 @@
     </message>
     <message>
         <source>Is the unit right? The files do not state it, and their size does not decide it. Choose the unit.</source>
-        <translation>L&apos;unité est-elle la bonne ? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
+        <translation>L&apos;unité est-elle la bonne&#xa0;? Les fichiers ne la donnent pas, et leur taille ne permet pas de la déduire. Choisissez-la.</translation>
     </message>
 </context>
 <context>
@@ -7994,7 +8914,7 @@
     </message>
     <message>
         <source>%1 of %2 edges are blocked, the first at %3 % by %4.</source>
-        <translation>%1 segments sur %2 sont bloqués, le premier à %3 % par %4.</translation>
+        <translation>%1 segments sur %2 sont bloqués, le premier à %3&#xa0;% par %4.</translation>
     </message>
     <message>
         <source>This path does not hold here</source>
@@ -8006,7 +8926,7 @@
     </message>
     <message>
         <source>of triangles; STEP surfaces may be %1 nearer</source>
-        <translation>pour des triangles ; les surfaces STEP peuvent être plus proches de %1</translation>
+        <translation>pour des triangles&#xa0;; les surfaces STEP peuvent être plus proches de %1</translation>
     </message>
     <message>
         <source>taken %1 thinner against %2</source>
@@ -8015,6 +8935,13 @@
     <message>
         <source>(thread), pitch %1, %2 turns</source>
         <translation>(filetage), pas %1, %2 tours</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PathReportJob</name>
+    <message>
+        <source>Writing the report</source>
+        <translation>Écriture du rapport</translation>
     </message>
 </context>
 <context>
@@ -8044,7 +8971,7 @@
     <name>glissade::PlacementPanel</name>
     <message>
         <source>Placement: select one body, start or goal</source>
-        <translation>Position : sélectionnez un corps, le départ ou le but</translation>
+        <translation>Position&#xa0;: sélectionnez un corps, le départ ou le but</translation>
     </message>
     <message>
         <source>Origin of the file</source>
@@ -8068,19 +8995,19 @@
     </message>
     <message>
         <source>Along the world&apos;s axis %1; a number may have a unit: 25.4 mm, 1 in</source>
-        <translation>Suivant l&apos;axe %1 du monde ; un nombre peut avoir une unité : 25,4 mm, 1 in</translation>
+        <translation>Suivant l&apos;axe %1 du monde&#xa0;; un nombre peut avoir une unité&#xa0;: 25,4 mm, 1 in</translation>
     </message>
     <message>
         <source>Turned about the world&apos;s axis %1, in degrees, or with a unit: 0.1 rad; first X, then Y, then Z</source>
-        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés, ou avec une unité : 0,1 rad ; d&apos;abord X, puis Y, puis Z</translation>
+        <translation>Tourné autour de l&apos;axe %1 du monde, en degrés, ou avec une unité&#xa0;: 0,1 rad&#xa0;; d&apos;abord X, puis Y, puis Z</translation>
     </message>
     <message>
         <source>“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5&quot;. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas une longueur d&apos;au plus 1 km. Écrivez 12,5, 25,4 mm, 1 in ou 0,5&quot;. Rien n&apos;a été déplacé.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas une longueur d&apos;au plus 1 km. Écrivez 12,5, 25,4 mm, 1 in ou 0,5&quot;. Rien n&apos;a été déplacé.</translation>
     </message>
     <message>
         <source>“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.</source>
-        <translation>« %1 » n&apos;est pas un angle d&apos;au plus 360°. Écrivez 30, 30 deg ou 0,1 rad. Rien n&apos;a été déplacé.</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un angle d&apos;au plus 360°. Écrivez 30, 30 deg ou 0,1 rad. Rien n&apos;a été déplacé.</translation>
     </message>
     <message>
         <source>Placement of %1, %2 and °</source>
@@ -8096,11 +9023,30 @@
     </message>
     <message>
         <source>The point whose coordinates are shown; a CAD system gives those of the origin of its file</source>
-        <translation>Point dont les coordonnées sont affichées ; un système de CAO donne celles de l&apos;origine de son fichier</translation>
+        <translation>Point dont les coordonnées sont affichées&#xa0;; un système de CAO donne celles de l&apos;origine de son fichier</translation>
     </message>
     <message>
         <source>The point whose poses are in path files</source>
         <translation>Point dont les fichiers de chemin donnent la position</translation>
+    </message>
+    <message>
+        <source>“%1” is not a length. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas une longueur. Rien n&apos;a bougé.</translation>
+    </message>
+    <message>
+        <source>“%1” is not an angle. Nothing has moved.</source>
+        <translation>« %1 » n&apos;est pas un angle. Rien n&apos;a bougé.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PlanGraphView</name>
+    <message>
+        <source>Order of the steps</source>
+        <translation>Ordre des étapes</translation>
+    </message>
+    <message>
+        <source>An arrow leads from a step to each step that it makes way for</source>
+        <translation>Une flèche va d&apos;une étape à chaque étape qu&apos;elle libère</translation>
     </message>
 </context>
 <context>
@@ -8139,7 +9085,7 @@
     </message>
     <message>
         <source>No coarse plan: choose strategy GT or GTS and start.</source>
-        <translation>Pas de plan grossier : choisissez la stratégie GT ou GTS et démarrez.</translation>
+        <translation>Pas de plan grossier&#xa0;: choisissez la stratégie GT ou GTS et démarrez.</translation>
     </message>
     <message>
         <source>Coarse path of cost %1, not tried yet</source>
@@ -8147,7 +9093,7 @@
     </message>
     <message>
         <source>Coarse path %1, cost %2; random configurations: coarse %3, fine %4</source>
-        <translation>Chemin grossier %1, coût %2 ; configurations aléatoires : grossier %3, fin %4</translation>
+        <translation>Chemin grossier %1, coût %2&#xa0;; configurations aléatoires&#xa0;: grossier %3, fin %4</translation>
     </message>
     <message>
         <source>solved</source>
@@ -8163,11 +9109,11 @@
     </message>
     <message>
         <source>Forbidden: %1.</source>
-        <translation>Interdits : %1.</translation>
+        <translation>Interdits&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Of infinite cost: %1.</source>
-        <translation>De coût infini : %1.</translation>
+        <translation>De coût infini&#xa0;: %1.</translation>
     </message>
     <message>
         <source>None leads from start to goal.</source>
@@ -8175,7 +9121,7 @@
     </message>
     <message>
         <source>Solved by the search of the whole workspace, after %1 coarse paths; random configurations: %2</source>
-        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 chemins grossiers ; configurations aléatoires : %2</translation>
+        <translation>Résolu par la recherche dans tout l&apos;espace de travail, après %1 chemins grossiers&#xa0;; configurations aléatoires&#xa0;: %2</translation>
     </message>
     <message>
         <source>everywhere</source>
@@ -8184,6 +9130,109 @@
     <message>
         <source>Steps of the coarse path</source>
         <translation>Étapes du chemin grossier</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation>Une autre langue s&apos;applique au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>&amp;Size of texts</source>
+        <translation>Ta&amp;ille des textes</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation</source>
+        <translation>&amp;Navigation</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>&amp;Background of the scene</source>
+        <translation>&amp;Fond de la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Goal and its tree</source>
+        <translation>&amp;But et son arbre</translation>
+    </message>
+    <message>
+        <source>&amp;Path and selection</source>
+        <translation>&amp;Chemin et sélection</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the colours</source>
+        <translation>&amp;Réinitialiser les couleurs</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Pouces</translation>
+    </message>
+    <message>
+        <source>L&amp;engths</source>
+        <translation>&amp;Longueurs</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Mètres</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimètres</translation>
+    </message>
+    <message>
+        <source>Save &amp;unsaved edits every</source>
+        <translation>&amp;Sauvegarde automatique toutes les</translation>
+    </message>
+    <message>
+        <source>Start and &amp;its tree</source>
+        <translation>&amp;Départ et son arbre</translation>
+    </message>
+    <message>
+        <source>Use the colours of the theme again: they are distinct to people with colour blindness</source>
+        <translation>Reprendre les couleurs du thème&#xa0;: les personnes daltoniennes les distinguent</translation>
+    </message>
+    <message>
+        <source>What is not saved is written into the program&apos;s data folder, to be offered after a crash</source>
+        <translation>Ce qui n&apos;est pas enregistré est écrit dans le dossier de données du programme, pour être proposé après un arrêt brutal</translation>
+    </message>
+    <message>
+        <source>µm, mm or m, as it fits</source>
+        <translation>µm, mm ou m, selon la longueur</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the desktop was when the program started</source>
+        <translation>Clair ou sombre, comme le bureau au démarrage du programme</translation>
     </message>
 </context>
 <context>
@@ -8206,7 +9255,7 @@
     </message>
     <message>
         <source>A run has begun meanwhile: open the recording after it.</source>
-        <translation>Un calcul a commencé entre-temps : ouvrez l&apos;enregistrement quand il sera fini.</translation>
+        <translation>Un calcul a commencé entre-temps&#xa0;: ouvrez l&apos;enregistrement quand il sera fini.</translation>
     </message>
     <message>
         <source>Save the recording</source>
@@ -8265,15 +9314,15 @@
     <name>glissade::RefusalController</name>
     <message>
         <source>&apos;%1&apos;: overlap %2</source>
-        <translation>« %1 » : recouvrement %2</translation>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: recouvrement %2</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: touches or overlaps</source>
-        <translation>« %1 » : contact ou recouvrement</translation>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: contact ou recouvrement</translation>
     </message>
     <message>
         <source>&apos;%1&apos;: %2 away, required %3</source>
-        <translation>« %1 » : à %2, jeu exigé %3</translation>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: à %2, jeu exigé %3</translation>
     </message>
     <message>
         <source>The run ended without a path.</source>
@@ -8297,7 +9346,7 @@
     </message>
     <message>
         <source>The first is blocked by &apos;%1&apos;.</source>
-        <translation>Le premier est bloqué par « %1 ».</translation>
+        <translation>Le premier est bloqué par «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>Its ends are not the start and the goal.</source>
@@ -8313,19 +9362,19 @@
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le départ est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+        <translation>Le départ est refusé&#xa0;: «&#xa0;%1&#xa0;» recouvre ou touche d&apos;autres corps.</translation>
     </message>
     <message>
         <source>The start is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le départ est refusé : « %1 » est plus près que le jeu exigé.</translation>
+        <translation>Le départ est refusé&#xa0;: «&#xa0;%1&#xa0;» est plus près que le jeu exigé.</translation>
     </message>
     <message>
         <source>The goal is refused: &apos;%1&apos; overlaps or touches what is there.</source>
-        <translation>Le but est refusé : « %1 » recouvre ou touche d&apos;autres corps.</translation>
+        <translation>Le but est refusé&#xa0;: «&#xa0;%1&#xa0;» recouvre ou touche d&apos;autres corps.</translation>
     </message>
     <message>
         <source>The goal is refused: &apos;%1&apos; is nearer than the required clearance.</source>
-        <translation>Le but est refusé : « %1 » est plus près que le jeu exigé.</translation>
+        <translation>Le but est refusé&#xa0;: «&#xa0;%1&#xa0;» est plus près que le jeu exigé.</translation>
     </message>
     <message>
         <source>Allow as fits</source>
@@ -8348,7 +9397,7 @@
     </message>
     <message>
         <source>What you see was recorded: nothing can be steered until the replay is closed</source>
-        <translation>Vous voyez un enregistrement : rien ne peut être piloté avant la fermeture de la relecture</translation>
+        <translation>Vous voyez un enregistrement&#xa0;: rien ne peut être piloté avant la fermeture de la relecture</translation>
     </message>
     <message>
         <source>max</source>
@@ -8379,7 +9428,7 @@
     </message>
     <message>
         <source>replaying... %1 %</source>
-        <translation>relecture en cours... %1 %</translation>
+        <translation>relecture en cours... %1&#xa0;%</translation>
     </message>
     <message>
         <source>other parameters</source>
@@ -8387,11 +9436,11 @@
     </message>
     <message>
         <source>Other parameters: solved, %1 nodes (recorded: %2)</source>
-        <translation>Autres paramètres : résolu, %1 nœuds (enregistré : %2)</translation>
+        <translation>Autres paramètres&#xa0;: résolu, %1 nœuds (enregistré&#xa0;: %2)</translation>
     </message>
     <message>
         <source>Other parameters: no path, %1 nodes (recorded: %2)</source>
-        <translation>Autres paramètres : pas de chemin, %1 nœuds (enregistré : %2)</translation>
+        <translation>Autres paramètres&#xa0;: pas de chemin, %1 nœuds (enregistré&#xa0;: %2)</translation>
     </message>
     <message>
         <source>≠ recorded</source>
@@ -8399,7 +9448,7 @@
     </message>
     <message>
         <source>Differs from the recording: the same until step %1, not at step %2</source>
-        <translation>Diffère de l&apos;enregistrement : identique jusqu&apos;au pas %1, différent au pas %2</translation>
+        <translation>Diffère de l&apos;enregistrement&#xa0;: identique jusqu&apos;au pas %1, différent au pas %2</translation>
     </message>
     <message>
         <source>✓ as recorded</source>
@@ -8407,7 +9456,7 @@
     </message>
     <message>
         <source>Same roadmap as recorded: %1 nodes</source>
-        <translation>Même graphe que l&apos;enregistrement : %1 nœuds</translation>
+        <translation>Même graphe que l&apos;enregistrement&#xa0;: %1 nœuds</translation>
     </message>
     <message>
         <source>Replay. %1</source>
@@ -8415,7 +9464,7 @@
     </message>
     <message>
         <source>No journal of this run on disk: %1</source>
-        <translation>Pas de journal de ce calcul sur le disque : %1</translation>
+        <translation>Pas de journal de ce calcul sur le disque&#xa0;: %1</translation>
     </message>
     <message>
         <source>The recording cannot be replayed</source>
@@ -8426,18 +9475,18 @@
     <name>glissade::ResponseCurve</name>
     <message>
         <source>How the device&apos;s deflection (across) is answered (up); the dot is where it is now</source>
-        <translation>Réponse (en ordonnée) au débattement du périphérique (en abscisse) ; le point indique la valeur actuelle</translation>
+        <translation>Réponse (en ordonnée) au débattement du périphérique (en abscisse)&#xa0;; le point indique la valeur actuelle</translation>
     </message>
 </context>
 <context>
     <name>glissade::RulesDialog</name>
     <message>
         <source>f: what a border costs where places a and b meet. Known: %1</source>
-        <translation>f : coût d&apos;une frontière entre les lieux a et b. Noms connus : %1</translation>
+        <translation>f&#xa0;: coût d&apos;une frontière entre les lieux a et b. Noms connus&#xa0;: %1</translation>
     </message>
     <message>
         <source>g: what a way across a place costs. Known: %1</source>
-        <translation>g : coût de la traversée d&apos;un lieu. Noms connus : %1</translation>
+        <translation>g&#xa0;: coût de la traversée d&apos;un lieu. Noms connus&#xa0;: %1</translation>
     </message>
     <message>
         <source>When a step fails, try the &amp;next best way</source>
@@ -8453,11 +9502,11 @@
     </message>
     <message>
         <source>&amp;Borders: f =</source>
-        <translation>&amp;Frontières : f =</translation>
+        <translation>&amp;Frontières&#xa0;: f =</translation>
     </message>
     <message>
         <source>&amp;Ways: g =</source>
-        <translation>&amp;Trajets : g =</translation>
+        <translation>&amp;Trajets&#xa0;: g =</translation>
     </message>
     <message>
         <source>Attributes</source>
@@ -8465,7 +9514,7 @@
     </message>
     <message>
         <source>&amp;Planners: the first row that holds decides; the last must always hold (1).</source>
-        <translation>P&amp;lanificateurs : la première ligne vraie décide ; la dernière doit toujours être vraie (1).</translation>
+        <translation>P&amp;lanificateurs&#xa0;: la première ligne vraie décide&#xa0;; la dernière doit toujours être vraie (1).</translation>
     </message>
     <message>
         <source>&amp;Use as own rules</source>
@@ -8533,7 +9582,7 @@
     </message>
     <message>
         <source>of places (place., a., b.): %1; of the object (object.): %2</source>
-        <translation>des lieux (place., a., b.) : %1 ; de l&apos;objet (object.) : %2</translation>
+        <translation>des lieux (place., a., b.)&#xa0;: %1&#xa0;; de l&apos;objet (object.)&#xa0;: %2</translation>
     </message>
     <message>
         <source>Rules of the fine planners</source>
@@ -8556,6 +9605,37 @@
     </message>
 </context>
 <context>
+    <name>glissade::RunCurves</name>
+    <message>
+        <source>Nodes, authority and clearance over the time of planning</source>
+        <translation>Nœuds, autorité et jeu au cours du temps de planification</translation>
+    </message>
+    <message>
+        <source>Nodes of the roadmap, the computer&apos;s share α, and the distance of the object in the operator&apos;s hand to the nearest obstacle, over the time of planning</source>
+        <translation>Nœuds du graphe, part α de l&apos;ordinateur, et distance de l&apos;objet tenu par l&apos;opérateur à l&apos;obstacle le plus proche, au cours du temps de planification</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
+    </message>
+    <message>
+        <source>Authority α</source>
+        <translation>Autorité α</translation>
+    </message>
+    <message>
+        <source>Distance to the nearest obstacle</source>
+        <translation>Distance à l&apos;obstacle le plus proche</translation>
+    </message>
+    <message>
+        <source>in collision</source>
+        <translation>en collision</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+</context>
+<context>
     <name>glissade::SaveController</name>
     <message>
         <source>Edits are not saved automatically</source>
@@ -8568,6 +9648,13 @@
     <message>
         <source>The edits cannot be opened</source>
         <translation>Les modifications ne peuvent pas être ouvertes</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ScaleBar</name>
+    <message>
+        <source>grid %1</source>
+        <translation>grille %1</translation>
     </message>
 </context>
 <context>
@@ -8618,7 +9705,7 @@
     </message>
     <message>
         <source>%1: drawn while the box is checked</source>
-        <translation>%1 : dessiné tant que la case est cochée</translation>
+        <translation>%1&#xa0;: dessiné tant que la case est cochée</translation>
     </message>
     <message>
         <source>Bodies</source>
@@ -8654,6 +9741,33 @@
     <message>
         <source>Drag the arrows in the scene, or type a place such as 25.4 mm.</source>
         <translation>Tirez les flèches dans la scène, ou tapez une position comme 25,4 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SectionRow</name>
+    <message>
+        <source>Show the other side of section %1</source>
+        <translation>Montrer l&apos;autre côté de la coupe %1</translation>
+    </message>
+    <message>
+        <source>Remove section %1</source>
+        <translation>Retirer la coupe %1</translation>
+    </message>
+    <message>
+        <source>Cut the bodies open by section %1</source>
+        <translation>Ouvrir les corps par la coupe %1</translation>
+    </message>
+    <message>
+        <source>Place of section %1</source>
+        <translation>Position de la coupe %1</translation>
+    </message>
+    <message>
+        <source>Place of section %1 as a length</source>
+        <translation>Position de la coupe %1, en longueur</translation>
+    </message>
+    <message>
+        <source>Place of section %1, in any unit: 25.4 mm, 1 in</source>
+        <translation>Position de la coupe %1, dans une unité quelconque : 25,4 mm, 1 in</translation>
     </message>
 </context>
 <context>
@@ -8766,15 +9880,437 @@
     </message>
     <message>
         <source>Forbidden: no path leads through</source>
-        <translation>Interdit : aucun trajet n&apos;y passe</translation>
+        <translation>Interdit&#xa0;: aucun trajet n&apos;y passe</translation>
     </message>
     <message>
         <source>Preferred: ways through count %1 times shorter</source>
-        <translation>Préféré : les trajets par ce lieu comptent %1 fois moins longs</translation>
+        <translation>Préféré&#xa0;: les trajets par ce lieu comptent %1 fois moins longs</translation>
     </message>
     <message>
         <source>Mobility</source>
         <translation>Mobilité</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceController</name>
+    <message>
+        <source>The film was cancelled</source>
+        <translation>Le film a été annulé</translation>
+    </message>
+    <message>
+        <source>The sequence cannot be planned</source>
+        <translation>La séquence ne peut pas être planifiée</translation>
+    </message>
+    <message>
+        <source>Planning the sequence</source>
+        <translation>Planification de la séquence</translation>
+    </message>
+    <message>
+        <source>The bodies cannot be marked</source>
+        <translation>Les corps ne peuvent pas être marqués</translation>
+    </message>
+    <message>
+        <source>Open an assembly plan of this product</source>
+        <translation>Ouvrir un plan d&apos;assemblage de ce produit</translation>
+    </message>
+    <message>
+        <source>Assembly plans (*.json);;All files (*)</source>
+        <translation>Plans d&apos;assemblage (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The assembly plan cannot be opened</source>
+        <translation>Le plan d&apos;assemblage ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>Save the assembly plan</source>
+        <translation>Enregistrer le plan d&apos;assemblage</translation>
+    </message>
+    <message>
+        <source>Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;Animation (*.glb)</source>
+        <translation>Plan d&apos;assemblage (*.json);;Gamme de montage (*.html);;Gamme de montage (*.pdf);;Table des étapes (*.csv);;Animation (*.glb)</translation>
+    </message>
+    <message>
+        <source>The assembly plan cannot be saved</source>
+        <translation>Le plan d&apos;assemblage ne peut pas être enregistré</translation>
+    </message>
+    <message>
+        <source>The assembly plan was saved as %1</source>
+        <translation>Le plan d&apos;assemblage a été enregistré dans %1</translation>
+    </message>
+    <message>
+        <source>Demands of the sequence that is opened</source>
+        <translation>Exigences de la séquence ouverte</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceEdits</name>
+    <message>
+        <source>Cost of steps</source>
+        <translation>Coût des étapes</translation>
+    </message>
+    <message>
+        <source>%1 as step %2</source>
+        <translation>%1 comme étape %2</translation>
+    </message>
+    <message>
+        <source>Lock %1</source>
+        <translation>Verrouiller %1</translation>
+    </message>
+    <message>
+        <source>Unlock %1</source>
+        <translation>Déverrouiller %1</translation>
+    </message>
+    <message>
+        <source>%1 not %2</source>
+        <translation>%1&#xa0;: direction %2 interdite</translation>
+    </message>
+    <message>
+        <source>Forbid the way of %1</source>
+        <translation>Interdire la direction de sortie de %1</translation>
+    </message>
+    <message>
+        <source>Keep the order of %1</source>
+        <translation>Garder l&apos;ordre de %1</translation>
+    </message>
+    <message>
+        <source>No demands on %1</source>
+        <translation>Supprimer les exigences sur %1</translation>
+    </message>
+    <message>
+        <source>Remove: %1</source>
+        <translation>Retirer&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 is locked as step %2 of removal</source>
+        <translation>%1 est verrouillée comme étape %2 du démontage</translation>
+    </message>
+    <message>
+        <source>%1 leaves as step %2</source>
+        <translation>%1 sort comme étape %2</translation>
+    </message>
+    <message>
+        <source>%1 leaves by the motion by hand</source>
+        <translation>%1 sort par le mouvement fait à la main</translation>
+    </message>
+    <message>
+        <source>%1 keeps its motion</source>
+        <translation>%1 garde son mouvement</translation>
+    </message>
+    <message>
+        <source>%1 does not leave %2</source>
+        <translation>%1 ne sort pas dans la direction %2</translation>
+    </message>
+    <message>
+        <source>%1 leaves before %2</source>
+        <translation>%1 sort avant %2</translation>
+    </message>
+    <message>
+        <source>%1 leave as one</source>
+        <translation>%1 sortent ensemble</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>The sequence cannot be planned with these demands</source>
+        <translation>La séquence ne peut pas être planifiée ainsi</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequenceHand</name>
+    <message>
+        <source>The step cannot be moved by hand</source>
+        <translation>L&apos;étape ne peut pas être faite à la main</translation>
+    </message>
+    <message>
+        <source>Move %1 by hand</source>
+        <translation>Déplacer %1 à la main</translation>
+    </message>
+    <message>
+        <source>%1 by hand</source>
+        <translation>%1 à la main</translation>
+    </message>
+    <message>
+        <source>The path by hand is the motion of %1.</source>
+        <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
+    </message>
+    <message>
+        <source>You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
+        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Démarrer (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SequencePanel</name>
+    <message>
+        <source>Place in the sequence</source>
+        <translation>Position dans la séquence</translation>
+    </message>
+    <message>
+        <source>Exploded view</source>
+        <translation>Vue éclatée</translation>
+    </message>
+    <message>
+        <source>Moves the parts apart along the directions in which they leave</source>
+        <translation>Écarte les pièces dans les directions par lesquelles elles sortent</translation>
+    </message>
+    <message>
+        <source>E&amp;xplode</source>
+        <translation>Éc&amp;laté</translation>
+    </message>
+    <message>
+        <source>No product is open.</source>
+        <translation>Aucun produit n&apos;est ouvert.</translation>
+    </message>
+    <message>
+        <source>Not planned yet.</source>
+        <translation>Pas encore planifié.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts leave, every motion certified.</source>
+        <translation>%1 pièces sur %2 sortent&#xa0;; chaque mouvement est certifié.</translation>
+    </message>
+    <message>
+        <source>%1 stays.</source>
+        <translation>Reste&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Planning…</source>
+        <translation>Planification…</translation>
+    </message>
+    <message>
+        <source>%1 stuck.</source>
+        <translation>%1 bloquées.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Planification arrêtée avant la fin.</translation>
+    </message>
+    <message>
+        <source>%1 steps do not hold here.</source>
+        <translation>%1 étapes ne sont pas valides ici.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>&amp;Demands</source>
+        <translation>&amp;Exigences</translation>
+    </message>
+    <message>
+        <source>Ste&amp;p</source>
+        <translation>Éta&amp;pe</translation>
+    </message>
+    <message>
+        <source>Move, lock or free the chosen step, or move its part by hand</source>
+        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou déplacer sa pièce à la main</translation>
+    </message>
+    <message>
+        <source>&amp;Cost</source>
+        <translation>Coû&amp;t</translation>
+    </message>
+    <message>
+        <source>What a step costs</source>
+        <translation>Coût d&apos;une étape</translation>
+    </message>
+    <message>
+        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; &quot;as found&quot;: the order in which the parts were found to leave</source>
+        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste&#xa0;; «&#xa0;tel que trouvé&#xa0;»&#xa0;: l&apos;ordre dans lequel les sorties ont été trouvées</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>tel que trouvé</translation>
+    </message>
+    <message>
+        <source>%1 forced.</source>
+        <translation>%1 forcées.</translation>
+    </message>
+    <message>
+        <source>The time limit was reached.</source>
+        <translation>La limite de temps a été atteinte.</translation>
+    </message>
+    <message>
+        <source>&amp;Forbid a direction</source>
+        <translation>&amp;Interdire une direction</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::ShortcutsDialog</name>
+    <message>
+        <source>&amp;Assign</source>
+        <translation>&amp;Attribuer</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Retirer</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>Par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Nouveau raccourci</translation>
+    </message>
+    <message>
+        <source>&amp;New shortcut</source>
+        <translation>&amp;Nouveau raccourci</translation>
+    </message>
+    <message>
+        <source>Choose a command.</source>
+        <translation>Choisissez une commande.</translation>
+    </message>
+    <message>
+        <source>Bold shortcuts differ from the default.</source>
+        <translation>Les raccourcis en gras diffèrent des raccourcis par défaut.</translation>
+    </message>
+    <message>
+        <source>Keys without Ctrl or Alt steer the object and write text.</source>
+        <translation>Les touches sans Ctrl ni Alt pilotent l&apos;objet et servent à la saisie.</translation>
+    </message>
+    <message>
+        <source>It is taken from &quot;%1&quot;.</source>
+        <translation>Il sera retiré à «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Part of a command, a menu or a shortcut</source>
+        <translation>Partie d&apos;une commande, d&apos;un menu ou d&apos;un raccourci</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::StepTable</name>
+    <message>
+        <source>certified</source>
+        <translation>certifiée</translation>
+    </message>
+    <message>
+        <source>✓ proved</source>
+        <translation>✓ prouvée</translation>
+    </message>
+    <message>
+        <source>✗ not here</source>
+        <translation>✗ non valide</translation>
+    </message>
+    <message>
+        <source>certified when it was found</source>
+        <translation>certifiée au moment de sa découverte</translation>
+    </message>
+    <message>
+        <source>proved again by the independent check</source>
+        <translation>prouvée de nouveau par la vérification indépendante</translation>
+    </message>
+    <message>
+        <source>does not hold in this arrangement</source>
+        <translation>n&apos;est pas valide dans cette disposition</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>verrouillée</translation>
+    </message>
+    <message>
+        <source>placed</source>
+        <translation>placée</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Pièce</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Clearance</source>
+        <translation>Jeu</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aminci de</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Standing</source>
+        <translation>Équilibre</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Above: smallest distance to other parts. Below: the largest allowance of the step; its tool tip lists all</source>
+        <translation>En haut&#xa0;: plus petite distance aux autres pièces. En bas&#xa0;: plus grand amincissement de l&apos;étape&#xa0;; l&apos;infobulle les énumère tous</translation>
+    </message>
+    <message>
+        <source>Above: the tool that turns the fastener, and what it cannot be brought past. Below: parts that would tip or fall, or what a forced step does not keep</source>
+        <translation>En haut&#xa0;: l&apos;outil qui tourne la fixation, et ce qui l&apos;empêche de passer. En bas&#xa0;: les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
+    </message>
+    <message>
+        <source>Above: whether the motion is proved. Below: what a person has done to the step, or the seconds after which it was found</source>
+        <translation>En haut&#xa0;: preuve du mouvement. En bas&#xa0;: intervention manuelle sur l&apos;étape, ou temps écoulé quand elle a été trouvée</translation>
+    </message>
+    <message>
+        <source>Steps of the sequence</source>
+        <translation>Étapes de la séquence</translation>
+    </message>
+    <message>
+        <source>proved %1; smallest %2 to %3</source>
+        <translation>prouvé %1&#xa0;; le plus petit %2 à %3</translation>
+    </message>
+    <message>
+        <source>forced: %1</source>
+        <translation>forcée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>found by %1</source>
+        <translation>trouvée par %1</translation>
+    </message>
+    <message>
+        <source>found after %1</source>
+        <translation>trouvée après %1</translation>
+    </message>
+    <message>
+        <source>no motion found</source>
+        <translation>aucun mouvement trouvé</translation>
+    </message>
+    <message>
+        <source>blocked by %1</source>
+        <translation>bloquée par %1</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>bloquée</translation>
     </message>
 </context>
 <context>
@@ -8845,7 +10381,7 @@
     </message>
     <message>
         <source>Success, 95 %</source>
-        <translation>Succès, 95 %</translation>
+        <translation>Succès, 95&#xa0;%</translation>
     </message>
     <message>
         <source>%1, paper</source>
@@ -8923,7 +10459,7 @@
     </message>
     <message>
         <source>Seed %1 ended as in the study: %2 nodes.</source>
-        <translation>L&apos;essai de graine %1 a fini comme dans l&apos;étude : %2 nœuds.</translation>
+        <translation>L&apos;essai de graine %1 a fini comme dans l&apos;étude&#xa0;: %2 nœuds.</translation>
     </message>
     <message>
         <source>Reading the study</source>
@@ -8947,7 +10483,92 @@
     </message>
     <message>
         <source>Seed %1 ended differently from the study: %2 nodes. Is this another version of Glissade?</source>
-        <translation>La graine %1 n&apos;a pas fini comme dans l&apos;étude : %2 nœuds. Est-ce une autre version ?</translation>
+        <translation>La graine %1 n&apos;a pas fini comme dans l&apos;étude&#xa0;: %2 nœuds. Est-ce une autre version&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::SweepController</name>
+    <message>
+        <source>The swept volume cannot be computed</source>
+        <translation>Le volume balayé ne peut pas être calculé</translation>
+    </message>
+    <message>
+        <source>Computing the swept volume</source>
+        <translation>Calcul du volume balayé</translation>
+    </message>
+    <message>
+        <source>Swept volume: %1 %2; its surface is at most %3 away from the object</source>
+        <translation>Volume balayé&#xa0;: %1 %2&#xa0;; sa surface est à %3 de l&apos;objet au plus</translation>
+    </message>
+    <message>
+        <source>; within it or at its surface: %1</source>
+        <translation> ; à l&apos;intérieur ou à sa surface&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Export the swept volume</source>
+        <translation>Exporter le volume balayé</translation>
+    </message>
+    <message>
+        <source>Triangles in millimetres (%1);;3D viewers (%2)</source>
+        <translation>Triangles en millimètres (%1);;Visionneuses 3D (%2)</translation>
+    </message>
+    <message>
+        <source>The swept volume was not saved</source>
+        <translation>Le volume balayé n&apos;a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>The swept volume was saved as %1</source>
+        <translation>Le volume balayé a été enregistré sous %1</translation>
+    </message>
+    <message>
+        <source>The swept volume was saved, with a warning</source>
+        <translation>Le volume balayé a été enregistré, avec un avertissement</translation>
+    </message>
+    <message>
+        <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
+        <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TourController</name>
+    <message>
+        <source>This cannot be done</source>
+        <translation>Opération impossible</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::TourPanel</name>
+    <message>
+        <source>Do it for me</source>
+        <translation>Le faire pour moi</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suite</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Fin</translation>
+    </message>
+    <message>
+        <source>End the tour (Esc)</source>
+        <translation>Terminer la visite (Échap)</translation>
+    </message>
+    <message>
+        <source>Tour: step %1 of %2</source>
+        <translation>Visite&#xa0;: étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Fait</translation>
     </message>
 </context>
 <context>
@@ -8990,6 +10611,32 @@
     </message>
 </context>
 <context>
+    <name>glissade::WelcomeController</name>
+    <message>
+        <source>Not there</source>
+        <translation>Absent</translation>
+    </message>
+</context>
+<context>
+    <name>glissade::WelcomePage</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Accueil</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Make a scenario of your parts, open one, or drop files here: scenarios, STEP, meshes, URDF.</source>
+        <translation>Créez un scénario à partir de vos pièces, ouvrez-en un, ou déposez des fichiers ici&#xa0;: scénarios, STEP, maillages, URDF.</translation>
+    </message>
+</context>
+<context>
     <name>glissade::WorkController</name>
     <message>
         <source>Smoothing the path</source>
@@ -9001,11 +10648,11 @@
     </message>
     <message>
         <source>%1: cancelled after %2 s</source>
-        <translation>%1 : annulé après %2 s</translation>
+        <translation>%1&#xa0;: annulé après %2 s</translation>
     </message>
     <message>
         <source>%1: ended after %2 s</source>
-        <translation>%1 : terminé après %2 s</translation>
+        <translation>%1&#xa0;: terminé après %2 s</translation>
     </message>
 </context>
 <context>
@@ -9025,561 +10672,6 @@
     <message>
         <source>Path %1</source>
         <translation>Chemin %1</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SequenceController</name>
-    <message>
-        <source>The film was cancelled</source>
-        <translation>Le film a été annulé</translation>
-    </message>
-    <message>
-        <source>The sequence cannot be planned</source>
-        <translation>La séquence ne peut pas être planifiée</translation>
-    </message>
-    <message>
-        <source>Planning the sequence</source>
-        <translation>Planification de la séquence</translation>
-    </message>
-    <message>
-        <source>The bodies cannot be marked</source>
-        <translation>Les corps ne peuvent pas être marqués</translation>
-    </message>
-    <message>
-        <source>Open an assembly plan of this product</source>
-        <translation>Ouvrir un plan d&apos;assemblage de ce produit</translation>
-    </message>
-    <message>
-        <source>Assembly plans (*.json);;All files (*)</source>
-        <translation>Plans d&apos;assemblage (*.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>The assembly plan cannot be opened</source>
-        <translation>Le plan d&apos;assemblage ne peut pas être ouvert</translation>
-    </message>
-    <message>
-        <source>Save the assembly plan</source>
-        <translation>Enregistrer le plan d&apos;assemblage</translation>
-    </message>
-    <message>
-        <source>Assembly plan (*.json);;Work instruction (*.html);;Work instruction (*.pdf);;Table of steps (*.csv);;Animation (*.glb)</source>
-        <translation>Plan d&apos;assemblage (*.json);;Gamme de montage (*.html);;Gamme de montage (*.pdf);;Table des étapes (*.csv);;Animation (*.glb)</translation>
-    </message>
-    <message>
-        <source>The assembly plan cannot be saved</source>
-        <translation>Le plan d&apos;assemblage ne peut pas être enregistré</translation>
-    </message>
-    <message>
-        <source>The assembly plan was saved as %1</source>
-        <translation>Le plan d&apos;assemblage a été enregistré dans %1</translation>
-    </message>
-    <message>
-        <source>Demands of the sequence that is opened</source>
-        <translation>Exigences de la séquence ouverte</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SequencePanel</name>
-    <message>
-        <source>Place in the sequence</source>
-        <translation>Position dans la séquence</translation>
-    </message>
-    <message>
-        <source>Exploded view</source>
-        <translation>Vue éclatée</translation>
-    </message>
-    <message>
-        <source>Moves the parts apart along the directions in which they leave</source>
-        <translation>Écarte les pièces dans les directions par lesquelles elles sortent</translation>
-    </message>
-    <message>
-        <source>E&amp;xplode</source>
-        <translation>Éc&amp;laté</translation>
-    </message>
-    <message>
-        <source>No product is open.</source>
-        <translation>Aucun produit n&apos;est ouvert.</translation>
-    </message>
-    <message>
-        <source>Not planned yet.</source>
-        <translation>Pas encore planifié.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 parts leave, every motion certified.</source>
-        <translation>%1 pièces sur %2 sortent ; chaque mouvement est certifié.</translation>
-    </message>
-    <message>
-        <source>%1 stays.</source>
-        <translation>Reste : %1.</translation>
-    </message>
-    <message>
-        <source>Planning…</source>
-        <translation>Planification…</translation>
-    </message>
-    <message>
-        <source>%1 stuck.</source>
-        <translation>%1 bloquées.</translation>
-    </message>
-    <message>
-        <source>Stopped before the end.</source>
-        <translation>Planification arrêtée avant la fin.</translation>
-    </message>
-    <message>
-        <source>%1 steps do not hold here.</source>
-        <translation>%1 étapes ne sont pas valides ici.</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Étape</translation>
-    </message>
-    <message>
-        <source>&amp;Demands</source>
-        <translation>&amp;Exigences</translation>
-    </message>
-    <message>
-        <source>Ste&amp;p</source>
-        <translation>Éta&amp;pe</translation>
-    </message>
-    <message>
-        <source>Move, lock or free the chosen step, or move its part by hand</source>
-        <translation>Déplacer, verrouiller ou libérer l&apos;étape choisie, ou déplacer sa pièce à la main</translation>
-    </message>
-    <message>
-        <source>&amp;Cost</source>
-        <translation>Coû&amp;t</translation>
-    </message>
-    <message>
-        <source>What a step costs</source>
-        <translation>Coût d&apos;une étape</translation>
-    </message>
-    <message>
-        <source>The order that costs least is chosen. An expression, as 5 * tool_change + length, or one of the list; &quot;as found&quot;: the order in which the parts were found to leave</source>
-        <translation>L&apos;ordre le moins coûteux est choisi. Saisissez une expression, comme 5 * tool_change + length, ou choisissez dans la liste ; « tel que trouvé » : l&apos;ordre dans lequel les sorties ont été trouvées</translation>
-    </message>
-    <message>
-        <source>as found</source>
-        <translation>tel que trouvé</translation>
-    </message>
-    <message>
-        <source>%1 forced.</source>
-        <translation>%1 forcées.</translation>
-    </message>
-    <message>
-        <source>The time limit was reached.</source>
-        <translation>La limite de temps a été atteinte.</translation>
-    </message>
-    <message>
-        <source>&amp;Forbid a direction</source>
-        <translation>&amp;Interdire une direction</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::StepTable</name>
-    <message>
-        <source>certified</source>
-        <translation>certifiée</translation>
-    </message>
-    <message>
-        <source>✓ proved</source>
-        <translation>✓ prouvée</translation>
-    </message>
-    <message>
-        <source>✗ not here</source>
-        <translation>✗ non valide</translation>
-    </message>
-    <message>
-        <source>certified when it was found</source>
-        <translation>certifiée au moment de sa découverte</translation>
-    </message>
-    <message>
-        <source>proved again by the independent check</source>
-        <translation>prouvée de nouveau par la vérification indépendante</translation>
-    </message>
-    <message>
-        <source>does not hold in this arrangement</source>
-        <translation>n&apos;est pas valide dans cette disposition</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>à la main</translation>
-    </message>
-    <message>
-        <source>locked</source>
-        <translation>verrouillée</translation>
-    </message>
-    <message>
-        <source>placed</source>
-        <translation>placée</translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation>N°</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Pièce</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>Clearance</source>
-        <translation>Jeu</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>Aminci de</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>Outil</translation>
-    </message>
-    <message>
-        <source>Standing</source>
-        <translation>Équilibre</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>État</translation>
-    </message>
-    <message>
-        <source>Above: smallest distance to other parts. Below: the largest allowance of the step; its tool tip lists all</source>
-        <translation>En haut : plus petite distance aux autres pièces. En bas : plus grand amincissement de l&apos;étape ; l&apos;infobulle les énumère tous</translation>
-    </message>
-    <message>
-        <source>Above: the tool that turns the fastener, and what it cannot be brought past. Below: parts that would tip or fall, or what a forced step does not keep</source>
-        <translation>En haut : l&apos;outil qui tourne la fixation, et ce qui l&apos;empêche de passer. En bas : les pièces qui basculeraient ou tomberaient, ou ce qu&apos;une étape forcée ne respecte pas</translation>
-    </message>
-    <message>
-        <source>Above: whether the motion is proved. Below: what a person has done to the step, or the seconds after which it was found</source>
-        <translation>En haut : preuve du mouvement. En bas : intervention manuelle sur l&apos;étape, ou temps écoulé quand elle a été trouvée</translation>
-    </message>
-    <message>
-        <source>Steps of the sequence</source>
-        <translation>Étapes de la séquence</translation>
-    </message>
-    <message>
-        <source>proved %1; smallest %2 to %3</source>
-        <translation>prouvé %1 ; le plus petit %2 à %3</translation>
-    </message>
-    <message>
-        <source>forced: %1</source>
-        <translation>forcée : %1</translation>
-    </message>
-    <message>
-        <source>found by %1</source>
-        <translation>trouvée par %1</translation>
-    </message>
-    <message>
-        <source>found after %1</source>
-        <translation>trouvée après %1</translation>
-    </message>
-    <message>
-        <source>no motion found</source>
-        <translation>aucun mouvement trouvé</translation>
-    </message>
-    <message>
-        <source>blocked by %1</source>
-        <translation>bloquée par %1</translation>
-    </message>
-    <message>
-        <source>stuck</source>
-        <translation>bloquée</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SequenceEdits</name>
-    <message>
-        <source>Cost of steps</source>
-        <translation>Coût des étapes</translation>
-    </message>
-    <message>
-        <source>%1 as step %2</source>
-        <translation>%1 comme étape %2</translation>
-    </message>
-    <message>
-        <source>Lock %1</source>
-        <translation>Verrouiller %1</translation>
-    </message>
-    <message>
-        <source>Unlock %1</source>
-        <translation>Déverrouiller %1</translation>
-    </message>
-    <message>
-        <source>%1 not %2</source>
-        <translation>%1 : direction %2 interdite</translation>
-    </message>
-    <message>
-        <source>Forbid the way of %1</source>
-        <translation>Interdire la direction de sortie de %1</translation>
-    </message>
-    <message>
-        <source>Keep the order of %1</source>
-        <translation>Garder l&apos;ordre de %1</translation>
-    </message>
-    <message>
-        <source>No demands on %1</source>
-        <translation>Supprimer les exigences sur %1</translation>
-    </message>
-    <message>
-        <source>Remove: %1</source>
-        <translation>Retirer : %1</translation>
-    </message>
-    <message>
-        <source>%1 is locked as step %2 of removal</source>
-        <translation>%1 est verrouillée comme étape %2 du démontage</translation>
-    </message>
-    <message>
-        <source>%1 leaves as step %2</source>
-        <translation>%1 sort comme étape %2</translation>
-    </message>
-    <message>
-        <source>%1 leaves by the motion by hand</source>
-        <translation>%1 sort par le mouvement fait à la main</translation>
-    </message>
-    <message>
-        <source>%1 keeps its motion</source>
-        <translation>%1 garde son mouvement</translation>
-    </message>
-    <message>
-        <source>%1 does not leave %2</source>
-        <translation>%1 ne sort pas dans la direction %2</translation>
-    </message>
-    <message>
-        <source>%1 leaves before %2</source>
-        <translation>%1 sort avant %2</translation>
-    </message>
-    <message>
-        <source>%1 leave as one</source>
-        <translation>%1 sortent ensemble</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucune</translation>
-    </message>
-    <message>
-        <source>The sequence cannot be planned with these demands</source>
-        <translation>La séquence ne peut pas être planifiée ainsi</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SequenceHand</name>
-    <message>
-        <source>The step cannot be moved by hand</source>
-        <translation>L&apos;étape ne peut pas être faite à la main</translation>
-    </message>
-    <message>
-        <source>Move %1 by hand</source>
-        <translation>Déplacer %1 à la main</translation>
-    </message>
-    <message>
-        <source>%1 by hand</source>
-        <translation>%1 à la main</translation>
-    </message>
-    <message>
-        <source>The path by hand is the motion of %1.</source>
-        <translation>Le chemin fait à la main devient le mouvement de %1.</translation>
-    </message>
-    <message>
-        <source>You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified path becomes the step.</source>
-        <translation>Vous déplacez %1 à la main, parmi les pièces présentes à son étape. Démarrer (F5) lance un calcul. Son chemin certifié devient l&apos;étape.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::PlanGraphView</name>
-    <message>
-        <source>Order of the steps</source>
-        <translation>Ordre des étapes</translation>
-    </message>
-    <message>
-        <source>An arrow leads from a step to each step that it makes way for</source>
-        <translation>Une flèche va d&apos;une étape à chaque étape qu&apos;elle libère</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::InstructionJob</name>
-    <message>
-        <source>Checking the steps and choosing the views</source>
-        <translation>Vérification des étapes et choix des points de vue</translation>
-    </message>
-    <message>
-        <source>Writing the work instruction</source>
-        <translation>Écriture de la gamme de montage</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SweepController</name>
-    <message>
-        <source>The swept volume cannot be computed</source>
-        <translation>Le volume balayé ne peut pas être calculé</translation>
-    </message>
-    <message>
-        <source>Computing the swept volume</source>
-        <translation>Calcul du volume balayé</translation>
-    </message>
-    <message>
-        <source>Swept volume: %1 %2; its surface is at most %3 away from the object</source>
-        <translation>Volume balayé : %1 %2 ; sa surface est à %3 de l&apos;objet au plus</translation>
-    </message>
-    <message>
-        <source>; within it or at its surface: %1</source>
-        <translation> ; à l&apos;intérieur ou à sa surface : %1</translation>
-    </message>
-    <message>
-        <source>Export the swept volume</source>
-        <translation>Exporter le volume balayé</translation>
-    </message>
-    <message>
-        <source>Triangles in millimetres (%1);;3D viewers (%2)</source>
-        <translation>Triangles en millimètres (%1);;Visionneuses 3D (%2)</translation>
-    </message>
-    <message>
-        <source>The swept volume was not saved</source>
-        <translation>Le volume balayé n&apos;a pas été enregistré</translation>
-    </message>
-    <message>
-        <source>The swept volume was saved as %1</source>
-        <translation>Le volume balayé a été enregistré sous %1</translation>
-    </message>
-    <message>
-        <source>The swept volume was saved, with a warning</source>
-        <translation>Le volume balayé a été enregistré, avec un avertissement</translation>
-    </message>
-    <message>
-        <source>; a closer surface takes too much memory: the volume may be more than %1 % too large</source>
-        <translation> ; une surface plus proche demande trop de mémoire : le volume peut être trop grand de plus de %1 %</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ShortcutsDialog</name>
-    <message>
-        <source>&amp;Assign</source>
-        <translation>&amp;Attribuer</translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation>&amp;Retirer</translation>
-    </message>
-    <message>
-        <source>&amp;Default</source>
-        <translation>Par &amp;défaut</translation>
-    </message>
-    <message>
-        <source>Keyboard shortcuts</source>
-        <translation>Raccourcis clavier</translation>
-    </message>
-    <message>
-        <source>Commands</source>
-        <translation>Commandes</translation>
-    </message>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Shortcut</source>
-        <translation>Raccourci</translation>
-    </message>
-    <message>
-        <source>New shortcut</source>
-        <translation>Nouveau raccourci</translation>
-    </message>
-    <message>
-        <source>&amp;New shortcut</source>
-        <translation>&amp;Nouveau raccourci</translation>
-    </message>
-    <message>
-        <source>Choose a command.</source>
-        <translation>Choisissez une commande.</translation>
-    </message>
-    <message>
-        <source>Bold shortcuts differ from the default.</source>
-        <translation>Les raccourcis en gras diffèrent des raccourcis par défaut.</translation>
-    </message>
-    <message>
-        <source>Keys without Ctrl or Alt steer the object and write text.</source>
-        <translation>Les touches sans Ctrl ni Alt pilotent l&apos;objet et servent à la saisie.</translation>
-    </message>
-    <message>
-        <source>It is taken from &quot;%1&quot;.</source>
-        <translation>Il sera retiré à « %1 ».</translation>
-    </message>
-    <message>
-        <source>Part of a command, a menu or a shortcut</source>
-        <translation>Partie d&apos;une commande, d&apos;un menu ou d&apos;un raccourci</translation>
-    </message>
-    <message>
-        <source>Menu</source>
-        <translation>Menu</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::PathReportJob</name>
-    <message>
-        <source>Writing the report</source>
-        <translation>Écriture du rapport</translation>
-    </message>
-</context>
-<context>
-    <name>Arranging</name>
-    <message>
-        <source>the start</source>
-        <translation>le départ</translation>
-    </message>
-    <message>
-        <source>the goal</source>
-        <translation>le but</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ArrangeBar</name>
-    <message>
-        <source>Arranging</source>
-        <translation>Disposition</translation>
-    </message>
-    <message>
-        <source>Step of distances</source>
-        <translation>Pas des distances</translation>
-    </message>
-    <message>
-        <source>Step of angles</source>
-        <translation>Pas des angles</translation>
-    </message>
-    <message>
-        <source>End arranging (Esc)</source>
-        <translation>Terminer la disposition (Échap)</translation>
-    </message>
-    <message>
-        <source>End arranging</source>
-        <translation>Terminer la disposition</translation>
-    </message>
-    <message>
-        <source>%1, in any unit: 25.4 mm, 1 in, 30 deg</source>
-        <translation>%1, dans n&apos;importe quelle unité : 25,4 mm, 1 in, 30 deg</translation>
-    </message>
-    <message>
-        <source>Drag an arrow, a square or a ring; hold Ctrl to snap or not. Drag the body itself, with Ctrl to turn it. Arrow keys and Page Up/Down move by a step, with Shift they turn. Esc ends arranging.</source>
-        <translation>Faites glisser une flèche, un carré ou un anneau ; Ctrl inverse le déplacement par pas. Faites glisser le corps lui-même, avec Ctrl pour le tourner. Les touches fléchées et Page préc./suiv. déplacent d&apos;un pas, et tournent avec Maj. Échap termine.</translation>
-    </message>
-    <message>
-        <source>Arranging: click a body, the start or the goal</source>
-        <translation>Disposition : cliquez un corps, le départ ou le but</translation>
-    </message>
-    <message>
-        <source>Arranging %1</source>
-        <translation>Disposition : %1</translation>
-    </message>
-    <message>
-        <source>“%1” is not a step. Write 10, 25.4 mm, 1 in or 30 deg.</source>
-        <translation>« %1 » n&apos;est pas un pas. Écrivez 10, 25,4 mm, 1 in ou 30 deg.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ArrangeController</name>
-    <message>
-        <source>%1 is aligned. %2 reverses the direction.</source>
-        <translation>%1 : aligné. %2 le retourne.</translation>
     </message>
 </context>
 <context>
@@ -9603,1006 +10695,6 @@
     <message>
         <source>A run is refused there. Undo, or fit the workspace.</source>
         <translation>Un calcul y est refusé. Annulez, ou ajustez l&apos;espace de travail.</translation>
-    </message>
-</context>
-<context>
-    <name>ManualTables</name>
-    <message>
-        <source>Command</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Keys</source>
-        <translation>Touches</translation>
-    </message>
-    <message>
-        <source>What it does</source>
-        <translation>Ce qu&apos;elle fait</translation>
-    </message>
-    <message>
-        <source>In scripts</source>
-        <translation>Dans les scripts</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>Panneau</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 à %2</translation>
-    </message>
-    <message>
-        <source>Parameter</source>
-        <translation>Paramètre</translation>
-    </message>
-    <message>
-        <source>Meaning</source>
-        <translation>Signification</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Plage</translation>
-    </message>
-    <message>
-        <source>Default</source>
-        <translation>Défaut</translation>
-    </message>
-    <message>
-        <source>During a run</source>
-        <translation>Pendant un calcul</translation>
-    </message>
-    <message>
-        <source>In files</source>
-        <translation>Dans les fichiers</translation>
-    </message>
-    <message>
-        <source>In files, on the command line</source>
-        <translation>Dans les fichiers, sur la ligne de commande</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
-    <message>
-        <source>Strategy</source>
-        <translation>Stratégie</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Opérateur</translation>
-    </message>
-    <message>
-        <source>place</source>
-        <translation>lieu</translation>
-    </message>
-    <message>
-        <source>body</source>
-        <translation>corps</translation>
-    </message>
-    <message>
-        <source>Attribute</source>
-        <translation>Attribut</translation>
-    </message>
-    <message>
-        <source>In files and rules</source>
-        <translation>Dans les fichiers et les règles</translation>
-    </message>
-    <message>
-        <source>Of</source>
-        <translation>De</translation>
-    </message>
-    <message>
-        <source>Format</source>
-        <translation>Format</translation>
-    </message>
-    <message>
-        <source>Ending</source>
-        <translation>Extension</translation>
-    </message>
-    <message>
-        <source>Can be read again</source>
-        <translation>Peut être relu</translation>
-    </message>
-</context>
-<context>
-    <name>ManualWriter</name>
-    <message>
-        <source>Glissade manual</source>
-        <translation>Manuel de Glissade</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Sommaire</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ManualView</name>
-    <message>
-        <source>Page of the manual</source>
-        <translation>Page du manuel</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ManualBrowser</name>
-    <message>
-        <source>Glissade manual</source>
-        <translation>Manuel de Glissade</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Page précédente</translation>
-    </message>
-    <message>
-        <source>The page before</source>
-        <translation>La page précédente</translation>
-    </message>
-    <message>
-        <source>Forward</source>
-        <translation>Page suivante</translation>
-    </message>
-    <message>
-        <source>The page after it</source>
-        <translation>La page suivante</translation>
-    </message>
-    <message>
-        <source>A−</source>
-        <translation>A−</translation>
-    </message>
-    <message>
-        <source>Smaller text</source>
-        <translation>Texte plus petit</translation>
-    </message>
-    <message>
-        <source>A+</source>
-        <translation>A+</translation>
-    </message>
-    <message>
-        <source>Larger text</source>
-        <translation>Texte plus grand</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Précédent</translation>
-    </message>
-    <message>
-        <source>The place before</source>
-        <translation>L&apos;endroit précédent</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Suivant</translation>
-    </message>
-    <message>
-        <source>The next place</source>
-        <translation>L&apos;endroit suivant</translation>
-    </message>
-    <message>
-        <source>In the browser</source>
-        <translation>Dans le navigateur</translation>
-    </message>
-    <message>
-        <source>Open the page on the disk with the web browser</source>
-        <translation>Ouvrir la page du disque avec le navigateur web</translation>
-    </message>
-    <message>
-        <source>Search the manual</source>
-        <translation>Chercher dans le manuel</translation>
-    </message>
-    <message>
-        <source>Contents</source>
-        <translation>Sommaire</translation>
-    </message>
-    <message>
-        <source>The manual does not have this text.</source>
-        <translation>Le manuel ne contient pas ce texte.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ManualController</name>
-    <message>
-        <source>The manual cannot be shown</source>
-        <translation>Le manuel ne peut pas être affiché</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::RunCurves</name>
-    <message>
-        <source>Nodes, authority and clearance over the time of planning</source>
-        <translation>Nœuds, autorité et jeu au cours du temps de planification</translation>
-    </message>
-    <message>
-        <source>Nodes of the roadmap, the computer&apos;s share α, and the distance of the object in the operator&apos;s hand to the nearest obstacle, over the time of planning</source>
-        <translation>Nœuds du graphe, part α de l&apos;ordinateur, et distance de l&apos;objet tenu par l&apos;opérateur à l&apos;obstacle le plus proche, au cours du temps de planification</translation>
-    </message>
-    <message>
-        <source>Nodes</source>
-        <translation>Nœuds</translation>
-    </message>
-    <message>
-        <source>Authority α</source>
-        <translation>Autorité α</translation>
-    </message>
-    <message>
-        <source>Distance to the nearest obstacle</source>
-        <translation>Distance à l&apos;obstacle le plus proche</translation>
-    </message>
-    <message>
-        <source>in collision</source>
-        <translation>en collision</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Temps</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::BusyBar</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ColourButton</name>
-    <message>
-        <source>As the theme</source>
-        <translation>Couleur du thème</translation>
-    </message>
-</context>
-<context>
-    <name>Samples</name>
-    <message>
-        <source>Four bodies</source>
-        <translation>Quatre corps</translation>
-    </message>
-    <message>
-        <source>A flat world in the manner of Cailhol et al. 2019</source>
-        <translation>Un monde plat à la manière de Cailhol et al. 2019</translation>
-    </message>
-    <message>
-        <source>Environment 1</source>
-        <translation>Environnement 1</translation>
-    </message>
-    <message>
-        <source>The cluttered environment of Blin et al. 2016 (figure 3)</source>
-        <translation>L&apos;environnement encombré de Blin et al. 2016 (figure 3)</translation>
-    </message>
-    <message>
-        <source>Roller stand</source>
-        <translation>Support à rouleau</translation>
-    </message>
-    <message>
-        <source>A roller on a shaft between two walls</source>
-        <translation>Un rouleau sur un axe entre deux parois</translation>
-    </message>
-    <message>
-        <source>Pump, unmounting</source>
-        <translation>Pompe, démontage</translation>
-    </message>
-    <message>
-        <source>The pump leaves its seat in the power-electronics frame</source>
-        <translation>La pompe quitte son logement dans le châssis d&apos;électronique de puissance</translation>
-    </message>
-    <message>
-        <source>Nut and bolt</source>
-        <translation>Vis et écrou</translation>
-    </message>
-    <message>
-        <source>A nut on its bolt, with modelled threads</source>
-        <translation>Un écrou sur sa vis, aux filets modélisés</translation>
-    </message>
-    <message>
-        <source>Shape game: star, tight</source>
-        <translation>Jeu de formes : étoile, serré</translation>
-    </message>
-    <message>
-        <source>The shape game of Cailhol et al. 2019 (figure 13)</source>
-        <translation>Le jeu de formes de Cailhol et al. 2019 (figure 13)</translation>
-    </message>
-    <message>
-        <source>Environment 2</source>
-        <translation>Environnement 2</translation>
-    </message>
-    <message>
-        <source>The very cluttered environment of Blin et al. 2016 (figure 11)</source>
-        <translation>L&apos;environnement très encombré de Blin et al. 2016 (figure 11)</translation>
-    </message>
-    <message>
-        <source>Interlocked: a turn</source>
-        <translation>Imbriqués : une rotation</translation>
-    </message>
-    <message>
-        <source>A key whose bar lies across the slot of the cover</source>
-        <translation>Une clé dont la barre est en travers de la fente du couvercle</translation>
-    </message>
-    <message>
-        <source>Sliding plane</source>
-        <translation>Plan de glissement</translation>
-    </message>
-    <message>
-        <source>The L slides on a plane</source>
-        <translation>Le L glisse sur un plan</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::WelcomeController</name>
-    <message>
-        <source>Not there</source>
-        <translation>Absent</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::WelcomePage</name>
-    <message>
-        <source>Welcome</source>
-        <translation>Accueil</translation>
-    </message>
-    <message>
-        <source>Recent files</source>
-        <translation>Fichiers récents</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Exemples</translation>
-    </message>
-    <message>
-        <source>Make a scenario of your parts, open one, or drop files here: scenarios, STEP, meshes, URDF.</source>
-        <translation>Créez un scénario à partir de vos pièces, ouvrez-en un, ou déposez des fichiers ici : scénarios, STEP, maillages, URDF.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ContextMenus</name>
-    <message>
-        <source>&amp;Display</source>
-        <translation>&amp;Affichage</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::TourController</name>
-    <message>
-        <source>This cannot be done</source>
-        <translation>Opération impossible</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::TourPanel</name>
-    <message>
-        <source>Do it for me</source>
-        <translation>Le faire pour moi</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Retour</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Suite</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Fin</translation>
-    </message>
-    <message>
-        <source>End the tour (Esc)</source>
-        <translation>Terminer la visite (Échap)</translation>
-    </message>
-    <message>
-        <source>Tour: step %1 of %2</source>
-        <translation>Visite : étape %1 sur %2</translation>
-    </message>
-    <message>
-        <source>Finish</source>
-        <translation>Terminer</translation>
-    </message>
-    <message>
-        <source>✓ Done</source>
-        <translation>✓ Fait</translation>
-    </message>
-</context>
-<context>
-    <name>Tour</name>
-    <message>
-        <source>Open a scenario</source>
-        <translation>Ouvrir un scénario</translation>
-    </message>
-    <message>
-        <source>Open the sample &quot;Four bodies&quot;: its card on the welcome page, or Open (Ctrl+O) and samples/teaching/scenario.json. The red box is to reach the ghost. A scenario holds bodies, the object that moves, its start and its goal.</source>
-        <translation>Ouvrez l&apos;exemple « Quatre corps » : sa carte sur la page d&apos;accueil, ou Ouvrir (Ctrl+O) et samples/teaching/scenario.json. La boîte rouge doit atteindre le fantôme. Un scénario contient des corps, l&apos;objet qui bouge, son départ et son but.</translation>
-    </message>
-    <message>
-        <source>See the places</source>
-        <translation>Voir les lieux</translation>
-    </message>
-    <message>
-        <source>Plan with topology</source>
-        <translation>Planifier avec la topologie</translation>
-    </message>
-    <message>
-        <source>Choose the strategy GT and press Start (F5). GT takes the shortest way through the places. It leads through the slot P6, which is too narrow, and the run ends there: the panel Plan says where and why.</source>
-        <translation>Choisissez la stratégie GT et appuyez sur Démarrer (F5). GT prend le plus court passage par les lieux. Il traverse la fente P6, qui est trop étroite, et le calcul s&apos;y termine : le panneau Plan dit où et pourquoi.</translation>
-    </message>
-    <message>
-        <source>Plan with semantics</source>
-        <translation>Planifier avec la sémantique</translation>
-    </message>
-    <message>
-        <source>Choose the strategy GTS and press Start (F5). GTS knows that the object does not fit through the slot and goes through P5. The path that it finds is proved free of penetration.</source>
-        <translation>Choisissez la stratégie GTS et appuyez sur Démarrer (F5). GTS sait que l&apos;objet ne passe pas par la fente, et passe par P5. Le chemin trouvé est prouvé sans pénétration.</translation>
-    </message>
-    <message>
-        <source>Look at a step</source>
-        <translation>Regarder une étape</translation>
-    </message>
-    <message>
-        <source>Click a row of the table in the panel Plan (Alt+4). Each row is a step through one place, with the planner that found it. The scene marks the place of the step, and its attributes can be changed in the panel Semantics.</source>
-        <translation>Cliquez une ligne du tableau dans le panneau Plan (Alt+4). Chaque ligne est la traversée d&apos;un lieu, avec le planificateur qui l&apos;a trouvée. La scène marque le lieu de l&apos;étape, et ses attributs se modifient dans le panneau Sémantique.</translation>
-    </message>
-    <message>
-        <source>Open parts</source>
-        <translation>Ouvrir des pièces</translation>
-    </message>
-    <message>
-        <source>Now parts. Open the sample &quot;Nut and bolt&quot; (samples/nut-and-bolt). With parts of your own, begin with File &gt; New from parts (Ctrl+N): STEP, mesh or URDF files.</source>
-        <translation>Maintenant des pièces. Ouvrez l&apos;exemple « Vis et écrou » (samples/nut-and-bolt). Avec vos propres pièces, commencez par Fichier &gt; Nouveau à partir de pièces (Ctrl+N) : fichiers STEP, maillages ou URDF.</translation>
-    </message>
-    <message>
-        <source>Find the fits</source>
-        <translation>Chercher les ajustements</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Find fits (Ctrl+I). The panel Fits lists the pairs of bodies that touch or overlap as designed, with gap and allowance, as most CAD parts do. Nut and bolt have a clearance of 0.1 mm: the list is empty, and nothing has to be allowed.</source>
-        <translation>Choisissez Assemblage &gt; Chercher les ajustements (Ctrl+I). Le panneau Ajustements énumère les paires de corps qui se touchent ou se recouvrent par conception, comme la plupart des pièces CAO, avec leur jeu et leur amincissement. La vis et l&apos;écrou ont un jeu de 0,1 mm : la liste est vide, et rien n&apos;est à admettre.</translation>
-    </message>
-    <message>
-        <source>Plan a motion</source>
-        <translation>Planifier un mouvement</translation>
-    </message>
-    <message>
-        <source>Press Start (F5): the planner searches how the nut leaves the bolt, and finds that it has to turn. The panel Path shows the clearance along the motion and plays it (Ctrl+P).</source>
-        <translation>Appuyez sur Démarrer (F5) : le planificateur cherche comment l&apos;écrou sort de la vis, et trouve qu&apos;il doit tourner. Le panneau Chemin montre le jeu le long du mouvement et permet de lire celui-ci (Ctrl+P).</translation>
-    </message>
-    <message>
-        <source>Plan the sequence</source>
-        <translation>Planifier la séquence</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. A click on a row shows the step; Explode moves the parts apart.</source>
-        <translation>Choisissez Assemblage &gt; Planifier la séquence (Ctrl+J) : dans quel ordre les pièces sortent-elles ? Chaque étape a un mouvement prouvé. Un clic sur une ligne montre l&apos;étape ; Éclaté écarte les pièces.</translation>
-    </message>
-    <message>
-        <source>Write the report</source>
-        <translation>Écrire le rapport</translation>
-    </message>
-    <message>
-        <source>Press F8 (View &gt; Layers of places &gt; Places). The free space is divided into places: the redder, the narrower; green ones are easy, yellow ones are cluttered by a mobile body. The blue line is the coarse path: the sequence of places that costs least.</source>
-        <translation>Appuyez sur F8 (Vue &gt; Couches des lieux &gt; Lieux). L&apos;espace libre est divisé en lieux : plus ils sont rouges, plus ils sont étroits ; les verts sont faciles, les jaunes encombrés par un corps mobile. La ligne bleue est le chemin grossier : la suite de lieux qui coûte le moins.</translation>
-    </message>
-    <message>
-        <source>Choose Assembly &gt; Sequence &gt; Save the sequence (Ctrl+Alt+E) and a name that ends in .html or .pdf: a work instruction with a picture of each step. Run &gt; Path &gt; Report of the path does the same for one motion. Shift+F1 explains anything in the window; Ctrl+K finds any command.</source>
-        <translation>Choisissez Assemblage &gt; Séquence &gt; Enregistrer la séquence (Ctrl+Alt+E) et un nom qui finit par .html ou .pdf : une fiche d&apos;instructions avec une image de chaque étape. Calcul &gt; Chemin &gt; Rapport du chemin fait de même pour un mouvement. Maj+F1 explique tout dans la fenêtre ; Ctrl+K trouve toute commande.</translation>
-    </message>
-</context>
-<context>
-    <name>ActionHelp</name>
-    <message>
-        <source>STEP files of a product become one row for each part, placed as the assembly has it. Meshes may need a unit and an axis. One part moves; the others are static or mobile.</source>
-        <translation>Un fichier STEP d&apos;un produit donne une ligne par pièce, placée comme dans l&apos;assemblage. Pour les maillages, indiquez au besoin l&apos;unité et l&apos;axe vertical. Une pièce bouge ; les autres sont statiques ou mobiles.</translation>
-    </message>
-    <message>
-        <source>A scenario holds bodies, the object that moves, its start and goal, places, fits, kept paths and parameters.</source>
-        <translation>Un scénario contient les corps, l&apos;objet qui bouge, son départ et son but, les lieux, les ajustements, les chemins conservés et les paramètres.</translation>
-    </message>
-    <message>
-        <source>The strategy, the operator and the sliders of the panel Interaction say how. A path that is found is proved free of penetration. Parameters can be changed while the run goes on.</source>
-        <translation>La stratégie, l&apos;opérateur et les curseurs du panneau Interaction déterminent le calcul. Un chemin trouvé est prouvé sans pénétration. Les paramètres peuvent être modifiés pendant le calcul.</translation>
-    </message>
-    <message>
-        <source>The program changes the values while it plans, from what computer, operator and contact have earned lately. A slider that is touched is set by hand again.</source>
-        <translation>Le programme change les valeurs pendant le calcul, selon ce que l&apos;ordinateur, l&apos;opérateur et le contact ont apporté récemment. Un curseur que vous touchez reprend votre valeur.</translation>
-    </message>
-    <message>
-        <source>The free space is divided into cells, and cells of similar narrowness into places. Places overlap in borders. The strategies GT and GTS plan a coarse path through places first.</source>
-        <translation>L&apos;espace libre est divisé en cellules, et les cellules d&apos;étroitesse semblable forment des lieux. Les lieux se recouvrent aux frontières. Les stratégies GT et GTS planifient d&apos;abord un chemin grossier par les lieux.</translation>
-    </message>
-    <message>
-        <source>The coarse path is planned again at once, also during a run. An edit of a place is saved with the scenario and can be undone.</source>
-        <translation>Le chemin grossier est aussitôt replanifié, même pendant un calcul. La modification d&apos;un lieu est enregistrée avec le scénario et peut être annulée.</translation>
-    </message>
-    <message>
-        <source>A milestone is a configuration in the border of two places that the path passes through. It can be dragged in the scene, too.</source>
-        <translation>Un jalon est une configuration de passage à la frontière de deux lieux. Vous pouvez aussi le faire glisser dans la scène.</translation>
-    </message>
-    <message>
-        <source>CAD parts touch in their assembled position. Where clearance is required, start or goal have to move by the distance that is found and stated.</source>
-        <translation>Les pièces CAO se touchent en position assemblée. Si un jeu est exigé, le départ ou le but doivent être écartés ; la distance trouvée est indiquée.</translation>
-    </message>
-    <message>
-        <source>The object is the one rigid body whose motion is planned. All other bodies are obstacles.</source>
-        <translation>L&apos;objet est le corps rigide dont le mouvement est planifié. Tous les autres corps sont des obstacles.</translation>
-    </message>
-    <message>
-        <source>Parts of a product touch or overlap as designed. A fit says by how much the object is taken thinner against one body, and every result states it.</source>
-        <translation>Les pièces d&apos;un produit se touchent ou se recouvrent par conception. Un ajustement indique de combien l&apos;objet est aminci face à un corps, et chaque résultat le mentionne.</translation>
-    </message>
-    <message>
-        <source>Assembly is the reverse order. The plan says which step makes way for which, which parts have to be held, and which tool turns a fastener.</source>
-        <translation>L&apos;assemblage est l&apos;ordre inverse. Le plan dit quelle étape libère laquelle, quelles pièces il faut tenir, et quel outil tourne une fixation.</translation>
-    </message>
-    <message>
-        <source>The shortened path is proved like the planned one; both are kept.</source>
-        <translation>Le chemin raccourci est prouvé comme le chemin planifié ; les deux sont conservés.</translation>
-    </message>
-    <message>
-        <source>The surface contains the object at every time of the path, and is nowhere farther from it than the stated bound.</source>
-        <translation>La surface contient l&apos;objet à chaque instant du chemin, et n&apos;en est nulle part plus éloignée que la borne indiquée.</translation>
-    </message>
-    <message>
-        <source>The panel Difficulty lists the smallest distance between the two trees, the bodies between them, and by how much the object would have to be thinner.</source>
-        <translation>Le panneau Difficulté énumère la plus petite distance entre les deux arbres, les corps entre eux, et de combien l&apos;objet devrait être plus mince.</translation>
-    </message>
-    <message>
-        <source>Every run is recorded with its seed, its parameters and what the operator did. The replay gives the same roadmap, node by node.</source>
-        <translation>Chaque calcul est enregistré avec sa graine, ses paramètres et ce que l&apos;opérateur a fait. La relecture donne le même graphe, nœud par nœud.</translation>
-    </message>
-    <message>
-        <source>Keys and devices move the object as a rule. In camera mode the same input moves the view instead.</source>
-        <translation>D&apos;ordinaire, touches et périphériques déplacent l&apos;objet. En mode caméra, ils déplacent la vue.</translation>
-    </message>
-</context>
-<context>
-    <name>WhatsThis</name>
-    <message>
-        <source>All bodies of the scenario: the object that moves with its start and goal, and the obstacles. A checked box draws a body. Below are position and angles of what is selected.</source>
-        <translation>Tous les corps du scénario : l&apos;objet avec son départ et son but, et les obstacles. La case affiche ou masque un corps. Au-dessous : la position et les angles de la sélection.</translation>
-    </message>
-    <message>
-        <source>What is known of places and bodies. Above are the places with their complexity and width, below the attributes of what is selected. The coarse path follows each change at once.</source>
-        <translation>Ce que l&apos;on sait des lieux et des corps. En haut : les lieux, leur complexité et leur largeur ; en bas : les attributs de la sélection. Le chemin grossier est recalculé à chaque modification.</translation>
-    </message>
-    <message>
-        <source>The pairs of bodies that touch or overlap as designed, with their kind and the allowance that planning takes. The menu of a row accepts a clash or marks a thread.</source>
-        <translation>Les paires de corps qui se touchent ou se recouvrent par conception, avec leur type et l&apos;amincissement que prend la planification. Le menu d&apos;une ligne permet d&apos;accepter une collision ou de déclarer un filetage.</translation>
-    </message>
-    <message>
-        <source>Figures of the run: iterations, nodes and edges of the two trees, configurations by who drew them, and the nearest obstacle of the object.</source>
-        <translation>Chiffres du calcul : itérations, nœuds et arêtes des deux arbres, configurations selon leur auteur, et l&apos;obstacle le plus proche de l&apos;objet.</translation>
-    </message>
-    <message>
-        <source>The steps of the coarse path through places, with the planner of each and its result. A click on a row shows its place in the scene.</source>
-        <translation>Les étapes du chemin grossier par les lieux, avec le planificateur de chacune et son résultat. Un clic sur une ligne montre son lieu dans la scène.</translation>
-    </message>
-    <message>
-        <source>The path that was found, its certificate and its clearance. The slider and the curve move the object along it.</source>
-        <translation>Le chemin trouvé, son certificat et son jeu. Le curseur et la courbe déplacent l&apos;objet le long du chemin.</translation>
-    </message>
-    <message>
-        <source>The paths that the scenario keeps. Each is proved again when the scenario is opened or arranged. A checked box draws a path in the scene.</source>
-        <translation>Les chemins conservés dans le scénario. Chacun est prouvé de nouveau quand le scénario est ouvert ou modifié. La case affiche un chemin dans la scène.</translation>
-    </message>
-    <message>
-        <source>All messages since the program was started.</source>
-        <translation>Tous les messages depuis le démarrage du programme.</translation>
-    </message>
-    <message>
-        <source>In which order the parts of the product leave, each with a proved motion. A click on a row shows the step. Rows can be dragged, locked and moved by hand.</source>
-        <translation>L&apos;ordre dans lequel les pièces du produit sortent, chacune par un mouvement prouvé. Un clic sur une ligne montre l&apos;étape. Une étape peut être déplacée, verrouillée ou faite à la main.</translation>
-    </message>
-    <message>
-        <source>Why no path was found: where the trees come nearest, which body stands between them, and how much is missing.</source>
-        <translation>Pourquoi aucun chemin n&apos;a été trouvé : où les arbres sont les plus proches, quel corps les sépare, et combien il manque.</translation>
-    </message>
-    <message>
-        <source>Files, undo, the run, and views of the scene.</source>
-        <translation>Fichiers, annulation, calcul et vues de la scène.</translation>
-    </message>
-    <message>
-        <source>The recorded run that is replayed, step by step.</source>
-        <translation>L&apos;enregistrement que l&apos;on relit, pas à pas.</translation>
-    </message>
-    <message>
-        <source>The scene. Drag to orbit, middle-drag to pan, wheel to zoom, double-click to fit. A click selects a body, or a place while places are shown. The right button opens a menu. Keys move the object (Ctrl+F1 lists them).</source>
-        <translation>La scène. Bouton gauche : tourner ; bouton du milieu : déplacer ; molette : zoomer ; double clic : cadrer. Un clic sélectionne un corps, ou un lieu quand les lieux sont affichés. Le bouton droit ouvre un menu. Les touches déplacent l&apos;objet (Ctrl+F1 les énumère).</translation>
-    </message>
-    <message>
-        <source>What can be opened: new parts, recent files and samples.</source>
-        <translation>Ce que l&apos;on peut ouvrir : nouvelles pièces, fichiers récents et exemples.</translation>
-    </message>
-    <message>
-        <source>The name of the body. A checked box draws it.</source>
-        <translation>Nom du corps. La case l&apos;affiche ou le masque.</translation>
-    </message>
-    <message>
-        <source>Moved: the object. Static bodies stay; mobile bodies can be moved out of the way by a person.</source>
-        <translation>Objet : le corps qui bouge. Les corps statiques restent en place ; une personne peut écarter les corps mobiles.</translation>
-    </message>
-    <message>
-        <source>How many triangles its surface has.</source>
-        <translation>Nombre de triangles de sa surface.</translation>
-    </message>
-    <message>
-        <source>A place or a body. F2 renames a place.</source>
-        <translation>Un lieu ou un corps. F2 renomme un lieu.</translation>
-    </message>
-    <message>
-        <source>How hard the place is to pass, from its width and from what clutters it.</source>
-        <translation>Difficulté de traversée, d&apos;après la largeur du lieu et ce qui l&apos;encombre.</translation>
-    </message>
-    <message>
-        <source>How wide the place is at its narrowest.</source>
-        <translation>Largeur du lieu à son endroit le plus étroit.</translation>
-    </message>
-    <message>
-        <source>The name of the attribute. Your own can be renamed and removed.</source>
-        <translation>Nom de l&apos;attribut. Les attributs personnels peuvent être renommés et supprimés.</translation>
-    </message>
-    <message>
-        <source>Its value for what is selected.</source>
-        <translation>Sa valeur pour la sélection.</translation>
-    </message>
-    <message>
-        <source>How they meet: planar, cylindrical, thread, press, overlap, contact or clash.</source>
-        <translation>Type de contact : plan, cylindrique, filetage, serrage, recouvrement, contact ou collision.</translation>
-    </message>
-    <message>
-        <source>The distance of the surfaces; negative where the bodies overlap.</source>
-        <translation>Distance des surfaces ; négative si les corps se recouvrent.</translation>
-    </message>
-    <message>
-        <source>The first body of the pair.</source>
-        <translation>Le premier corps de la paire.</translation>
-    </message>
-    <message>
-        <source>The second body of the pair.</source>
-        <translation>Le second corps de la paire.</translation>
-    </message>
-    <message>
-        <source>By how much the object is taken thinner against the other body.</source>
-        <translation>Amincissement de l&apos;objet face à l&apos;autre corps.</translation>
-    </message>
-    <message>
-        <source>What was decided about the pair.</source>
-        <translation>Ce qui a été décidé pour la paire.</translation>
-    </message>
-    <message>
-        <source>The place that the step crosses.</source>
-        <translation>Le lieu que l&apos;étape traverse.</translation>
-    </message>
-    <message>
-        <source>The place that it leads to.</source>
-        <translation>Le lieu vers lequel elle mène.</translation>
-    </message>
-    <message>
-        <source>The planner that searches the step.</source>
-        <translation>Le planificateur qui calcule l&apos;étape.</translation>
-    </message>
-    <message>
-        <source>Random configurations that were drawn for the step.</source>
-        <translation>Configurations aléatoires tirées pour l&apos;étape.</translation>
-    </message>
-    <message>
-        <source>The name of the path. A checked box draws it.</source>
-        <translation>Nom du chemin. La case l&apos;affiche ou le masque.</translation>
-    </message>
-    <message>
-        <source>Whether the path holds in the present arrangement.</source>
-        <translation>Validité du chemin dans la disposition actuelle.</translation>
-    </message>
-    <message>
-        <source>The smallest distance to other bodies along the path.</source>
-        <translation>La plus petite distance aux autres corps le long du chemin.</translation>
-    </message>
-    <message>
-        <source>The length of the way of the reference point.</source>
-        <translation>Longueur du trajet du point de référence.</translation>
-    </message>
-    <message>
-        <source>By how much the object turns along the path.</source>
-        <translation>Rotation totale de l&apos;objet le long du chemin.</translation>
-    </message>
-    <message>
-        <source>The strategy that found it.</source>
-        <translation>La stratégie qui l&apos;a trouvé.</translation>
-    </message>
-    <message>
-        <source>The seed of that run: the same seed gives the same path.</source>
-        <translation>La graine de ce calcul : la même graine donne le même chemin.</translation>
-    </message>
-    <message>
-        <source>The largest allowance that the path needs.</source>
-        <translation>Le plus grand amincissement dont le chemin a besoin.</translation>
-    </message>
-    <message>
-        <source>The number of the step.</source>
-        <translation>Le numéro de l&apos;étape.</translation>
-    </message>
-    <message>
-        <source>The part that leaves or is put in, and the kind of its motion.</source>
-        <translation>La pièce qui sort ou qui est montée, et le type de son mouvement.</translation>
-    </message>
-    <message>
-        <source>The smallest distance to other parts, and the largest allowance.</source>
-        <translation>La plus petite distance aux autres pièces, et le plus grand amincissement.</translation>
-    </message>
-    <message>
-        <source>The tool that turns a fastener, and which parts have to be held.</source>
-        <translation>L&apos;outil qui tourne une fixation, et les pièces à tenir.</translation>
-    </message>
-    <message>
-        <source>Whether the independent check agrees, and what the step does not keep.</source>
-        <translation>Résultat de la vérification indépendante, et ce que l&apos;étape ne respecte pas.</translation>
-    </message>
-    <message>
-        <source>The place that was examined.</source>
-        <translation>L&apos;endroit examiné.</translation>
-    </message>
-    <message>
-        <source>The distance or the overlap there.</source>
-        <translation>La distance ou le recouvrement à cet endroit.</translation>
-    </message>
-    <message>
-        <source>The body that is nearest there.</source>
-        <translation>Le corps le plus proche à cet endroit.</translation>
-    </message>
-    <message>
-        <source>When the message came.</source>
-        <translation>Heure du message.</translation>
-    </message>
-    <message>
-        <source>Information, warning or error.</source>
-        <translation>Information, avertissement ou erreur.</translation>
-    </message>
-    <message>
-        <source>What happened.</source>
-        <translation>Ce qui s&apos;est passé.</translation>
-    </message>
-    <message>
-        <source>Panels that share a place. Alt and a digit bring one to the front; View &gt; Panels shows and hides them.</source>
-        <translation>Panneaux superposés. Alt et un chiffre mettent un panneau au premier plan ; Vue &gt; Panneaux les affiche et les masque.</translation>
-    </message>
-    <message>
-        <source>All commands. Ctrl+K finds one by a part of its name.</source>
-        <translation>Toutes les commandes. Ctrl+K en trouve une par une partie de son nom.</translation>
-    </message>
-    <message>
-        <source>What the program is doing, what keys and devices move, and devices.</source>
-        <translation>L&apos;activité du programme, ce que déplacent les touches et les périphériques, et les périphériques eux-mêmes.</translation>
-    </message>
-    <message>
-        <source>Planes that cut bodies open in the view: across an axis, or along a face. Arrows in the scene drag them. Planning does not know of them.</source>
-        <translation>Des plans qui ouvrent les corps dans la vue : en travers d&apos;un axe, ou le long d&apos;une face. Des flèches dans la scène les déplacent. La planification les ignore.</translation>
-    </message>
-    <message>
-        <source>The settings of the next run. The strategy is the planner. The operator holds the object: you, a device, or a simulated person. The sliders can be moved during a run.</source>
-        <translation>Réglages du prochain calcul. La stratégie est le planificateur. L&apos;opérateur tient l&apos;objet : vous, un périphérique ou une personne simulée. Les curseurs peuvent être déplacés pendant le calcul.</translation>
-    </message>
-    <message>
-        <source>Planes across the axes that cut the obstacles open in the view. Planning ignores them.</source>
-        <translation>Plans perpendiculaires aux axes qui coupent les obstacles dans la vue. La planification n&apos;en tient pas compte.</translation>
-    </message>
-    <message>
-        <source>Where the value comes from: computed from geometry, a class of bodies, or you.</source>
-        <translation>Origine de la valeur : calcul géométrique, classe de corps, ou vous.</translation>
-    </message>
-    <message>
-        <source>Removes your value.</source>
-        <translation>Annule votre valeur.</translation>
-    </message>
-    <message>
-        <source>The result of the step.</source>
-        <translation>Le résultat de l&apos;étape.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::NamedViewsController</name>
-    <message>
-        <source>Named &amp;views</source>
-        <translation>&amp;Vues nommées</translation>
-    </message>
-    <message>
-        <source>Look from there again</source>
-        <translation>Regarder de nouveau de là</translation>
-    </message>
-    <message>
-        <source>Save this view</source>
-        <translation>Enregistrer cette vue</translation>
-    </message>
-    <message>
-        <source>Name of the view</source>
-        <translation>Nom de la vue</translation>
-    </message>
-    <message>
-        <source>View %1</source>
-        <translation>Vue %1</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::NamedViewsDialog</name>
-    <message>
-        <source>Named views</source>
-        <translation>Vues nommées</translation>
-    </message>
-    <message>
-        <source>&amp;Go to</source>
-        <translation>&amp;Rappeler</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>Re&amp;nommer</translation>
-    </message>
-    <message>
-        <source>R&amp;emove</source>
-        <translation>&amp;Supprimer</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ViewController</name>
-    <message>
-        <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
-        <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou créez-en un à partir de vos pièces (Ctrl+N). Vous pouvez aussi déposer les fichiers ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
-    </message>
-</context>
-<context>
-    <name>QShortcut</name>
-    <message>
-        <source>Ctrl</source>
-        <translation>Ctrl</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Maj</translation>
-    </message>
-    <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Meta</source>
-        <translation>Méta</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Espace</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Échap</translation>
-    </message>
-    <message>
-        <source>Tab</source>
-        <translation>Tab</translation>
-    </message>
-    <message>
-        <source>Backspace</source>
-        <translation>Retour arrière</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Entrée</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Entrée (pavé)</translation>
-    </message>
-    <message>
-        <source>Ins</source>
-        <translation>Inser</translation>
-    </message>
-    <message>
-        <source>Del</source>
-        <translation>Suppr</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Début</translation>
-    </message>
-    <message>
-        <source>End</source>
-        <translation>Fin</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Gauche</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Haut</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Droite</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Bas</translation>
-    </message>
-    <message>
-        <source>PgUp</source>
-        <translation>Page préc.</translation>
-    </message>
-    <message>
-        <source>PgDown</source>
-        <translation>Page suiv.</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::SectionRow</name>
-    <message>
-        <source>Show the other side of section %1</source>
-        <translation>Montrer l&apos;autre côté de la coupe %1</translation>
-    </message>
-    <message>
-        <source>Remove section %1</source>
-        <translation>Retirer la coupe %1</translation>
-    </message>
-    <message>
-        <source>Cut the bodies open by section %1</source>
-        <translation>Ouvrir les corps par la coupe %1</translation>
-    </message>
-    <message>
-        <source>Place of section %1</source>
-        <translation>Position de la coupe %1</translation>
-    </message>
-    <message>
-        <source>Place of section %1 as a length</source>
-        <translation>Position de la coupe %1, en longueur</translation>
-    </message>
-    <message>
-        <source>Place of section %1, in any unit: 25.4 mm, 1 in</source>
-        <translation>Position de la coupe %1, dans une unité quelconque : 25,4 mm, 1 in</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::GhostRow</name>
-    <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
-        <source>number</source>
-        <translation>nombre</translation>
-    </message>
-    <message>
-        <source>every</source>
-        <translation>tous les</translation>
-    </message>
-    <message>
-        <source>Ghosts of the object along the path</source>
-        <translation>Fantômes de l&apos;objet le long du chemin</translation>
-    </message>
-    <message>
-        <source>Draw the object along the path: not at all, at a number of places, or every so many millimetres</source>
-        <translation>Dessiner l&apos;objet le long du chemin : pas du tout, en un nombre de lieux, ou tous les tant de millimètres</translation>
-    </message>
-    <message>
-        <source>Number of ghosts</source>
-        <translation>Nombre de fantômes</translation>
-    </message>
-    <message>
-        <source>Number of ghosts between start and goal</source>
-        <translation>Nombre de fantômes entre le départ et le but</translation>
-    </message>
-    <message>
-        <source>Spacing of ghosts</source>
-        <translation>Espacement des fantômes</translation>
-    </message>
-    <message>
-        <source>Spacing of ghosts, in any unit: 25.4 mm, 1 in. Turns count as far as they move the object. At most %1 are drawn.</source>
-        <translation>Espacement des fantômes, dans une unité quelconque : 25,4 mm, 1 in. Les rotations comptent autant qu&apos;elles déplacent l&apos;objet. Au plus %1 sont dessinés.</translation>
-    </message>
-    <message>
-        <source>Ghosts</source>
-        <translation>Fantômes</translation>
-    </message>
-</context>
-<context>
-    <name>glissade::ScaleBar</name>
-    <message>
-        <source>grid %1</source>
-        <translation>grille %1</translation>
     </message>
 </context>
 </TS>

@@ -104,6 +104,23 @@ TEST_F(AssemblyWindow, TheGizmoMovesTurnsAndAlignsWhatIsSelected) {
   expectRefused(QStringLiteral("teaching"), QStringLiteral("drag-handle x 70 -20\n"), "cannot be taken now");
 }
 
+TEST_F(AssemblyWindow, WhatIsArrangedMeetsFeaturesOfOtherBodies) {
+  expectGood(run(QStringLiteral("bolted-brackets"),
+                 // An arrow snaps to a face; the whole drag is one edit. Without, it stays where it was dropped.
+                 QStringLiteral("action view.isometric\nselect body rod-nut-2\naction assembly.arrange\n"
+                                "hold-handle x 25 -12\nexpect-snap bracket-2\nkey tap Esc\nexpect-snap none\n"
+                                "drag-handle x 25 -12\nexpect-place rod-nut-2 -23.5,0,34\naction edit.undo\n"
+                                "action assembly.snap-features\nhold-handle x 25 -12\nexpect-snap none\nkey tap Esc\n"
+                                // What is under the pointer is named. A face of the nut onto the plate.
+                                "action assembly.align\nhover 205 275\nexpect-hint rod-nut-2\nclick 205 275\n"
+                                "hover 330 330\nexpect-hint plate\nexpect-place rod-nut-2 -30,0,34\n"
+                                "click 330 330\nexpect-arranging yes\nexpect-place rod-nut-2 -30,-8.4944,6.5\n"
+                                "action edit.undo\nexpect-place rod-nut-2 -30,0,34\n"
+                                // Measuring ends it; Esc leaves it.
+                                "action assembly.align\naction measure.distance\nexpect-arranging no\n"
+                                "key tap Esc\naction assembly.align\nkey tap Esc\nexpect-arranging no\n")));
+}
+
 TEST_F(AssemblyWindow, WhereThingsAreIsKeptByTheFile) {
   const QString saved = folder.filePath(QStringLiteral("moved.json"));
   expectGood(run(shapeGame, QStringLiteral("place O3 1000,500,700 10,20,30\nexpect-place O3 1000,500,700\n"

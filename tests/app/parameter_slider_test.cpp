@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QLayout>
+#include <QLineEdit>
+
 #include <cmath>
 #include <vector>
+
+#include "widgets/commands/length_text.h"
 
 namespace glissade {
 namespace {
@@ -40,6 +45,34 @@ TEST(ParameterSlider, DraggingAndTypingAnnounceValuesThatTheTableAccepts) {
     slider.findChild<QDoubleSpinBox*>()->stepUp();
     EXPECT_GE(announced, 3) << spec.key;
   }
+}
+
+/// A number in inches has more digits than one in millimetres.
+TEST(ParameterSlider, EveryNumberFitsItsFieldInEveryUnit) {
+  for (const LengthUnit unit : {LengthUnit::Fitting, LengthUnit::Millimetres, LengthUnit::Inches, LengthUnit::Metres}) {
+    for (const ParameterSpec& spec : parameterTable()) {
+      if (!spec.live) continue;
+      ParameterSlider slider(spec.id);
+      slider.show();
+      setLengthUnit(unit);
+      announceLengthUnit();
+      for (const double radius : {0.01, 1.5}) {
+        slider.setObjectRadius(radius);
+        slider.resize(300, slider.sizeHint().height());
+        slider.layout()->activate();
+        const auto* number = slider.findChild<QDoubleSpinBox*>();
+        const auto* text = number->findChild<QLineEdit*>();
+        for (const double share : {0.0, 1.0}) {
+          const ParameterRange range = rangeOf(spec.id, radius);
+          slider.setValue(range.minimum + share * (range.maximum - range.minimum));
+          EXPECT_LE(text->fontMetrics().horizontalAdvance(text->text()), text->contentsRect().width())
+              << spec.key << " " << text->text().toStdString();
+        }
+      }
+    }
+  }
+  setLengthUnit(LengthUnit::Fitting);
+  announceLengthUnit();
 }
 
 TEST(ParameterSlider, SettingAValueAnnouncesNothing) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QLayout>
 #include <QVector>
 #include <QtTest/QTest>
+
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -120,11 +123,19 @@ TEST_F(PlacementPanelTest, WhatCannotBeReadIsRefusedVisiblyAndChangesNothing) {
   const Pose before{Vector3(1.0 / 3.0, 0, 0), fromRollPitchYaw(0.0, 0.0, 0.3)};
   panel.show(QStringLiteral("part"), before);
   const QLabel& refused = *panel.findChild<QLabel*>(QStringLiteral("place-refused"));
+  panel.resize(330, panel.sizeHint().height());
+  const auto layOut = [&] {
+    panel.layout()->activate();
+    return std::pair(panel.sizeHint().height(), box("place-x").pos());
+  };
+  const auto placesBefore = layOut();
   for (const char* text : {"12 mn", "abc", "3 deg", "2000 m"}) {
     write(box("place-x"), QString::fromUtf8(text));
     EXPECT_TRUE(placed.isEmpty()) << text;
     EXPECT_FALSE(refused.isHidden()) << text;
+    EXPECT_TRUE(refused.toolTip().contains(QString::fromUtf8(text))) << refused.toolTip().toStdString();
     EXPECT_TRUE(refused.text().contains(QString::fromUtf8(text))) << refused.text().toStdString();
+    EXPECT_EQ(layOut(), placesBefore) << "no field moves";
     EXPECT_EQ(box("place-x").text(), QStringLiteral("333.33"));
   }
   write(box("turn-z"), QStringLiteral("1 mm"));

@@ -23,19 +23,25 @@ TEST(Samples, EveryScenarioIsReadWithoutAWarning) {
   EXPECT_GE(read, 16);
 }
 
-TEST(Samples, TheShapeGameIsWhatItsGeneratorWrites) {
+/// Compares what a generator writes with the files of the sample; returns how many there are.
+int compareWithGenerator(const std::string& sample) {
   const test::TemporaryFolder folder;
-  const std::string command = test::programDirectory() + "/generate-shape-game " + folder.path();
-  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string command = test::programDirectory() + "/generate-" + sample + " " + folder.path();
+  EXPECT_EQ(std::system(command.c_str()), 0);
   int compared = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
     const std::string name = entry.path().filename().string();
     EXPECT_EQ(test::readWhole(entry.path().string()),
-              test::readWhole(test::sourceDirectory() + "/samples/shape-game/" + name))
+              test::readWhole(test::sourceDirectory() + "/samples/" + sample + "/" + name))
         << name;
     ++compared;
   }
-  EXPECT_EQ(compared, 22);
+  return compared;
+}
+
+TEST(Samples, AreWhatTheirGeneratorsWrite) {
+  EXPECT_EQ(compareWithGenerator("shape-game"), 22);
+  EXPECT_EQ(compareWithGenerator("bolted-brackets"), 5);
 }
 
 }  // namespace

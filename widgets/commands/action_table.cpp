@@ -65,16 +65,25 @@ const std::vector<ActionSpec>& actionSpecs() {
                          "Move and turn bodies, start and goal in the view: by arrows, rings, the arrow keys, or "
                          "the body itself"),
        true},
-      {"assembly.align", QT_TRANSLATE_NOOP("Actions", "&Align faces or axes..."), "Ctrl+Shift+G",
-       QT_TRANSLATE_NOOP("Actions",
-                         "Put an axis onto an axis, or a face onto a face: click that of what moves, then that of "
-                         "another body"),
+      {"assembly.align", QT_TRANSLATE_NOOP("Actions", "&Align..."), "Ctrl+Shift+G",
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Put a vertex, an edge, an axis or a plane onto one of another body: click that of what moves, "
+           "then the other"),
        true},
       {"assembly.flip", QT_TRANSLATE_NOOP("Actions", "Flip the ali&gnment"), "Ctrl+Shift+F",
-       QT_TRANSLATE_NOOP("Actions", "Reverse the last alignment: the axis or the face points the other way"), false},
+       QT_TRANSLATE_NOOP(
+           "Actions",
+           "Turn what was aligned last round: the axis, or the face, looks the other way; a cylinder goes "
+           "to the other side of the plane"),
+       false},
       {"assembly.snap", QT_TRANSLATE_NOOP("Actions", "&Snap to steps"), "Ctrl+Shift+K",
+       QT_TRANSLATE_NOOP("Actions", "Let the arrows and rings of arranging move by whole steps; Ctrl held suspends it"),
+       true},
+      {"assembly.snap-features", QT_TRANSLATE_NOOP("Actions", "Snap &to faces and axes"), "Ctrl+Shift+T",
        QT_TRANSLATE_NOOP("Actions",
-                         "Let the arrows and rings of arranging move by whole steps; Ctrl held does the opposite"),
+                         "Let what is dragged by an arrow or a square meet faces and axes of other bodies; Ctrl held "
+                         "suspends it"),
        true},
       {"assembly.pick-frame", QT_TRANSLATE_NOOP("Actions", "&Place by a face or axis"), "",
        QT_TRANSLATE_NOOP("Actions", "Click a plane or a cylinder: the numbers of the placement are those of its frame"),

@@ -1,25 +1,11 @@
 #include "widgets/document/path_shelf.h"
 
-#include <QUndoCommand>
-
 #include <algorithm>
 #include <utility>
 
+#include "widgets/document/value_command.h"
+
 namespace glissade {
-
-class ChangePaths final : public QUndoCommand {
- public:
-  ChangePaths(PathShelf& shelf, const QString& text, KeptPaths after)
-      : QUndoCommand(text), shelf_(shelf), before_(shelf.paths()), after_(std::move(after)) {}
-
-  void undo() override { shelf_.apply(before_); }
-  void redo() override { shelf_.apply(after_); }
-
- private:
-  PathShelf& shelf_;
-  KeptPaths before_;
-  KeptPaths after_;
-};
 
 namespace {
 
@@ -51,7 +37,8 @@ bool PathShelf::holds(const std::vector<PathPoint>& points) const {
 }
 
 void PathShelf::push(const QString& text, KeptPaths after) {
-  undo_.push(new ChangePaths(*this, text, std::move(after)));
+  const auto take = [this](const KeptPaths& paths) { apply(paths); };
+  undo_.push(new ValueCommand<KeptPaths>(text, paths_, std::move(after), take));
 }
 
 void PathShelf::keep(KeptPath path) {

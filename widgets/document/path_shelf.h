@@ -38,7 +38,6 @@ class PathShelf final : public QObject {
   void changed();
 
  private:
-  friend class ChangePaths;
   void apply(const KeptPaths& paths);
   void push(const QString& text, KeptPaths after);
   /// Pushes a command that replaces one path; a null pointer removes it.

@@ -1,45 +1,18 @@
 #include "widgets/document/semantic_document.h"
 
-#include <QUndoCommand>
 #include <algorithm>
 
 #include "engine/environment/edit_binding.h"
 #include "engine/planning/planner.h"
+#include "widgets/document/value_command.h"
 
 namespace glissade {
 
-/// The edits before and after, as values. Commands with the same merge key become one.
-class ChangeSemantics final : public QUndoCommand {
- public:
-  ChangeSemantics(SemanticDocument& document, const QString& text, SemanticEdits after, QString mergeKey)
-      : QUndoCommand(text),
-        document_(document),
-        before_(document.edits()),
-        after_(std::move(after)),
-        mergeKey_(std::move(mergeKey)) {}
-
-  void undo() override {
-    document_.endGesture();
-    document_.apply(before_);
-  }
-  void redo() override { document_.apply(after_); }
-  int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
-  bool mergeWith(const QUndoCommand* next) override {
-    const auto& other = static_cast<const ChangeSemantics&>(*next);
-    if (other.mergeKey_ != mergeKey_) return false;
-    after_ = other.after_;
-    setObsolete(after_ == before_);
-    return true;
-  }
-
- private:
-  SemanticDocument& document_;
-  SemanticEdits before_;
-  SemanticEdits after_;
-  QString mergeKey_;
-};
-
-SemanticDocument::SemanticDocument(QUndoStack& undo, QObject* parent) : QObject(parent), undo_(undo) {}
+SemanticDocument::SemanticDocument(QUndoStack& undo, QObject* parent) : QObject(parent), undo_(undo) {
+  connect(&undo, &QUndoStack::indexChanged, this, [this] {
+    if (undo_.canRedo()) endGesture();  // something was undone
+  });
+}
 SemanticDocument::~SemanticDocument() = default;
 
 void SemanticDocument::open(const LoadedScenario& scenario) {
@@ -89,7 +62,8 @@ void SemanticDocument::apply(const SemanticEdits& edits) {
 
 void SemanticDocument::push(const QString& text, const SemanticEdits& after, const QString& mergeKey) {
   if (after == edits_) return;
-  undo_.push(new ChangeSemantics(*this, text, after, mergeKey));
+  const auto take = [this](const SemanticEdits& edits) { apply(edits); };
+  undo_.push(new ValueCommand<SemanticEdits>(text, edits_, after, take, mergeKey));
 }
 
 ProvenValue SemanticDocument::bodyValue(const QString& bodyId, const std::string& attribute) const {

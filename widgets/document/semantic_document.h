@@ -87,7 +87,6 @@ class SemanticDocument final : public QObject {
   void selectionChanged();
 
  private:
-  friend class ChangeSemantics;
   void push(const QString& text, const SemanticEdits& after, const QString& mergeKey = {});
   void apply(const SemanticEdits& edits);
   void takeScenario(const LoadedScenario& scenario);

@@ -9,6 +9,7 @@
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
+#include "widgets/document/value_command.h"
 
 namespace glissade {
 
@@ -51,20 +52,6 @@ class ArrangementCommand final : public QUndoCommand {
   Scenario after_;
   ScenarioPtr loaded_;  ///< until it is done for the first time
   QString mergeKey_;
-};
-
-class DemandsCommand final : public QUndoCommand {
- public:
-  DemandsCommand(WorkbenchDocument& document, const QString& text, SequenceDemands after)
-      : QUndoCommand(text), document_(document), before_(document.demands()), after_(std::move(after)) {}
-
-  void undo() override { document_.takeDemands(before_); }
-  void redo() override { document_.takeDemands(after_); }
-
- private:
-  WorkbenchDocument& document_;
-  SequenceDemands before_;
-  SequenceDemands after_;
 };
 
 WorkbenchDocument::WorkbenchDocument(QObject* parent)
@@ -280,7 +267,9 @@ void WorkbenchDocument::setResults(const RunResults& results) {
 }
 
 void WorkbenchDocument::setDemands(const QString& text, const SequenceDemands& demands) {
-  if (demands != demands_) undo_.push(new DemandsCommand(*this, text, demands));
+  if (demands == demands_) return;
+  const auto take = [this](const SequenceDemands& taken) { takeDemands(taken); };
+  undo_.push(new ValueCommand<SequenceDemands>(text, demands_, demands, take));
 }
 
 void WorkbenchDocument::takeDemands(const SequenceDemands& demands) {

@@ -146,7 +146,6 @@ class WorkbenchDocument final : public QObject {
 
  private:
   friend class ArrangementCommand;
-  friend class DemandsCommand;
   void takeDemands(const SequenceDemands& demands);
   void announce(Changes what);
   /// Announces all that `change` does in one round.

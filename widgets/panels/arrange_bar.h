@@ -1,8 +1,9 @@
 #pragma once
 
-#include <QBoxLayout>
 #include <QFrame>
+#include <QGridLayout>
 #include <QLabel>
+#include <QToolButton>
 
 #include "widgets/commands/action_catalogue.h"
 #include "widgets/panels/quantity_box.h"
@@ -20,6 +21,9 @@ class ArrangeBar final : public QFrame {
 
   /// What is arranged; empty: nothing is selected.
   void showItem(const QString& name);
+  /// What the item meets while it is dragged, instead of the keys; empty: nothing.
+  void showSnap(const QString& what);
+  const QString& snap() const { return snap_; }
   void setSteps(double metres, double radians);
   double distanceStep() const;  ///< metres
   double angleStep() const;     ///< radians
@@ -32,21 +36,28 @@ class ArrangeBar final : public QFrame {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
-  QLayout* makeControls(const ActionCatalogue& actions);
-  QuantityBox* addStep(QuantityBox::Quantity quantity, double most, const QString& suffix, const QString& name);
+  QWidget* makeControls(const ActionCatalogue& actions);
+  QToolButton* makeEndButton();
+  QuantityBox* addStep(QuantityBox::Quantity quantity, const QString& name);
+  void showUnit();
+  void setDistance(double metres);
   void showKeys();
   void fit();
 
-  QBoxLayout* top_;
+  QGridLayout* grid_;
   QLabel* item_;
   QLabel* keys_;
   QuantityBox* distance_;
   QuantityBox* angle_;
+  QWidget* controls_;
+  QString snap_;           ///< as of showSnap()
+  double perMetre_ = 1.0;  ///< what is shown of a metre
 };
 
 }  // namespace glissade

@@ -16,6 +16,8 @@ namespace glissade {
 namespace {
 
 constexpr int kSliderSteps = 1000;
+/// Pixels: the borders and the arrows of a field.
+constexpr int kNumberBorder = 30;
 /// Metres, of what is usually set: below the first, numbers need a thousandth of a micrometre, below the second one of
 /// a millimetre.
 constexpr double kMinute = 1e-5;
@@ -48,7 +50,6 @@ ParameterSlider::ParameterSlider(ParameterId id, QWidget* parent)
   number_->setAccessibleName(parameterLabel(spec));
   number_->setDecimals(spec.integer ? 0 : 3);
   number_->setKeyboardTracking(false);
-  number_->setFixedWidth(std::max(96, number_->fontMetrics().horizontalAdvance(QStringLiteral("0000.0 mm")) + 24));
   number_->setAlignment(Qt::AlignRight);
   const QString help = QCoreApplication::translate("Parameters", std::string(spec.help).c_str());
   setToolTip(help);
@@ -77,6 +78,7 @@ void ParameterSlider::setObjectRadius(double radius) {
   logarithmic_ = range_.minimum > 0.0 && range_.maximum / range_.minimum > 100.0;
   number_->setRange(range_.minimum * shownPerUnit_, range_.maximum * shownPerUnit_);
   number_->setValue(before * shownPerUnit_);
+  fitNumber();
   const double step = (range_.maximum - range_.minimum) * shownPerUnit_ / 100.0;
   number_->setSingleStep(specOf(id_).integer ? 1.0 : step);
 }
@@ -90,6 +92,14 @@ void ParameterSlider::showUnit() {
   shownPerUnit_ = field.perMetre;
   number_->setDecimals(field.decimals);
   number_->setSuffix(QLatin1Char(' ') + field.unit);
+}
+
+/// As wide as its longest number. In most units one width suffices for all, which stand below each other.
+void ParameterSlider::fitNumber() {
+  const QString longest = number_->textFromValue(number_->maximum()) + number_->suffix();
+  const QFontMetrics metrics = number_->fontMetrics();
+  const int usual = metrics.horizontalAdvance(QStringLiteral("00000.000 µm"));
+  number_->setFixedWidth(std::max(usual, metrics.horizontalAdvance(longest)) + kNumberBorder);
 }
 
 void ParameterSlider::changeEvent(QEvent* event) {

@@ -40,6 +40,7 @@ class ParameterSlider final : public QWidget {
 
  private:
   void showUnit();
+  void fitNumber();
   double fromPosition(int position) const;
   int toPosition(double value) const;
   void sliderMoved(int position);

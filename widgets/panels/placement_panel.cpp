@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QSignalBlocker>
+#include <QToolTip>
 
 #include "widgets/commands/length_text.h"
 
@@ -11,6 +12,7 @@ namespace glissade {
 namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr int kSides = 12;  // margins of the panel, pixels
 enum About { kFile, kMiddle, kReference, kPicked };
 /// Metres: whatever is assembled is smaller.
 constexpr double kFarthest = 1000.0;
@@ -23,12 +25,14 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   name_->setTextFormat(Qt::PlainText);
   refused_->setTextFormat(Qt::PlainText);
   refused_->setObjectName(QStringLiteral("place-refused"));
-  refused_->setWordWrap(true);
+  refused_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  refused_->hide();
   auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(6, 2, 6, 6);
+  grid->setContentsMargins(kSides / 2, 2, kSides / 2, 6);
   grid->setHorizontalSpacing(6);
   grid->setVerticalSpacing(3);
   grid->addWidget(name_, 0, 0, 1, 6);
+  grid->addWidget(refused_, 0, 0, 1, 6);  // in the place of the title: the fields stay where they are
   for (int axis = 0; axis < 3; ++axis) {
     const QString letter(QLatin1Char("XYZ"[axis]));
     position_[axis] = addBox(QuantityBox::Quantity::Length, axis,
@@ -47,7 +51,6 @@ PlacementPanel::PlacementPanel(QWidget* parent) : QWidget(parent), name_(new QLa
   showUnit();
   about_ = makePoints();
   grid->addWidget(about_, 3, 0, 1, 4);
-  grid->addWidget(refused_, 4, 0, 1, 6);
   show(QString(), std::nullopt);
 }
 
@@ -119,12 +122,24 @@ QuantityBox* PlacementPanel::addBox(QuantityBox::Quantity quantity, int axis, co
 }
 
 void PlacementPanel::showRefused(QuantityBox::Quantity quantity, const QString& text) {
+  const bool isLength = quantity == QuantityBox::Quantity::Length;
+  const QString what =
+      isLength ? tr("“%1” is not a length. Nothing has moved.") : tr("“%1” is not an angle. Nothing has moved.");
   const QString why =
-      quantity == QuantityBox::Quantity::Length
-          ? tr("“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5\". Nothing has moved.")
-          : tr("“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.");
-  refused_->setText(QStringLiteral("⚠ ") + why.arg(text));
+      isLength ? tr("“%1” is not a length up to 1 km. Write 12.5, 25.4 mm, 1 in or 0.5\". Nothing has moved.")
+               : tr("“%1” is not an angle up to 360°. Write 30, 30 deg or 0.1 rad. Nothing has moved.");
+  const QString line = QStringLiteral("⚠ ") + what.arg(text);
+  name_->hide();
   refused_->show();
+  refused_->setText(refused_->fontMetrics().elidedText(line, Qt::ElideRight, contentsRect().width() - kSides));
+  refused_->setToolTip(why.arg(text));
+  refused_->setAccessibleName(why.arg(text));
+  QToolTip::showText(refused_->mapToGlobal(QPoint(0, refused_->height())), why.arg(text), refused_);
+}
+
+void PlacementPanel::hideRefused() {
+  refused_->hide();
+  name_->show();
 }
 
 std::optional<Pose> PlacementPanel::chosenFrame() const {
@@ -178,7 +193,7 @@ void PlacementPanel::changeEvent(QEvent* event) {
 }
 
 void PlacementPanel::showNumbers() {
-  refused_->hide();
+  hideRefused();
   const Vector3 at = X_WB_ * frame().position;
   rollPitchYaw_ = rollPitchYawOf(X_WB_.orientation * frame().orientation);
   for (int axis = 0; axis < 3; ++axis) {
@@ -190,14 +205,14 @@ void PlacementPanel::showNumbers() {
 }
 
 void PlacementPanel::takePosition(int axis) {
-  refused_->hide();
+  hideRefused();
   const double turned = (X_WB_.orientation * frame().position)[axis];
   X_WB_.position[axis] = position_[axis]->value() / perMetre_ - turned;
   emit placed(X_WB_);
 }
 
 void PlacementPanel::takeTurn(int axis) {
-  refused_->hide();
+  hideRefused();
   rollPitchYaw_[axis] = turn_[axis]->value() / kDegrees;
   const Pose own = frame();
   const Vector3 stays = X_WB_ * own.position;

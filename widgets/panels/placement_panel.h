@@ -45,7 +45,9 @@ class PlacementPanel final : public QWidget {
 
  private:
   QuantityBox* addBox(QuantityBox::Quantity quantity, int axis, const QString& tip);
+  /// In the place of the title, shortly; the whole reason is its tool tip.
   void showRefused(QuantityBox::Quantity quantity, const QString& text);
+  void hideRefused();
   QComboBox* makePoints();
   void offerPicked();
   Pose frame() const;

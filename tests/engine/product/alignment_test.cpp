@@ -109,13 +109,131 @@ TEST(Alignment, LeavesWhatIsAligned) {
   }
 }
 
-TEST(Alignment, IsOfTwoPlanesOrTwoCylindersOnly) {
-  const MeasureFeature plane = face(Pose::identity());
-  const MeasureFeature shaft = cylinder(Pose::identity(), 0.01);
-  EXPECT_TRUE(canAlign(plane, plane));
-  EXPECT_FALSE(canAlign(plane, shaft));
-  EXPECT_FALSE(canAlign(shaft, plane));
-  EXPECT_FALSE(canAlign(MeasureFeature(), MeasureFeature()));
+MeasureFeature edge(const Pose& X_WF) {
+  MeasureFeature feature = face(X_WF);
+  feature.kind = Kind::Edge;
+  feature.from = X_WF * Vector3(0.0, 0.0, -0.1);
+  feature.to = X_WF * Vector3(0.0, 0.0, 0.2);
+  return feature;
+}
+
+MeasureFeature vertex(const Pose& X_WF) {
+  MeasureFeature feature;
+  feature.kind = Kind::Vertex;
+  feature.picked = X_WF.position;
+  return feature;
+}
+
+double heightOver(const MeasureFeature& plane, const Vector3& p) { return plane.direction.dot(p - plane.picked); }
+
+double angleOf(const Pose& motion) { return angleBetween(motion.orientation, Quaternion::Identity()); }
+
+/// A hundredth of a nanometre, as everywhere here, for what is two metres away.
+constexpr double kRelated = 1e-9;
+
+TEST(Alignment, AnEdgeLiesInThePlaneWhicheverOfTheTwoMoves) {
+  for (const auto& [from, to] : pairsOfPoses()) {
+    for (const bool flipped : {false, true}) {
+      const MeasureFeature plane = face(to);
+      const MeasureFeature movedEdge = placed(edge(from), alignment(edge(from), plane, flipped));
+      EXPECT_NEAR(heightOver(plane, movedEdge.from), 0.0, kRelated);
+      EXPECT_NEAR(heightOver(plane, movedEdge.to), 0.0, kRelated);
+      const MeasureFeature movedPlane = placed(face(from), alignment(face(from), edge(to), flipped));
+      EXPECT_NEAR(heightOver(movedPlane, edge(to).from), 0.0, kRelated);
+      EXPECT_NEAR(heightOver(movedPlane, edge(to).to), 0.0, kRelated);
+    }
+    // The flip is half a turn about the edge.
+    const Pose one = alignment(face(from), edge(to), false);
+    const Pose other = alignment(face(from), edge(to), true);
+    EXPECT_LT((placed(face(from), one).direction + placed(face(from), other).direction).norm(), kRelated);
+  }
+}
+
+TEST(Alignment, ACylinderIsTangentToThePlaneWhicheverOfTheTwoMoves) {
+  constexpr double kRadius = 0.07;
+  for (const auto& [from, to] : pairsOfPoses()) {
+    for (const bool hole : {false, true}) {
+      for (const bool flipped : {false, true}) {
+        const double height = hole != flipped ? -kRadius : kRadius;
+        MeasureFeature round = cylinder(from, kRadius);
+        round.isHole = hole;
+        const MeasureFeature plane = face(to);
+        const MeasureFeature moved = placed(round, alignment(round, plane, flipped));
+        EXPECT_NEAR(heightOver(plane, moved.axisPoint), height, kRelated);
+        EXPECT_NEAR(heightOver(plane, moved.axisPoint + moved.direction), height, kRelated);
+        const MeasureFeature movedPlane = placed(plane, alignment(plane, round, flipped));
+        EXPECT_NEAR(heightOver(movedPlane, round.axisPoint), height, kRelated);
+        EXPECT_NEAR(heightOver(movedPlane, round.axisPoint + round.direction), height, kRelated);
+      }
+    }
+  }
+}
+
+TEST(Alignment, EdgesAreCollinearWithEdgesAndAxes) {
+  for (const auto& [from, to] : pairsOfPoses()) {
+    for (const bool flipped : {false, true}) {
+      MeasureFeature axis = cylinder(to, 0.02);
+      for (const MeasureFeature& fixed : {edge(to), axis}) {
+        const MeasureFeature moved = placed(edge(from), alignment(edge(from), fixed, flipped));
+        const Vector3& on = fixed.kind == Kind::Edge ? fixed.picked : fixed.axisPoint;
+        EXPECT_LT((moved.from - on).cross(fixed.direction).norm(), kRelated);
+        EXPECT_LT((moved.to - on).cross(fixed.direction).norm(), kRelated);
+        EXPECT_EQ(moved.direction.dot(fixed.direction) > 0.0,
+                  (edge(from).direction.dot(fixed.direction) >= 0.0) != flipped);
+      }
+    }
+  }
+}
+
+/// Nothing turns; the body moves by the distance that there was.
+TEST(Alignment, AVertexComesOntoAVertexALineOrAPlaneByTheShortestWay) {
+  for (const auto& [from, to] : pairsOfPoses()) {
+    const MeasureFeature point = vertex(from);
+    for (const MeasureFeature& other : {vertex(to), edge(to), cylinder(to, 0.01), face(to)}) {
+      for (const bool moves : {true, false}) {
+        const Pose motion = moves ? alignment(point, other, false) : alignment(other, point, false);
+        EXPECT_EQ(angleOf(motion), 0.0);
+        EXPECT_FALSE(canFlip(point, other));
+        EXPECT_FALSE(canFlip(other, point));
+        const Vector3 p = moves ? Vector3(motion * point.picked) : point.picked;
+        const MeasureFeature there = moves ? other : placed(other, motion);
+        const Vector3 anchor = other.kind == Kind::Cylinder ? other.axisPoint : other.picked;
+        const Vector3 apart = point.picked - anchor;
+        double before = apart.norm();
+        double after = (p - there.picked).norm();
+        if (other.kind == Kind::Face) {
+          before = std::abs(apart.dot(other.direction));
+          after = std::abs(heightOver(there, p));
+        } else if (other.kind != Kind::Vertex) {
+          before = apart.cross(other.direction).norm();
+          after = (p - (other.kind == Kind::Edge ? there.picked : there.axisPoint)).cross(there.direction).norm();
+        }
+        EXPECT_NEAR(motion.position.norm(), before, kRelated);
+        EXPECT_LT(after, kRelated);
+      }
+    }
+  }
+}
+
+/// A line comes into the plane by the angle that it has to the plane.
+TEST(Alignment, ALineTurnsByItsAngleToThePlaneAndNoMore) {
+  for (const auto& [from, to] : pairsOfPoses()) {
+    const double angle = std::asin(std::min(1.0, std::abs(edge(from).direction.dot(face(to).direction))));
+    EXPECT_NEAR(angleOf(alignment(edge(from), face(to), false)), angle, 1e-6);
+    EXPECT_NEAR(angleOf(alignment(face(to), edge(from), false)), angle, 1e-6);
+    EXPECT_NEAR(angleOf(alignment(cylinder(from, 0.1), face(to), true)), angle, 1e-6);
+  }
+}
+
+TEST(Alignment, IsOfAllButPointsOfFreeSurfaces) {
+  const std::vector<MeasureFeature> features{face({}), edge({}), cylinder({}, 0.01), vertex({})};
+  for (const MeasureFeature& moving : features) {
+    for (const MeasureFeature& fixed : features) EXPECT_TRUE(canAlign(moving, fixed));
+    EXPECT_FALSE(canAlign(moving, MeasureFeature()));
+    EXPECT_FALSE(canAlign(MeasureFeature(), moving));
+  }
+  EXPECT_TRUE(canFlip(face({}), cylinder({}, 0.01)));
+  EXPECT_TRUE(canFlip(edge({}), face({})));
 }
 
 }  // namespace

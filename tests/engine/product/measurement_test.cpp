@@ -49,6 +49,26 @@ TEST(Measurement, ReadsTheExactRadiusOfACoarseCylinder) {
   EXPECT_NEAR(outside.radius, 0.05, 1e-9);
 }
 
+/// Who clicks the edge of a hole means its axis.
+TEST(Measurement, TheCircularEdgeOfACylinderMeansItsAxisInAnAlignment) {
+  const MeshPtr ring = std::make_shared<const TriangleMesh>(welded(test::makeRing(0.02, 0.05, 0.1, 16)));
+  const Vector3 onTop(0.0205 * std::cos(std::numbers::pi / 16.0), 0.0205 * std::sin(std::numbers::pi / 16.0), 0.05);
+  const TriangleTree::Nearest nearest = TriangleTree(*ring).nearest(onTop, 10.0);
+  const MeasurableMesh measurable(ring);
+  EXPECT_EQ(measurable.featureAt(nearest.triangle, onTop, 0.003).kind, Kind::Edge);
+  const MeasureFeature hole = measurable.alignableAt(nearest.triangle, onTop, 0.003);
+  ASSERT_EQ(hole.kind, Kind::Cylinder);
+  EXPECT_TRUE(hole.isHole);
+  EXPECT_NEAR(hole.radius, 0.02, 1e-9);
+  EXPECT_EQ(measurable.alignableAt(nearest.triangle, onTop, 0.0001).kind, Kind::Face);
+  const MeshPtr box = boxMesh({0.2, 0.4, 0.6});
+  const MeasurableMesh boxes(box);
+  const Vector3 nearEdge(0.1, 0.05, 0.299);
+  const std::size_t triangle = TriangleTree(*box).nearest(nearEdge, 10.0).triangle;
+  EXPECT_EQ(boxes.alignableAt(triangle, nearEdge, 0.005).kind, Kind::Edge);
+  EXPECT_EQ(boxes.outlineAt(triangle).size(), 8U) << "the four edges of the face";
+}
+
 TEST(Measurement, DistancesDoNotDependOnTheFrame) {
   RandomStream random(5, "measurement");
   const MeasureFeature top{Kind::Face, {0.0, 0.0, 0.3}, {}, {}, Vector3::UnitZ(), Vector3::Zero(), 0.0};

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QTimer>
+
+#include "app/window/arranged_item.h"
+#include "app/window/feature_store.h"
+#include "app/window/scene_hint.h"
+#include "engine/product/alignment.h"
+
+namespace glissade {
+
+/// While it is on, a person clicks a vertex, an edge, a plane or a cylinder of what moves, and then one of another body
+/// that it goes onto. What is under the pointer is marked; at the second click the body is drawn where it would come to
+/// lie. Esc ends it.
+class AlignTool final : public QObject {
+  Q_OBJECT
+
+ public:
+  AlignTool(const Workbench& bench, FeatureStore& features);
+
+  void setOn(bool on);
+  /// The first click means what is selected also behind other bodies.
+  void setSelected(const std::optional<AssemblyItem>& item) { selected_ = item; }
+  /// What is written over the scene.
+  QString hint() const { return hint_->text(); }
+
+ signals:
+  /// The first of the two was clicked: this is what moves.
+  void movingPicked(const glissade::AssemblyItem& item);
+  /// Both were clicked, which canAlign(); in the world.
+  void picked(const glissade::AssemblyItem& item, const glissade::MeasureFeature& moving,
+              const glissade::MeasureFeature& fixed);
+  /// Esc, before both were clicked.
+  void left();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  /// What a point of the scene means.
+  struct Target {
+    AssemblyItem item;
+    RigidBody body;  ///< where it is drawn
+    std::size_t triangle;
+    Vector3 p_W;
+    double snap;  ///< metres
+  };
+  struct Pointed {
+    AssemblyItem item;
+    MeasureFeature feature;          ///< world
+    std::vector<Vector3> outline{};  ///< of a face, world: two points for each segment
+  };
+
+  bool followMouse(const QMouseEvent& event);
+  std::optional<Target> targetAt(const QPointF& position) const;
+  Pointed pointedAt(const Target& target, const MeasurableMesh& mesh) const;
+  void hover();
+  void click(const QPointF& position);
+  void take(const Target& target);
+  void takePointed(const Pointed& pointed);
+  void mark(const std::optional<Pointed>& hovered);
+  void preview(const std::optional<Pointed>& onto);
+  QString hintFor(const std::optional<Pointed>& hovered) const;
+  bool fits(const Pointed& onto) const;
+
+  const Workbench& bench_;
+  FeatureStore& features_;
+  SceneHint* hint_;
+  bool on_ = false;
+  std::optional<AssemblyItem> selected_;
+  std::optional<Pointed> first_;
+  bool previewed_ = false;
+  QPointF pressed_;
+  QPointF pointer_;
+  QTimer hovering_;  ///< the pointer moves faster than bodies are hit
+};
+
+}  // namespace glissade

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+
+#include "app/window/arranged_item.h"
+#include "app/window/feature_store.h"
+#include "engine/product/feature_snap.h"
+
+namespace glissade {
+
+/// Lets what is dragged snap to planes and axes of the other bodies that are drawn. Bodies whose features are not found
+/// yet are left out.
+class ArrangeSnapping {
+ public:
+  ArrangeSnapping(const WorkbenchDocument& document, const SceneView& view, FeatureStore& features)
+      : document_(document), view_(view), features_(features) {}
+
+  void setOn(bool on) { on_ = on; }
+  bool isOn() const { return on_; }
+  /// Finds the features of the scenario in the background.
+  void prepare() { features_.prepareAll(); }
+
+  /// A drag begins: the item is where the scenario has it.
+  void begin(const AssemblyItem& item);
+  void end() { snapper_.reset(); }
+  /// As FeatureSnapper::snap(); the shift itself where nothing is to snap.
+  FeatureSnap snap(const Vector3& shift, const std::vector<Vector3>& freedom, double reach) const;
+  /// The features that meet, where the item is shifted.
+  MeasurePicture pictureOf(const FeatureSnap& snap) const;
+  /// What meets, as people read it.
+  QString textOf(const FeatureSnap& snap) const;
+
+ private:
+  /// Whose feature it is.
+  struct Owner {
+    QString name;
+    MeshFeaturesPtr features;
+    Pose X_WB;
+  };
+  /// The features of bodies with their owners, in the world.
+  struct Side {
+    std::vector<SnapFeature> features;
+    std::vector<Owner> owners;  ///< per feature
+    void add(const QString& name, const MeshFeaturesPtr& found, const Pose& X_WB);
+  };
+
+  const WorkbenchDocument& document_;
+  const SceneView& view_;
+  FeatureStore& features_;
+  bool on_ = true;
+  Side moving_;
+  Side fixed_;
+  std::unique_ptr<const FeatureSnapper> snapper_;
+};
+
+}  // namespace glissade
