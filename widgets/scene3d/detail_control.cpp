@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-
-#include "widgets/scene3d/camera_controller.h"
+#include <cstddef>
 
 namespace glissade {
 namespace {
 
-/// A step of coarseness, and the seconds from which a picture of a camera that moves takes the next step.
+/// A step of coarseness, and the seconds of a picture from which the next one takes the next step.
 struct Step {
   PictureDetail detail;
   double longest;
@@ -23,23 +22,24 @@ constexpr int kLastStep = static_cast<int>(kSteps.size()) - 1;
 /// The coarsest step with all pixels: at rest there are no fewer.
 constexpr int kCoarsestAtRest = 3;
 
+constexpr const Step& stepAt(int step) { return kSteps[static_cast<std::size_t>(step)]; }
+
 }  // namespace
 
-PictureDetail DetailControl::begin(const CameraController& camera) {
-  const bool wasMoving = moving_;
-  moving_ = camera.eye() != eye_ || !camera.R_WV().coeffs().isApprox(R_WV_.coeffs(), 0.0) ||
-            camera.viewHeight() != viewHeight_;
-  eye_ = camera.eye();
-  R_WV_ = camera.R_WV();
-  viewHeight_ = camera.viewHeight();
+PictureDetail DetailControl::begin(bool refines) {
+  const bool changedBefore = changes_;
+  changes_ = !refines;
   // Never finer within a motion: it would change from picture to picture.
-  if (moving_ && !wasMoving) moved_ = std::max(0, moved_ - 1);
-  drawn_ = moving_ ? moved_ : std::clamp(drawn_ - 1, 0, kCoarsestAtRest);
-  return kSteps[static_cast<std::size_t>(drawn_)].detail;
+  if (changes_ && !changedBefore) changed_ = std::max(0, changed_ - 1);
+  drawn_ = changes_ ? changed_ : std::clamp(drawn_ - 1, 0, kCoarsestAtRest);
+  return stepAt(drawn_).detail;
 }
 
 bool DetailControl::end(double seconds) {
-  if (moving_ && seconds > kSteps[static_cast<std::size_t>(drawn_)].longest) moved_ = std::min(kLastStep, moved_ + 1);
+  // Each step takes about half of the time of the one before.
+  for (double rest = seconds; changes_ && changed_ < kLastStep && rest > stepAt(changed_).longest; rest *= 0.5) {
+    ++changed_;
+  }
   return drawn_ > 0;
 }
 

@@ -2,6 +2,7 @@
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <utility>
 
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/detail_control.h"
@@ -13,7 +14,7 @@ namespace glissade {
 namespace {
 
 constexpr int kSamples = 4;  ///< of a pixel, against jagged edges
-/// Milliseconds without a picture after which the camera is at rest.
+/// Milliseconds after a picture at which a finer one is drawn, unless something changes.
 constexpr int kRefineAfter = 150;
 
 /// With a depth buffer. The context must be current.
@@ -32,7 +33,10 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     refine_.setSingleShot(true);
-    connect(&refine_, &QTimer::timeout, this, [this] { refresh(); });
+    connect(&refine_, &QTimer::timeout, this, [this] {
+      refines_ = true;
+      update();
+    });
   }
 
   ~OnscreenSceneWidget() override {
@@ -46,6 +50,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   QWidget* widget() override { return this; }
   /// What lies over an OpenGL widget is not painted with it.
   void refresh() override {
+    refines_ = false;
     update();
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
@@ -84,7 +89,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     }
     QElapsedTimer timer;
     timer.start();
-    paint(detail_.begin(view_.camera()));
+    paint(detail_.begin(std::exchange(refines_, false)));
     glFinish();
     if (detail_.end(static_cast<double>(timer.nsecsElapsed()) / 1e9)) refine_.start(kRefineAfter);
   }
@@ -120,6 +125,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< of several samples for each pixel
   std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< of one, often smaller than the picture
   bool exact_ = false;                                      ///< the next picture is to be in full detail
+  bool refines_ = false;                                    ///< the next picture shows nothing new
   QTimer refine_;
   std::function<void()> cameraMoved_;
 };
