@@ -33,10 +33,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     refine_.setSingleShot(true);
-    connect(&refine_, &QTimer::timeout, this, [this] {
-      refines_ = true;
-      update();
-    });
+    connect(&refine_, &QTimer::timeout, this, [this] { update(); });
   }
 
   ~OnscreenSceneWidget() override {
@@ -50,7 +47,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   QWidget* widget() override { return this; }
   /// What lies over an OpenGL widget is not painted with it.
   void refresh() override {
-    refines_ = false;
+    changed_ = true;
     update();
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
@@ -78,6 +75,10 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:
+  void resizeEvent(QResizeEvent* event) override {
+    changed_ = true;
+    QOpenGLWidget::resizeEvent(event);
+  }
   void resizeGL(int width, int height) override {
     view_.setPixelScale(devicePixelRatioF());
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
@@ -89,7 +90,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     }
     QElapsedTimer timer;
     timer.start();
-    paint(detail_.begin(std::exchange(refines_, false)));
+    paint(detail_.begin(!std::exchange(changed_, false)));
     glFinish();
     if (detail_.end(static_cast<double>(timer.nsecsElapsed()) / 1e9)) refine_.start(kRefineAfter);
   }
@@ -125,7 +126,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< of several samples for each pixel
   std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< of one, often smaller than the picture
   bool exact_ = false;                                      ///< the next picture is to be in full detail
-  bool refines_ = false;                                    ///< the next picture shows nothing new
+  bool changed_ = true;                                     ///< the next picture shows something new
   QTimer refine_;
   std::function<void()> cameraMoved_;
 };
