@@ -11,6 +11,8 @@ namespace glissade {
 namespace {
 
 constexpr int kMillisecondsPerSecond = 1000;
+/// Seconds without writing for each second that it took: it takes a tenth of a core at most.
+constexpr double kPausePerSecond = 9.0;
 
 }  // namespace
 
@@ -38,30 +40,41 @@ void AutosaveController::writeChanges(bool wait) {
   if (writing_.valid() && !wait && writing_.wait_for(0s) != std::future_status::ready) return;
   takeOutcome();
   if (!slot_) return;
-  auto edits = source_();
-  const std::string text = edits ? edits->file + writeScenario(edits->scenario) : "";
-  if (text == written_) return;
-  written_ = text;
-  writing_ = std::async(std::launch::async, [slot = slot_, edits = std::move(edits)]() -> Outcome {
+  if (!wait && sinceWritten_.isValid() && sinceWritten_.elapsed() < pause_ * kMillisecondsPerSecond) return;
+  writing_ =
+      std::async(std::launch::async, [slot = slot_, edits = source_(), this] { return write(*slot, edits, written_); });
+  if (wait) takeOutcome();
+}
+
+AutosaveController::Written AutosaveController::write(AutosaveSlot& slot, const std::optional<UnsavedEdits>& edits,
+                                                      std::string& last) {
+  QElapsedTimer timer;
+  timer.start();
+  const auto outcome = [&]() -> Outcome {
     try {
-      if (edits) return slot->write(*edits);
-      slot->clear();
+      std::string text = edits ? edits->file + writeScenario(edits->scenario) : "";
+      if (text == last) return Done{};
+      last = std::move(text);
+      if (edits) return slot.write(*edits);
+      slot.clear();
       return Done{};
     } catch (const std::exception& error) {
       return Diagnostic{ErrorKind::Internal, "", "",
                         std::string("edits cannot be saved automatically: ") + error.what(), "Save the scenario."};
     }
-  });
-  if (wait) takeOutcome();
+  }();
+  return {outcome, static_cast<double>(timer.nsecsElapsed()) / 1e9};
 }
 
 void AutosaveController::takeOutcome() {
   if (!writing_.valid()) return;
-  const Outcome outcome = writing_.get();
-  if (outcome) return;
+  const Written written = writing_.get();
+  pause_ = kPausePerSecond * written.seconds;
+  sinceWritten_.start();
+  if (written.outcome) return;
   timer_.stop();
   slot_.reset();
-  emit failed(outcome.error());
+  emit failed(written.outcome.error());
 }
 
 }  // namespace glissade

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -36,13 +37,21 @@ class AutosaveController final : public QObject {
   void failed(const glissade::Diagnostic& why);
 
  private:
+  struct Written {
+    Outcome outcome;
+    double seconds;  ///< that it took, the text included
+  };
+  /// On another thread. Where the text is the one that was written last, the disk is left alone.
+  static Written write(AutosaveSlot& slot, const std::optional<UnsavedEdits>& edits, std::string& last);
   void takeOutcome();
 
   Source source_;
   QTimer timer_;
   std::shared_ptr<AutosaveSlot> slot_;  ///< null: not started, or it failed
-  std::string written_;                 ///< what the disk holds; empty: nothing
-  std::future<Outcome> writing_;
+  std::string written_;                 ///< what the disk holds; empty: nothing. Of the thread that writes
+  double pause_ = 0.0;                  ///< seconds to the next writing, at least
+  QElapsedTimer sinceWritten_;
+  std::future<Written> writing_;  ///< destroyed first: waits
 };
 
 }  // namespace glissade

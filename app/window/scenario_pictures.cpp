@@ -19,7 +19,9 @@ QFileInfoList picturesIn(const QString& folder) {
 }  // namespace
 
 QImage smallScenePicture(SceneWidget& scene, const QSize& size) {
-  const QImage whole = scene.picture();
+  // As it is seen, without what lies over it: a picture in full detail of a large product takes seconds.
+  QImage whole(scene.widget()->size().expandedTo(QSize(1, 1)), QImage::Format_RGB32);
+  scene.widget()->render(&whole, QPoint(), QRegion(), QWidget::RenderFlags());
   const QSize part = size.scaled(whole.size(), Qt::KeepAspectRatio);
   const QPoint corner((whole.width() - part.width()) / 2, (whole.height() - part.height()) / 2);
   return whole.copy(QRect(corner, part)).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);

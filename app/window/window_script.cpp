@@ -6,6 +6,7 @@
 #include <QKeySequence>
 #include <QMouseEvent>
 
+#include <ctime>
 #include <fstream>
 
 #include "app/window/scene_target.h"
@@ -102,12 +103,14 @@ Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const st
   };
   const double first = secondsOfPicture();
   double turning = 0.0;
+  const std::clock_t before = std::clock();
   for (int i = 0; i < static_cast<int>(*count); ++i) {
     scene.view().camera().orbit(2.0 / *count, 0.0);  // the view's height turns by half a turn
     turning += secondsOfPicture();
   }
+  const double work = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
   std::ofstream file(name, std::ios::app);
-  file << first << " " << *count / turning << " " << secondsOfPicture() << "\n";
+  file << first << " " << *count / turning << " " << secondsOfPicture() << " " << work / *count << "\n";
   file.close();
   return file ? Outcome(Done{}) : wrongCommand("the file cannot be written", "Check the folder.");
 }

@@ -48,11 +48,12 @@ osg::ref_ptr<osg::Group> surfaceOf(const BodyShape& shape, const osg::Vec4& colo
   osg::ref_ptr<DetailNode> surface = new DetailNode;
   osg::ref_ptr<osg::Geometry> finest = makeSurface(shape, colour);
   surface->addDetail(geodeOf(finest), 0.0);
-  for (const ShapeDetail& detail : shape.coarser) {
+  const osg::ref_ptr<osg::Array> colours = finest->getColorArray();
+  surface->addLater(shape.coarser, [surface = surface.get(), colours, colour](const ShapeDetail& detail) {
     osg::ref_ptr<osg::Geometry> geometry = makeSurface(detail, colour);
-    geometry->setColorArray(finest->getColorArray(), osg::Array::BIND_OVERALL);
+    geometry->setColorArray(colours, osg::Array::BIND_OVERALL);
     surface->addDetail(geodeOf(geometry), detail.error);
-  }
+  });
   return surface;
 }
 
@@ -66,13 +67,13 @@ osg::ref_ptr<osg::Group> pushedBackSurfaceOf(const BodyShape& shape, const osg::
 osg::ref_ptr<osg::Group> edgesOf(const BodyShape& shape, const osg::Vec4& colour, float width) {
   osg::ref_ptr<osg::Vec4Array> colours = new osg::Vec4Array(1, &colour);
   osg::ref_ptr<FadingEdges> edges = new FadingEdges(colours, width);
-  const auto add = [&](const ShapeDetail& detail) {
+  const auto add = [edges = edges.get(), colours, colour, width](const ShapeDetail& detail) {
     osg::ref_ptr<osg::Geometry> lines = makeLines(detail.edges, LineKind::Segments, colour, width);
     lines->setColorArray(colours, osg::Array::BIND_OVERALL);
     edges->addEdges(geodeOf(lines), detail.error, detail.edgeDensity);
   };
   add(shape);
-  for (const ShapeDetail& detail : shape.coarser) add(detail);
+  edges->addLater(shape.coarser, add);
   return edges;
 }
 

@@ -148,7 +148,7 @@ const BodyShape& BodyShapes::of(const MeshPtr& mesh) {
   const auto [entry, isNew] = shapes_.try_emplace(mesh.get());
   if (isNew || entry->second.mesh.expired()) {
     entry->second = {mesh, makeBodyShape(*mesh)};
-    entry->second.shape.coarser = coarserDetails(entry->second.shape);
+    entry->second.shape.coarser = std::make_shared<LateDetails>(entry->second.shape, worker_);
   }
   return entry->second.shape;
 }

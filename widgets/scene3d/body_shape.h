@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
+#include "widgets/scene3d/late_details.h"
 #include "widgets/scene3d/shape_detail.h"
 
 namespace glissade {
@@ -12,7 +13,7 @@ namespace glissade {
 /// What is uploaded of a mesh: shared by all bodies that have this mesh, whatever their colour and display mode. The
 /// arrays of the shape itself are those of the whole mesh.
 struct BodyShape : ShapeDetail {
-  std::vector<ShapeDetail> coarser;  ///< for bodies that are small on the screen, the finest first
+  std::shared_ptr<LateDetails> coarser;  ///< for bodies that are small on the screen; null: there are none
 };
 
 BodyShape makeBodyShape(const TriangleMesh& mesh);
@@ -30,6 +31,7 @@ class BodyShapes {
     std::weak_ptr<const TriangleMesh> mesh;
     BodyShape shape;
   };
+  std::shared_ptr<DetailWorker> worker_ = std::make_shared<DetailWorker>();
   std::map<const TriangleMesh*, Entry> shapes_;
 };
 

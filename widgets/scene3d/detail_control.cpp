@@ -1,36 +1,46 @@
 #include "widgets/scene3d/detail_control.h"
 
 #include <algorithm>
-
-#include "widgets/scene3d/camera_controller.h"
+#include <array>
+#include <cstddef>
 
 namespace glissade {
 namespace {
 
-/// Pixels. Of a picture at rest, and of one in motion at most.
-constexpr double kAtRest = 1.0;
-constexpr double kMostInMotion = 8.0;
-/// A picture in motion should take less: 20 a second.
-constexpr double kLongest = 0.05;
+/// A step of coarseness, and the seconds of a picture from which the next one takes the next step.
+struct Step {
+  PictureDetail detail;
+  double longest;
+};
+
+/// First fewer triangles, which are hardly seen. Fewer pixels are seen, so they wait for pictures that take longer:
+/// that is where the processor draws.
+constexpr std::array kSteps{Step{{1.0, 1.0, true}, 0.05},  Step{{2.0, 1.0, true}, 0.05}, Step{{4.0, 1.0, true}, 0.05},
+                            Step{{8.0, 1.0, true}, 0.1},   Step{{8.0, 1.0, false}, 0.1}, Step{{8.0, 0.7, false}, 0.1},
+                            Step{{10.0, 0.5, false}, 1e30}};
+constexpr int kLastStep = static_cast<int>(kSteps.size()) - 1;
+/// The coarsest step with all pixels: at rest there are no fewer.
+constexpr int kCoarsestAtRest = 3;
+
+constexpr const Step& stepAt(int step) { return kSteps[static_cast<std::size_t>(step)]; }
 
 }  // namespace
 
-double DetailControl::begin(const CameraController& camera) {
-  const bool wasMoving = moving_;
-  moving_ = camera.eye() != eye_ || !camera.R_WV().coeffs().isApprox(R_WV_.coeffs(), 0.0) ||
-            camera.viewHeight() != viewHeight_;
-  eye_ = camera.eye();
-  R_WV_ = camera.R_WV();
-  viewHeight_ = camera.viewHeight();
+PictureDetail DetailControl::begin(bool refines) {
+  const bool changedBefore = changes_;
+  changes_ = !refines;
   // Never finer within a motion: it would change from picture to picture.
-  if (moving_ && !wasMoving) moved_ = std::max(kAtRest, 0.5 * moved_);
-  drawn_ = moving_ ? moved_ : std::max(kAtRest, 0.5 * drawn_);
-  return drawn_;
+  if (changes_ && !changedBefore) changed_ = std::max(0, changed_ - 1);
+  drawn_ = changes_ ? changed_ : std::clamp(drawn_ - 1, 0, kCoarsestAtRest);
+  return stepAt(drawn_).detail;
 }
 
 bool DetailControl::end(double seconds) {
-  if (moving_ && seconds > kLongest) moved_ = std::min(kMostInMotion, 2.0 * moved_);
-  return drawn_ > kAtRest;
+  // Each step takes about half of the time of the one before.
+  for (double rest = seconds; changes_ && changed_ < kLastStep && rest > stepAt(changed_).longest; rest *= 0.5) {
+    ++changed_;
+  }
+  return drawn_ > 0;
 }
 
 }  // namespace glissade

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace glissade {
 namespace {
@@ -32,6 +33,18 @@ void DetailNode::addDetail(osg::Node* child, double error) {
   addChild(child);
 }
 
+void DetailNode::addLater(const std::shared_ptr<LateDetails>& details, std::function<void(const ShapeDetail&)> add) {
+  late_ = details;
+  add_ = std::move(add);
+}
+
+void DetailNode::addMade() {
+  const std::vector<ShapeDetail>* made = late_->get();
+  if (made == nullptr) return;
+  for (const ShapeDetail& detail : *made) add_(detail);
+  late_.reset();
+}
+
 /// The children are the same body: the first one holds the others, nearly.
 osg::BoundingSphere DetailNode::computeBound() const {
   return getNumChildren() == 0 ? osg::BoundingSphere() : getChild(0)->getBound();
@@ -46,6 +59,7 @@ void DetailNode::traverse(osg::NodeVisitor& visitor) {
   if (errors_.empty()) return;
   const double pixelsPerMetre = pixelsPerMetreAt(*cull, getBound());
   const double tolerance = cull->getLODScale();
+  if (tolerance > 0.0 && late_) addMade();
   drawn_ = std::clamp(drawn_, coarsestWithin(kClearlyBetter * tolerance, pixelsPerMetre),
                       coarsestWithin(tolerance, pixelsPerMetre));
   if (prepare(drawn_, pixelsPerMetre)) getChild(drawn_)->accept(visitor);

@@ -4,7 +4,11 @@
 #include <osg/Group>
 #include <osg/ref_ptr>
 
+#include <functional>
+#include <memory>
 #include <vector>
+
+#include "widgets/scene3d/late_details.h"
 
 namespace glissade {
 
@@ -15,6 +19,8 @@ class DetailNode : public osg::Group {
  public:
   /// The finest child first. Error in metres, more than that of the child before.
   void addDetail(osg::Node* child, double error);
+  /// Calls `add` for each of these once they are made and a picture may be coarse. `details` may be null.
+  void addLater(const std::shared_ptr<LateDetails>& details, std::function<void(const ShapeDetail&)> add);
   void traverse(osg::NodeVisitor& visitor) override;
   osg::BoundingSphere computeBound() const override;
 
@@ -25,6 +31,10 @@ class DetailNode : public osg::Group {
  private:
   unsigned coarsestWithin(double tolerance, double pixelsPerMetre) const;
 
+  void addMade();
+
+  std::shared_ptr<LateDetails> late_;  ///< null: nothing is to be added any more
+  std::function<void(const ShapeDetail&)> add_;
   std::vector<double> errors_;
   unsigned drawn_ = 0;
 };

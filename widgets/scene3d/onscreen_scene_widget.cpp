@@ -1,8 +1,11 @@
+#include <QElapsedTimer>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLWidget>
 #include <QTimer>
+#include <utility>
 
 #include "widgets/scene3d/camera_controller.h"
+#include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/mouse_navigation.h"
 #include "widgets/scene3d/scene_renderer.h"
 #include "widgets/scene3d/scene_widget.h"
@@ -11,26 +14,40 @@ namespace glissade {
 namespace {
 
 constexpr int kSamples = 4;  ///< of a pixel, against jagged edges
-/// Milliseconds without a picture after which the camera is at rest.
+/// Milliseconds after a picture at which a finer one is drawn, unless something changes.
 constexpr int kRefineAfter = 150;
+
+/// With a depth buffer. The context must be current.
+std::unique_ptr<QOpenGLFramebufferObject> makeBuffer(const QSize& size, int samples) {
+  QOpenGLFramebufferObjectFormat format;
+  format.setSamples(samples);
+  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+  return std::make_unique<QOpenGLFramebufferObject>(size, format);
+}
 
 class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
  public:
   explicit OnscreenSceneWidget(QWidget* parent) : QOpenGLWidget(parent), renderer_(view_) {
     QSurfaceFormat format;
-    format.setSamples(kSamples);
-    format.setDepthBufferSize(24);
     format.setProfile(QSurfaceFormat::CompatibilityProfile);
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
     refine_.setSingleShot(true);
-    connect(&refine_, &QTimer::timeout, this, [this] { refresh(); });
+    connect(&refine_, &QTimer::timeout, this, [this] { update(); });
+  }
+
+  ~OnscreenSceneWidget() override {
+    makeCurrent();
+    smoothBuffer_.reset();
+    quickBuffer_.reset();
+    doneCurrent();
   }
 
   SceneView& view() override { return view_; }
   QWidget* widget() override { return this; }
   /// What lies over an OpenGL widget is not painted with it.
   void refresh() override {
+    changed_ = true;
     update();
     for (QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) over->update();
   }
@@ -43,12 +60,9 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   QImage picture(const QSize& pixels) override {
     const CameraController before = view_.camera();
     makeCurrent();
-    QOpenGLFramebufferObjectFormat format;
-    format.setSamples(kSamples);
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
     // Widths of lines and sizes of texts are those of this screen: at another scale the scene would be built anew.
-    QOpenGLFramebufferObject target(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), format);
-    target.bind();
+    const auto buffer = makeBuffer(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), kSamples);
+    QOpenGLFramebufferObject& target = *buffer;
     renderer_.resize(target.width(), target.height());
     renderer_.render(target.handle());
     const QImage image = target.toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -61,16 +75,24 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
   void onCameraMoved(std::function<void()> callback) override { cameraMoved_ = std::move(callback); }
 
  protected:
+  void resizeEvent(QResizeEvent* event) override {
+    changed_ = true;
+    QOpenGLWidget::resizeEvent(event);
+  }
   void resizeGL(int width, int height) override {
     view_.setPixelScale(devicePixelRatioF());
     renderer_.resize(qRound(width * devicePixelRatioF()), qRound(height * devicePixelRatioF()));
   }
   void paintGL() override {
     if (exact_) {
-      renderer_.render(defaultFramebufferObject());
-    } else if (renderer_.renderInteractively(defaultFramebufferObject(), [] { glFinish(); })) {
-      refine_.start(kRefineAfter);
+      paint(PictureDetail());
+      return;
     }
+    QElapsedTimer timer;
+    timer.start();
+    paint(detail_.begin(!std::exchange(changed_, false)));
+    glFinish();
+    if (detail_.end(static_cast<double>(timer.nsecsElapsed()) / 1e9)) refine_.start(kRefineAfter);
   }
 
   void mousePressEvent(QMouseEvent* event) override { mouse_.press(*event); }
@@ -85,10 +107,26 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     refresh();
   }
 
+  /// Draws into a buffer of the picture's own and copies it: this widget has one sample for each pixel.
+  void paint(const PictureDetail& detail) {
+    const QSize shown(qRound(width() * devicePixelRatioF()), qRound(height() * devicePixelRatioF()));
+    const QSize drawn = (QSizeF(shown) * detail.resolution).toSize().expandedTo(QSize(1, 1));
+    std::unique_ptr<QOpenGLFramebufferObject>& buffer = detail.smooth ? smoothBuffer_ : quickBuffer_;
+    if (!buffer || buffer->size() != drawn) buffer = makeBuffer(drawn, detail.smooth ? kSamples : 0);
+    renderer_.render(buffer->handle(), drawn.width(), drawn.height(), detail);
+    QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(QPoint(), shown), buffer.get(), QRect(QPoint(), drawn),
+                                              GL_COLOR_BUFFER_BIT, drawn == shown ? GL_NEAREST : GL_LINEAR);
+    QOpenGLFramebufferObject::bindDefault();
+  }
+
   SceneView view_;
   SceneRenderer renderer_;
   MouseNavigation mouse_;
-  bool exact_ = false;  ///< the next picture is to be in full detail
+  DetailControl detail_;
+  std::unique_ptr<QOpenGLFramebufferObject> smoothBuffer_;  ///< of several samples for each pixel
+  std::unique_ptr<QOpenGLFramebufferObject> quickBuffer_;   ///< of one, often smaller than the picture
+  bool exact_ = false;                                      ///< the next picture is to be in full detail
+  bool changed_ = true;                                     ///< the next picture shows something new
   QTimer refine_;
   std::function<void()> cameraMoved_;
 };

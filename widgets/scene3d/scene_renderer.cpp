@@ -2,13 +2,18 @@
 
 #include <osg/LightSource>
 
-#include <chrono>
+#include <algorithm>
+#include <cmath>
 
 #include "widgets/scene3d/camera_controller.h"
 #include "widgets/scene3d/osg_convert.h"
 
 namespace glissade {
 namespace {
+
+/// Bodies of fewer device pixels are not drawn (OSG's measure and default), or of this share of the tolerance.
+constexpr double kLeastBody = 2.0;
+constexpr double kLeastBodyShare = 0.5;
 
 /// A light that turns with the view: faces of different directions differ in brightness from wherever one looks.
 /// `towards_V` is the direction to the light in view coordinates: x right, y up, z to the viewer.
@@ -43,27 +48,33 @@ SceneRenderer::SceneRenderer(SceneView& view) : view_(view), viewer_(new osgView
 }
 
 void SceneRenderer::resize(int width, int height) {
-  window_->resized(0, 0, width, height);
-  window_->getEventQueue()->windowResize(0, 0, width, height);
-  viewer_->getCamera()->setViewport(0, 0, width, height);
+  width_ = width;
+  height_ = height;
   view_.camera().setAspect(static_cast<double>(width) / height);
 }
 
-void SceneRenderer::render(unsigned int target) { draw(target, 0.0); }
+void SceneRenderer::render(unsigned int target) { render(target, width_, height_, PictureDetail()); }
 
-bool SceneRenderer::renderInteractively(unsigned int target, const std::function<void()>& finish) {
-  const auto begin = std::chrono::steady_clock::now();
-  draw(target, detail_.begin(view_.camera()) * view_.pixelScale());
-  finish();
-  return detail_.end(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+void SceneRenderer::render(unsigned int target, int width, int height, const PictureDetail& detail) {
+  window_->resized(0, 0, width, height);
+  window_->getEventQueue()->windowResize(0, 0, width, height);
+  window_->setDefaultFboId(target);
+  osg::Camera* camera = viewer_->getCamera();
+  camera->setViewport(0, 0, width, height);
+  const CameraController& controller = view_.camera();
+  camera->setViewMatrix(toOsg(inverse(Pose{controller.eye(), controller.R_WV()})));
+  setProjection();
+  view_.beginPicture(width, height, detail);
+  const double tolerance = detail.tolerance * view_.pixelScale() * height / height_;
+  camera->setLODScale(static_cast<float>(tolerance));
+  camera->setSmallFeatureCullingPixelSize(static_cast<float>(std::max(kLeastBody, kLeastBodyShare * tolerance)));
+  camera->setClearColor(toOsg(view_.background()));
+  viewer_->frame();
 }
 
-void SceneRenderer::draw(unsigned int target, double tolerance) {
-  window_->setDefaultFboId(target);
+void SceneRenderer::setProjection() {
   const CameraController& controller = view_.camera();
   osg::Camera* camera = viewer_->getCamera();
-  const Pose X_WV{controller.eye(), controller.R_WV()};
-  camera->setViewMatrix(toOsg(inverse(X_WV)));
   if (controller.isOrthographic()) {
     const double top = 0.5 * controller.viewHeight();
     const double right = top * controller.aspect();
@@ -72,12 +83,6 @@ void SceneRenderer::draw(unsigned int target, double tolerance) {
     camera->setProjectionMatrixAsPerspective(controller.verticalFieldOfView() * 180.0 / std::acos(-1.0),
                                              controller.aspect(), controller.nearPlane(), controller.farPlane());
   }
-  const osg::Viewport& viewport = *camera->getViewport();
-  const bool quick = tolerance > view_.pixelScale();
-  view_.beginPicture(static_cast<int>(viewport.width()), static_cast<int>(viewport.height()), quick);
-  camera->setLODScale(static_cast<float>(tolerance));
-  camera->setClearColor(toOsg(view_.background()));
-  viewer_->frame();
 }
 
 }  // namespace glissade

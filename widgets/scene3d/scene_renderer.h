@@ -2,8 +2,6 @@
 
 #include <osgViewer/Viewer>
 
-#include <functional>
-
 #include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/scene_view.h"
 
@@ -15,20 +13,19 @@ class SceneRenderer {
  public:
   explicit SceneRenderer(SceneView& view);
 
-  /// Size in device pixels.
+  /// Size in device pixels; the camera takes its ratio.
   void resize(int width, int height);
   /// Renders one frame into the framebuffer object `target` (0: the context's own), in full detail.
   void render(unsigned int target);
-  /// The same for a person who turns the view: in less detail where bodies are small or pictures take long. True: the
-  /// next picture from here is a finer one. `finish` waits until OpenGL has drawn.
-  bool renderInteractively(unsigned int target, const std::function<void()>& finish);
+  /// The same in this detail, into a target of another size.
+  void render(unsigned int target, int width, int height, const PictureDetail& detail);
 
  private:
-  /// `tolerance`: device pixels that what is drawn may be off.
-  void draw(unsigned int target, double tolerance);
+  void setProjection();
 
   SceneView& view_;
-  DetailControl detail_;
+  int width_ = 64;
+  int height_ = 64;
   osg::ref_ptr<osgViewer::Viewer> viewer_;
   osg::ref_ptr<osgViewer::GraphicsWindowEmbedded> window_;
 };

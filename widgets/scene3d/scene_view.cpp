@@ -4,9 +4,16 @@
 #include <osg/ColorMask>
 #include <osg/LightModel>
 
+#include "widgets/scene3d/detail_control.h"
 #include "widgets/scene3d/scene_view_impl.h"
 
 namespace glissade {
+namespace {
+
+/// A picture that may be off by more pixels is one of a camera that moves.
+constexpr double kQuickTolerance = 1.0;
+
+}  // namespace
 
 SceneView::SceneView() : impl_(std::make_unique<Impl>()) {
   osg::StateSet* state = impl_->root->getOrCreateStateSet();
@@ -137,8 +144,11 @@ void SceneView::setDepthShading(bool shaded) {
 
 bool SceneView::depthShading() const { return impl_->depthShadingWanted; }
 
-void SceneView::beginPicture(int width, int height, bool quick) {
-  impl_->quick = quick;
+void SceneView::beginPicture(int width, int height, const PictureDetail& detail) {
+  impl_->quick = detail.tolerance > kQuickTolerance;
+  // Of one sample for each pixel, smooth lines take longer than the bodies.
+  impl_->root->getStateSet()->setMode(GL_LINE_SMOOTH,
+                                      detail.smooth ? osg::StateAttribute::ON : osg::StateAttribute::OFF);
   impl_->showDepthShading();
   const CameraController& camera = impl_->camera;
   const double across = camera.isOrthographic() ? camera.viewHeight() : camera.viewHeight() / camera.distance();

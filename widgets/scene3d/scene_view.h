@@ -26,6 +26,7 @@ class CameraController;
 struct ClearanceProfile;
 struct Difficulty;
 struct EndConflicts;
+struct PictureDetail;
 
 /// Light or dark window; the scene follows.
 enum class Theme { Light, Dark };
@@ -218,8 +219,8 @@ class SceneView {
 
   CameraController& camera();
   const CameraController& camera() const;
-  /// Before each picture, of this size in device pixels. A quick one, while the camera moves, has no depth shading.
-  void beginPicture(int width, int height, bool quick);
+  /// Before each picture, of this size in device pixels. A coarse one, while the camera moves, has no depth shading.
+  void beginPicture(int width, int height, const PictureDetail& detail);
   /// Root of the scene graph, for the widget that renders it.
   osg::Group* root() const;
   /// Clear colour, sRGB.

@@ -228,7 +228,7 @@ double edgeDensity(const ShapeDetail& detail) {
   return area > 0.0 ? length / area : 0.0;
 }
 
-std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest) {
+std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest, const StopToken& stop) {
   std::vector<ShapeDetail> details;
   if (finest.corners->size() < 3 * kFewestTriangles) return details;
   const IndexedShape original = indexed(finest);
@@ -237,7 +237,7 @@ std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest) {
   for (const osg::Vec3& vertex : original.vertices) box.expandBy(vertex);
   const double side = std::max({box.xMax() - box.xMin(), box.yMax() - box.yMin(), box.zMax() - box.zMin()});
   std::size_t triangles = shape.triangles.size();
-  for (int cells = kFinestCells; cells >= kCoarsestCells; cells /= 2) {
+  for (int cells = kFinestCells; cells >= kCoarsestCells && !stop.stopRequested(); cells /= 2) {
     shape = clustered(shape, box._min, side / cells);
     if (static_cast<double>(shape.triangles.size()) > kWorthwhile * static_cast<double>(triangles)) continue;
     triangles = shape.triangles.size();

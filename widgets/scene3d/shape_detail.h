@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "engine/base/stop_token.h"
+
 namespace glissade {
 
 /// Arrays that a mesh is drawn with.
@@ -20,7 +22,7 @@ double edgeDensity(const ShapeDetail& detail);
 
 /// Coarser arrays of a mesh, the finest first, each with at most 0.6 of the triangles of the one before. Vertices of a
 /// cell of a grid become one (Rossignac and Borrel 1993): the vertex of the least quadric error (Garland and Heckbert
-/// 1997). Empty for meshes of few triangles. For display only.
-std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest);
+/// 1997). Empty for meshes of few triangles. For display only. A stop leaves out the rest.
+std::vector<ShapeDetail> coarserDetails(const ShapeDetail& finest, const StopToken& stop = {});
 
 }  // namespace glissade
