@@ -72,6 +72,8 @@ class OperatorDevice {
   virtual void restart() {}
   /// False while the device is away (daemon dead, cable out); it may come back.
   virtual bool connected() const { return true; }
+  /// Stands in for a person, and rests once a run has ended. A person may move the object then.
+  virtual bool isSimulated() const { return false; }
   /// What the device makes the hand feel, in shares (see Guidance); nothing: it renders no force.
   virtual std::optional<Wrench> rendered() const { return std::nullopt; }
 };

@@ -44,6 +44,7 @@ class SimulatedOperator final : public OperatorDevice {
 
   Pose advance(double dt, const OperatorView& view, const Box3& bounds) override;
   void restart() override;
+  bool isSimulated() const override { return true; }
 
   /// Index of the way-point he is heading for.
   std::size_t target() const { return target_; }

@@ -28,6 +28,7 @@ class OperatorHand {
 
   bool held() const { return device_ != nullptr; }
   bool connected() const { return device_ == nullptr || device_->connected(); }
+  bool isSimulated() const { return device_ != nullptr && device_->isSimulated(); }
   const Pose& q_device() const { return sample_.q_device; }
   void put(const Pose& q_device);
   /// A new run: the object is back at the start and the device begins anew.

@@ -221,6 +221,7 @@ class Threaded final : public Session {
     ParameterValues parameters{1.0};
     std::shared_ptr<const Path> path;
     CoarsePlanPtr coarsePlan;
+    bool runEnded = false;
   };
 
   void operatorLoop() {
@@ -246,7 +247,8 @@ class Threaded final : public Session {
       frame = frame_;
       put = std::exchange(putWanted_, std::nullopt);
       restart = std::exchange(restartWanted_, false);
-      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan};
+      const bool runEnded = planning_.run > 0 && !isRunning(planning_);
+      sight = {chunks_, planning_.parameters, planning_.path, planning_.coarsePlan, runEnded};
     }
     moveHand(dt, frame, put, restart, sight);
     publishOperator();
@@ -269,6 +271,7 @@ class Threaded final : public Session {
       hand_.restart();
     }
     if (put) hand_.put(*put);
+    if (sight.runEnded && hand_.isSimulated()) return;
     tree_.update(sight.chunks);
     const Se3Metric metric(sight.parameters.objectRadius());
     const auto target = guidanceTarget(sight.path.get(), sight.coarsePlan.get(), hand_.q_device(), metric);
