@@ -90,7 +90,7 @@ Outcome appendMemory(const QElapsedTimer& since, const std::string& name) {
 }
 
 /// Turns the camera once around in so many pictures; appends a line: seconds of the first picture, pictures a second
-/// while it turns, seconds of the picture at rest after it.
+/// while it turns, seconds of one more picture, seconds of processor time for each picture while it turns.
 Outcome measureTurning(SceneWidget& scene, const std::string& pictures, const std::string& name) {
   const auto count = toNumber(pictures);
   if (!count || *count < 1.0) return wrongCommand("'" + pictures + "' is not a number of pictures", "Give 1 or more.");

@@ -53,6 +53,31 @@ TEST(ThreadedSession, KeepsThePaceAndAnswersAtOnceBetweenSteps) {
   EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.counts.steps > slow + 500; })) << "full speed again";
 }
 
+/// Moves on and on, as a simulated operator that keeps correcting.
+class RestlessOperator final : public OperatorDevice {
+ public:
+  Pose advance(double dt, const OperatorView& view, const Box3& bounds) override {
+    return advanced(view.q_device, {Vector3(0.1 * std::sin(time_ += dt), 0, 0), Vector3::Zero()}, dt, bounds);
+  }
+  bool isSimulated() const override { return true; }
+
+ private:
+  double time_ = 0.0;
+};
+
+TEST(ThreadedSession, ASimulatedOperatorRestsOnceTheRunHasEnded) {
+  const auto session = makeThreadedSession(sessionConfig(windowProblem(), std::make_unique<RestlessOperator>()));
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.device.moves > 3; })) << "it acts before a run";
+  session->post(command::Start{});
+  ASSERT_TRUE(waitFor(*session, [](const auto& s) { return s.state == SessionState::Solved; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // a tick may be under way
+  const std::uint64_t moves = session->snapshot()->device.moves;
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  EXPECT_EQ(session->snapshot()->device.moves, moves);
+  session->post(command::Start{});
+  EXPECT_TRUE(waitFor(*session, [&](const auto& s) { return s.device.moves > moves + 3; })) << "it acts in the next run";
+}
+
 class FailingDevice final : public OperatorDevice {
  public:
   Pose advance(double, const OperatorView&, const Box3&) override { throw std::runtime_error("cable out"); }
