@@ -145,7 +145,8 @@ CLI::App* addSweep(CLI::App& app, SweepOptions& options) {
   sweep->add_option("OUT", options.output, "Write the swept volume: .stl (millimetres) or .glb")->required();
   addLength(
       *sweep, "--bound", [&options](double bound) { options.bound = bound; },
-      "How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too large)");
+      "How far its surface may be from the object, as 0.5mm (default: one with which the volume is about 7 % too "
+      "large)");
   addFormat(*sweep, options.format);
   return sweep;
 }

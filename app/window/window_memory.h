@@ -12,8 +12,8 @@
 namespace glissade {
 
 /// What the window remembers from one start to the next: the files opened last, the folders of its dialogs, where its
-/// panels lie, and a user's choices: ghosts along paths, language, size of texts, unit of lengths, colours, theme, navigation, perspective,
-/// shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
+/// panels lie, and a user's choices: ghosts along paths, language, size of texts, unit of lengths, colours, theme,
+/// navigation, perspective, shortcuts. Kept as the platform keeps settings. Scripts and pictures have none.
 class WindowMemory {
  public:
   /// The user's own.
