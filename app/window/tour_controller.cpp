@@ -7,8 +7,6 @@
 
 #include <sstream>
 
-#include "widgets/panels/section_panel.h"
-
 namespace glissade {
 namespace {
 
@@ -83,17 +81,14 @@ TourController::TourController(const Workbench& bench)
   connect(&bench.document, &WorkbenchDocument::changed, this, &TourController::check);
   connect(&bench.document.semantics(), &SemanticDocument::selectionChanged, this, &TourController::check);
   connect(&bench.run, &ShownRun::changed, this, &TourController::check);
-  connect(bench.actions["sequence.export"], &QAction::changed, this, &TourController::check);
+  for (const char* possible : {"sequence.export", "section.remove-all"}) {
+    connect(bench.actions[QLatin1String(possible)], &QAction::changed, this, &TourController::check);
+  }
   bench.window.installEventFilter(this);
   addCommands();
 }
 
-void TourController::start() {
-  if (const auto* section = bench_.window.findChild<SectionPanel*>()) {
-    connect(section, &SectionPanel::changed, this, &TourController::check, Qt::UniqueConnection);
-  }
-  go(0);
-}
+void TourController::start() { go(0); }
 
 void TourController::go(std::optional<std::size_t> to) {
   current_ = to;

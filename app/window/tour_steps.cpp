@@ -31,7 +31,7 @@ bool hasSolvedByGts(const Workbench& bench) {
 bool isStepChosen(const Workbench& bench) { return hasSelectedRow(bench, "steps"); }
 bool areBracketsOpen(const Workbench& bench) { return isOpen(bench, "bolted-brackets/scenario.json"); }
 bool hasNutPath(const Workbench& bench) { return areBracketsOpen(bench) && bench.document.results().path != nullptr; }
-bool isCutOpen(const Workbench& bench) { return !bench.scene.view().sections().empty(); }
+bool isCutOpen(const Workbench& bench) { return bench.actions["section.remove-all"]->isEnabled(); }
 bool hasSequence(const Workbench& bench) { return bench.actions["sequence.export"]->isEnabled(); }
 
 }  // namespace
@@ -104,10 +104,10 @@ const std::vector<TourStep>& tourSteps() {
       {QT_TRANSLATE_NOOP("Tour", "Cut it open"),
        QT_TRANSLATE_NOOP(
            "Tour",
-           "Open the panel Section (Alt+7) and check Y: the plane cuts the bodies open, so that bolts, rod "
-           "and holes are seen. The slider moves the plane."),
-       "panel.section",
-       {"action panel.section", "section y 0.5"},
+           "Choose View > Sections > Section across Y (Ctrl+Alt+Y): the plane cuts the bodies open, so that "
+           "bolts, rod and holes are seen. The arrow in the scene moves the plane."),
+       "section.add-y",
+       {"action section.add-y"},
        isCutOpen},
       {QT_TRANSLATE_NOOP("Tour", "Plan the sequence"),
        QT_TRANSLATE_NOOP(

@@ -1540,27 +1540,27 @@
     </message>
     <message>
         <source>Section across &amp;X</source>
-        <translation>Coupe en travers de &amp;X</translation>
+        <translation>Coupe perpendiculaire à &amp;X</translation>
     </message>
     <message>
         <source>Section across &amp;Y</source>
-        <translation>Coupe en travers de &amp;Y</translation>
+        <translation>Coupe perpendiculaire à &amp;Y</translation>
     </message>
     <message>
         <source>Section across &amp;Z</source>
-        <translation>Coupe en travers de &amp;Z</translation>
+        <translation>Coupe perpendiculaire à &amp;Z</translation>
     </message>
     <message>
         <source>Cut bodies open across x; drag the arrow to move the section</source>
-        <translation>Ouvrir les corps en travers de x ; tirez la flèche pour déplacer la coupe</translation>
+        <translation>Couper les corps perpendiculairement à x ; tirez la flèche pour déplacer la coupe</translation>
     </message>
     <message>
         <source>Cut bodies open across y; drag the arrow to move the section</source>
-        <translation>Ouvrir les corps en travers de y ; tirez la flèche pour déplacer la coupe</translation>
+        <translation>Couper les corps perpendiculairement à y ; tirez la flèche pour déplacer la coupe</translation>
     </message>
     <message>
         <source>Cut bodies open across z; drag the arrow to move the section</source>
-        <translation>Ouvrir les corps en travers de z ; tirez la flèche pour déplacer la coupe</translation>
+        <translation>Couper les corps perpendiculairement à z ; tirez la flèche pour déplacer la coupe</translation>
     </message>
     <message>
         <source>Section along a &amp;face</source>
@@ -6498,8 +6498,8 @@
         <translation>Voir en coupe</translation>
     </message>
     <message>
-        <source>Open the panel Section (Alt+7) and check Y: the plane cuts the bodies open, so that bolts, rod and holes are seen. The slider moves the plane.</source>
-        <translation>Ouvrez le panneau Coupe (Alt+7) et cochez Y : le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. Le curseur déplace le plan.</translation>
+        <source>Choose View &gt; Sections &gt; Section across Y (Ctrl+Alt+Y): the plane cuts the bodies open, so that bolts, rod and holes are seen. The arrow in the scene moves the plane.</source>
+        <translation>Choisissez Vue &gt; Coupes &gt; Coupe perpendiculaire à Y (Ctrl+Alt+Y) : le plan coupe les corps, et l&apos;on voit les vis, la tige et les trous. La flèche dans la scène déplace le plan.</translation>
     </message>
     <message>
         <source>Choose Assembly &gt; Plan the sequence (Ctrl+J): in which order do the parts leave? Each step has a motion that is proved. The rod leaves before the bolts, which have no room below it. A click on a row shows the step.</source>
@@ -9736,7 +9736,7 @@
     </message>
     <message>
         <source>Sections cut bodies open: across an axis, or along a face that is clicked. The object that moves stays whole.</source>
-        <translation>Les coupes ouvrent les corps : en travers d&apos;un axe, ou le long d&apos;une face que l&apos;on clique. L&apos;objet mobile reste entier.</translation>
+        <translation>Les coupes ouvrent les corps : perpendiculairement à un axe, ou le long d&apos;une face que l&apos;on clique. L&apos;objet mobile reste entier.</translation>
     </message>
     <message>
         <source>Drag the arrows in the scene, or type a place such as 25.4 mm.</source>

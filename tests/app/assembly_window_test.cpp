@@ -176,7 +176,7 @@ TEST_F(AssemblyWindow, APathIsReadFromAFile) {
                                            "place O3 240,1100,1800 0,0,0\nexpect-path O3\n")
                                 .arg(found)));
   expectGood(run(QStringLiteral("teaching"), QStringLiteral("open-path %1\nexpect-path -\n").arg(found)));
-  expectRefused(QString(), QStringLiteral("open-path %1\n").arg(found), "there is no scenario");
+  expectRefused(QString(), QStringLiteral("open-path %1\n").arg(found), "no scenario is open");
   expectRefused(shapeGame, QStringLiteral("open-path %1\n").arg(shapeGame), "glissade-path");
   expectRefused(shapeGame, QStringLiteral("action run.start\nsteps 1\nopen-path %1\n").arg(found), "Stop the run");
 }

@@ -42,7 +42,7 @@ TEST(BodyClasses, RefuseUnknownParentsAndCircles) {
   EXPECT_NE(unknown.error().reason.find("'fastener'"), std::string::npos);
   const auto circle = BodyClasses::of({{"a", "b"}, {"b", "c"}, {"c", "a"}});
   ASSERT_FALSE(circle.ok());
-  EXPECT_NE(circle.error().reason.find("circle"), std::string::npos);
+  EXPECT_NE(circle.error().reason.find("cycle"), std::string::npos);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ std::vector<Loss> losses() {
       {"index_cut.obj", kVertices + "f 1/ 2/ 3/x\n", "line 5", "'x'"},
       {"overflow.obj", "v 1e999 0 0\n", "line 1", "not a finite number"},
       {"free_form.obj", kVertices + "cstype bezier\n", "line 5", "free-form"},
-      {"unknown.obj", kVertices + "fcae 1 2 3\n", "line 5", "no statement"},
+      {"unknown.obj", kVertices + "fcae 1 2 3\n", "line 5", "not a statement"},
       {"weight.obj", "v 0 0 0 0.5\n", "line 1", "weight"},
       {"crossing.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0.5 2 0\nv 0.4 -2 0\nf 1 4 2 3 6 5\n", "line 7",
        "crosses itself"},

@@ -155,7 +155,7 @@ TEST(WorkInstruction, IsWhollyInFrench) {
   const auto page =
       reportHtml(workInstruction({plan, product, "drawer", 1e-5, {}, "", "", {}}, wordsIn(Language::French)));
   ASSERT_TRUE(page.ok());
-  EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
+  EXPECT_NE(page->find("Étape 1 sur 2 : pin"), std::string::npos);
   for (const char* word : {" the ", "Step", "Part", "part ", "Clearance", "Allowance", "thread", "Found", "stuck"}) {
     const std::size_t body = page->find("<body>");
     EXPECT_EQ(page->find(word, body), std::string::npos) << word;
