@@ -29,16 +29,15 @@ Diagnostic describe(const std::string& doing) {
   }
 }
 
-/// Allocates nothing: a text of this length is stored within the string.
-Diagnostic withoutAllocation() noexcept { return {ErrorKind::LimitReached, "", "", "out of memory", ""}; }
-
 }  // namespace
+
+Diagnostic withoutMemory() noexcept { return {ErrorKind::LimitReached, "", "", "out of memory", ""}; }
 
 Diagnostic currentExceptionAsDiagnostic(std::string_view doing) noexcept {
   try {
     return describe(std::string(doing));
   } catch (...) {
-    return withoutAllocation();
+    return withoutMemory();
   }
 }
 

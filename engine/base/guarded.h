@@ -12,6 +12,9 @@ namespace glissade {
 /// example "planning". Exhausted memory is LimitReached, everything else is Internal. Call it in a catch block only.
 Diagnostic currentExceptionAsDiagnostic(std::string_view doing) noexcept;
 
+/// What is said where no memory is left for more. Allocates nothing: texts of this length are stored within the string.
+Diagnostic withoutMemory() noexcept;
+
 /// Calls `work`. Returns nothing where it ends, and the diagnostic of the exception that leaves it otherwise.
 /// This is how each thread turns exceptions into diagnostics.
 template <class Work>

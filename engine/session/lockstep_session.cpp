@@ -18,6 +18,8 @@ class Lockstep final : public LockstepSession {
       : core_(std::move(config), std::move(planners)),
         hand_(core_.problem(), std::move(device)),
         tree_(core_.problem().metric()) {
+    unpublished_->state = SessionState::Failed;
+    unpublished_->problem = withoutMemory();
     publish();
   }
 
@@ -33,7 +35,7 @@ class Lockstep final : public LockstepSession {
     } else if (core_.state() != SessionState::Paused) {
       for (std::uint64_t i = 0; i < steps; ++i) tick();
     }
-    core_.publish([this] { publish(); });
+    if (!core_.publish([this] { publish(); })) publishWithoutMemory();
     if (wakeUp_) wakeUp_();
   }
 
@@ -95,6 +97,13 @@ class Lockstep final : public LockstepSession {
     snapshot_ = std::move(next);
   }
 
+  /// Who waits for the end of the run sees it, though no memory is left to describe it.
+  void publishWithoutMemory() {
+    unpublished_->run = core_.run();
+    unpublished_->revision = ++revision_;
+    snapshot_ = unpublished_;
+  }
+
   double secondsPerStep() const { return 1.0 / core_.parameters()[ParameterId::StepsPerSecond]; }
 
   SessionCore core_;
@@ -106,6 +115,7 @@ class Lockstep final : public LockstepSession {
   std::function<void()> wakeUp_;
   std::uint64_t revision_ = 0;
   SnapshotPtr snapshot_;
+  std::shared_ptr<SessionSnapshot> unpublished_ = std::make_shared<SessionSnapshot>();  ///< takes the snapshot's place
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ class Replay final : public ReplaySession {
         core_.attempt("planning", [&] { plan(left, stop); });
       }
     }
-    core_.publish([this] { publish(); });
+    (void)core_.publish([this] { publish(); });  // a replay ends with its record
     if (wakeUp_) wakeUp_();
   }
 

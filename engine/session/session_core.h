@@ -38,15 +38,16 @@ class SessionCore {
     if (auto why = guarded(doing, work)) endAfterException(std::move(*why));
   }
   /// Calls `publish`, which calls describe(), between two turns of the planner. Where that fails the run ends, its
-  /// planner is set aside and `publish` is called once more.
+  /// planner is set aside and `publish` is called once more. False: that failed, too, so the window knows nothing of
+  /// it.
   template <class Publish>
-  void publish(const Publish& publish) {
+  [[nodiscard]] bool publish(const Publish& publish) {
     constexpr std::string_view kDoing = "publishing the roadmap";
     auto why = guarded(kDoing, publish);
-    if (!why) return;
+    if (!why) return true;
     endAfterException(std::move(*why));
     setPlannerAside();
-    attempt(kDoing, publish);
+    return !guarded(kDoing, publish);
   }
 
   SessionState state() const { return state_; }

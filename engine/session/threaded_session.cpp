@@ -104,7 +104,7 @@ class Threaded final : public Session {
     while (waitForWork()) {
       while (const auto command = nextCommand()) carryOut(*command);
       if (core_.state() == SessionState::Planning) core_.attempt("planning", [this] { plan(); });
-      core_.publish([this] { publishPlanning(); });
+      if (!core_.publish([this] { publishPlanning(); })) publishWithoutMemory();
     }
   }
 
@@ -210,6 +210,14 @@ class Threaded final : public Session {
     const std::lock_guard lock(mutex_);
     chunks_ = next.roadmap;
     planning_ = std::move(next);
+    dirty_ = true;
+  }
+
+  /// Who waits for the end of the run sees it, though no memory is left to describe it.
+  void publishWithoutMemory() {
+    const std::lock_guard lock(mutex_);
+    planning_.state = core_.state();
+    planning_.problem = withoutMemory();
     dirty_ = true;
   }
 

@@ -186,7 +186,7 @@ TEST_F(StudyCli, LimitsOfTimeAndMemoryAreRows) {
   study["seeds"] = {1};
   study["rows"] = {{{"label", "steps"}, {"limits", {{"max_steps", 50}}}},
                    {{"label", "time"}, {"limits", {{"max_steps", 0}, {"time_limit", 0.2}}}},
-                   {{"label", "memory"}, {"limits", {{"memory_limit_mb", 60}, {"time_limit", 600}, {"max_steps", 0}}}}};
+                   {{"label", "memory"}, {"limits", {{"memory_limit_mb", 90}, {"time_limit", 600}, {"max_steps", 0}}}}};
   study.erase("quick");
   use(study);
   ASSERT_EQ(shell(command("out")), 0) << said;

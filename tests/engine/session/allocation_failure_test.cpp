@@ -68,6 +68,18 @@ TEST_P(AllocationFailure, InARunEndsThatRunOnly) {
   EXPECT_GT(failed, 10);
 }
 
+/// The run ends for whoever waits for it, though the snapshot cannot be made any more.
+TEST_P(AllocationFailure, ForGoodEndsTheRun) {
+  const auto undisturbed = makeLockstepSession(smoothingConfig(GetParam()));
+  const std::uint64_t calls = startWithFailure(*undisturbed, kNever, 1);
+  const auto session = makeLockstepSession(smoothingConfig(GetParam()));
+  startWithFailure(*session, calls / 2, kNever);
+  const SnapshotPtr snapshot = session->snapshot();
+  ASSERT_TRUE(hasEnded(*snapshot));
+  ASSERT_TRUE(snapshot->problem);
+  EXPECT_EQ(snapshot->problem->kind, ErrorKind::LimitReached);
+}
+
 INSTANTIATE_TEST_SUITE_P(Planners, AllocationFailure, testing::Values("contact-birrt", "auto", "ompl-rrtconnect"),
                          [](const testing::TestParamInfo<const char*>& parameter) {
                            std::string name = parameter.param;
