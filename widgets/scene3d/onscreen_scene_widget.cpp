@@ -63,6 +63,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     // Widths of lines and sizes of texts are those of this screen: at another scale the scene would be built anew.
     const auto buffer = makeBuffer(pixels.expandedTo(QSize(1, 1)) * devicePixelRatioF(), kSamples);
     QOpenGLFramebufferObject& target = *buffer;
+    target.bind();
     renderer_.resize(target.width(), target.height());
     renderer_.render(target.handle());
     const QImage image = target.toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -113,6 +114,7 @@ class OnscreenSceneWidget final : public QOpenGLWidget, public SceneWidget {
     const QSize drawn = (QSizeF(shown) * detail.resolution).toSize().expandedTo(QSize(1, 1));
     std::unique_ptr<QOpenGLFramebufferObject>& buffer = detail.smooth ? smoothBuffer_ : quickBuffer_;
     if (!buffer || buffer->size() != drawn) buffer = makeBuffer(drawn, detail.smooth ? kSamples : 0);
+    buffer->bind();  // OSG binds its target only after passes into buffers of its own
     renderer_.render(buffer->handle(), drawn.width(), drawn.height(), detail);
     QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(QPoint(), shown), buffer.get(), QRect(QPoint(), drawn),
                                               GL_COLOR_BUFFER_BIT, drawn == shown ? GL_NEAREST : GL_LINEAR);
