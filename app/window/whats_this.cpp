@@ -2,7 +2,11 @@
 
 #include <QAbstractButton>
 #include <QCoreApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QStatusBar>
 #include <QTabBar>
+#include <QToolBar>
 #include <QTreeWidget>
 
 #include <vector>
