@@ -2,6 +2,7 @@
 
 #include <QDockWidget>
 #include <QEvent>
+#include <QFontMetrics>
 #include <QScrollArea>
 #include <QStyle>
 #include <QToolBar>
@@ -103,6 +104,19 @@ QDockWidget* PanelDocks::firstOf(DockPlace place) const {
   return first->widget;
 }
 
+/// The tabs of the lower panels have room for their names, which are longer in French.
+int PanelDocks::usualRightWidth() const {
+  constexpr int kAroundName = 26;
+  const QFontMetrics metrics(window_.font());
+  int tabs = 0;
+  for (const Dock& dock : docks_) {
+    const bool isThere =
+        dock.panel.place == DockPlace::LowerRight && (!dock.panel.hasContent || dock.panel.hasContent());
+    if (isThere) tabs += metrics.horizontalAdvance(dock.widget->windowTitle()) + kAroundName;
+  }
+  return std::clamp(tabs, 340, 400);
+}
+
 void PanelDocks::arrange() {
   for (const Dock& dock : docks_) window_.removeDockWidget(dock.widget);
   std::map<DockPlace, QDockWidget*> last;
@@ -130,7 +144,7 @@ void PanelDocks::arrange() {
   QDockWidget* lower = firstOf(DockPlace::LowerRight);
   upper->raise();
   lower->raise();
-  window_.resizeDocks({left, upper}, {325, 340}, Qt::Horizontal);
+  window_.resizeDocks({left, upper}, {325, usualRightWidth()}, Qt::Horizontal);
   window_.resizeDocks({upper, lower}, {330, 300}, Qt::Vertical);
 }
 

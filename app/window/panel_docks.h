@@ -49,6 +49,7 @@ class PanelDocks final {
     QDockWidget* widget;
   };
   QDockWidget* firstOf(DockPlace place) const;
+  int usualRightWidth() const;
 
   QMainWindow& window_;
   const ActionCatalogue& actions_;

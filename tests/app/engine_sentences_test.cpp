@@ -89,7 +89,7 @@ bool isSentence(const std::string& text) {
 }
 
 /// As it stands for itself: what joins it to the text before it is left out.
-std::string alone(std::string text) {
+std::string alone(const std::string& text) {
   static const std::regex joint("^[;.,]? +");
   return std::regex_replace(text, joint, "");
 }
