@@ -49,7 +49,7 @@ Diagnostic warningOf(const UnitGuess& guess, const std::string& file, const Box3
   std::string reason = "does not say its unit; its size is " + sizeOf(box);
   reason += millimetres ? "; it is taken in millimetres" : "; it is taken in metres";
   if (guess.inDoubt) reason += "; the size does not decide this";
-  if (files > 1) reason += "; the same holds for " + std::to_string(files - 1) + " more files";
+  if (files > 1) reason += "; other files taken in the same way: " + std::to_string(files - 1);
   return {ErrorKind::MalformedInput, file, "", reason,
           millimetres ? "Give the unit: --unit 1mm, or --unit 1m." : "Give the unit: --unit 1m, or --unit 1mm."};
 }

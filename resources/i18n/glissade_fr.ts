@@ -5131,8 +5131,8 @@
         <translation>la taille ne permet pas d&apos;en décider</translation>
     </message>
     <message>
-        <source>the same holds for %1 more files</source>
-        <translation>il en va de même pour %1 autres fichiers</translation>
+        <source>other files taken in the same way: %1</source>
+        <translation>autres fichiers interprétés de la même façon : %1</translation>
     </message>
     <message>
         <source>Give the unit: --unit 1mm, or --unit 1m.</source>

@@ -184,7 +184,7 @@ inline constexpr const char* kScenarioSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "it is taken in millimetres"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is taken in metres"),
     QT_TRANSLATE_NOOP("Diagnostics", "the size does not decide this"),
-    QT_TRANSLATE_NOOP("Diagnostics", "the same holds for %1 more files"),
+    QT_TRANSLATE_NOOP("Diagnostics", "other files taken in the same way: %1"),
     QT_TRANSLATE_NOOP("Diagnostics", "Give the unit: --unit 1mm, or --unit 1m."),
     QT_TRANSLATE_NOOP("Diagnostics", "Give the unit: --unit 1m, or --unit 1mm."),
     QT_TRANSLATE_NOOP("Diagnostics", "the bound of the swept volume is not above 0"),

@@ -37,7 +37,7 @@ TEST(AssemblyEdits, PutBodiesAndEndsSomewhere) {
   EXPECT_FALSE(poseOf(scenario, kGoal));
   expectRefused(swapEnds(scenario), "out");
   expectRefused(place({AssemblyItem::Kind::Body, "nobody"}, there, scenario), "no such body");
-  expectRefused(place(kStart, Pose::translation({std::nan(""), 0, 0}), scenario), "place in space");
+  expectRefused(place(kStart, Pose::translation({std::nan(""), 0, 0}), scenario), "position in space");
 }
 
 TEST(AssemblyEdits, SwappedTwiceIsTheSame) {

@@ -55,7 +55,7 @@ inline const std::vector<BrokenScenario>& brokenScenarios() {
       {R"([{"op": "add", "path": "/fits/depth", "value": 1}])", "/fits/depth", "unknown key"},
       {R"([{"op": "add", "path": "/sequence/after", "value": []}])", "/sequence/after", "unknown key"},
       {R"([{"op": "replace", "path": "/sequence/together/0", "value": ["wall"]}])", "/sequence/together/0",
-       "less than 2"},
+       "fewer than 2"},
       {R"([{"op": "replace", "path": "/sequence/before/0", "value": ["a", "b", "c"]}])", "/sequence/before/0",
        "two names"},
       {R"([{"op": "replace", "path": "/sequence/gravity", "value": [0, 0, 0]}])", "/sequence/gravity", "no direction",

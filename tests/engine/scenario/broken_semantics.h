@@ -20,7 +20,7 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "add", "path": "/environment/depth", "value": 1}])", "/environment/depth", "unknown key"},
       // definitions of attributes
       {R"([{"op": "replace", "path": "/attributes/0/type", "value": "real"}])", "/attributes/0/type",
-       "no type of attribute"},
+       "not a type of attribute"},
       {R"([{"op": "replace", "path": "/attributes/0/of", "value": "border"}])", "/attributes/0/of", "neither"},
       {R"([{"op": "replace", "path": "/attributes/0/name", "value": "Weight"}])", "/attributes", "not a word"},
       {R"([{"op": "replace", "path": "/attributes/2/name", "value": "weight"}])", "/attributes", "already", false},
@@ -33,9 +33,9 @@ inline const std::vector<BrokenScenario>& brokenSemantics() {
       {R"([{"op": "remove", "path": "/attributes/0/of"}])", "/attributes/0/of", "missing"},
       // values
       {R"([{"op": "add", "path": "/places/0/attributes/colour", "value": "red"}])", "/places/0/attributes/colour",
-       "no attribute", false},
+       "not a defined attribute", false},
       {R"([{"op": "add", "path": "/places/0/attributes/weight", "value": 1}])", "/places/0/attributes/weight",
-       "no attribute", false},  // of bodies only
+       "not a defined attribute", false},  // of bodies only
       {R"([{"op": "replace", "path": "/places/1/attributes/forbidden", "value": 1}])", "/places/1/attributes/forbidden",
        "neither true nor false", false},
       {R"([{"op": "replace", "path": "/places/0/attributes/compatibility", "value": 2}])",

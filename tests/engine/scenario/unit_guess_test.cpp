@@ -45,7 +45,7 @@ TEST(UnitGuess, IsToldWithTheOption) {
   EXPECT_EQ(metres[1].unit, 1.0);
   ASSERT_EQ(told->size(), 1U);
   EXPECT_THAT(told->front().reason, HasSubstr("0.024 x 0.024 x 0.024"));
-  EXPECT_THAT(told->front().reason, HasSubstr("metres because of its size, as are the other 1"));
+  EXPECT_THAT(told->front().reason, HasSubstr("it is taken in metres; other files taken in the same way: 1"));
   EXPECT_THAT(told->front().advice, HasSubstr("--unit 1m"));
 
   std::vector<PartFile> usual{usualPart(folder.write("c.obj", tetrahedron(24.0)))};
