@@ -4,7 +4,6 @@
 #include <QMouseEvent>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/window/scene_ray.h"
 
@@ -13,10 +12,6 @@ namespace {
 
 using FeatureKind = MeasureFeature::Kind;
 
-/// A press and a release nearer than this are a click.
-constexpr double kStillClickPixels = 4.0;
-/// Vertices and edges are meant within this.
-constexpr double kFeaturePixels = 9.0;
 constexpr int kHoverMilliseconds = 15;
 
 QString kindText(const MeasureFeature& feature) {
@@ -124,13 +119,8 @@ bool AlignTool::followMouse(const QMouseEvent& event) {
     return false;
   }
   if (event.button() != Qt::LeftButton) return false;
-  if (event.type() == QEvent::MouseButtonPress) {
-    pressed_ = event.localPos();
-    return false;
-  }
-  const QPointF moved = event.localPos() - pressed_;
-  if (std::hypot(moved.x(), moved.y()) < kStillClickPixels) click(event.localPos());
-  return true;  // a click selects nothing meanwhile
+  if (const auto clicked = clicks_.follow(event)) click(*clicked);
+  return event.type() == QEvent::MouseButtonRelease;  // a click selects nothing meanwhile
 }
 
 /// What can be arranged; the object counts where its start and its goal are.

@@ -4,6 +4,7 @@
 
 #include "app/window/arranged_item.h"
 #include "app/window/feature_store.h"
+#include "app/window/left_click.h"
 #include "app/window/scene_hint.h"
 #include "engine/product/alignment.h"
 
@@ -70,7 +71,7 @@ class AlignTool final : public QObject {
   std::optional<AssemblyItem> selected_;
   std::optional<Pointed> first_;
   bool previewed_ = false;
-  QPointF pressed_;
+  LeftClick clicks_;
   QPointF pointer_;
   QTimer hovering_;  ///< the pointer moves faster than bodies are hit
 };

@@ -9,6 +9,7 @@
 #include <QRegularExpression>
 #include <QScreen>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QTranslator>
 
 #include <algorithm>
@@ -161,7 +162,7 @@ int runWindow(const QCommandLineParser& parser, MainWindow& window) {
     window.keepUnsavedEdits(data + QStringLiteral("/unsaved"));
     window.keepJournals(data + QStringLiteral("/recordings"));
   }
-  if (asksForParts) (void)window.workbench().scripts.carryOut("drop", {file.toStdString()});
+  if (asksForParts) QTimer::singleShot(0, &window, [&window, file] { window.importParts(file); });
   if (parser.isSet("script")) {
     const int status = runScriptFile(parser.value("script").toStdString(), window.workbench());
     if (status != 0) return status;

@@ -20,6 +20,9 @@ struct MeshFeatures {
 };
 using MeshFeaturesPtr = std::shared_ptr<const MeshFeatures>;
 
+/// The pointer means vertices and edges within this.
+inline constexpr double kFeaturePixels = 9.0;
+
 /// The features of the meshes of the open scenario, found once each, in the background. GUI thread.
 class FeatureStore final : public QObject {
   Q_OBJECT

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "app/window/scene_ray.h"
@@ -21,11 +20,6 @@ namespace glissade {
 namespace {
 
 using Kind = MeasureController::Kind;
-
-/// A press and a release nearer than this are a click.
-constexpr double kStillPixels = 4.0;
-/// The pointer snaps to vertices and edges within this.
-constexpr double kSnapPixels = 9.0;
 
 constexpr std::array<std::pair<const char*, Kind>, 6> kKinds{{{"measure.distance", Kind::Distance},
                                                               {"measure.angle", Kind::Angle},
@@ -139,13 +133,9 @@ bool MeasureController::eventFilter(QObject* watched, QEvent* event) {
   }
   const auto& mouse = static_cast<const QMouseEvent&>(*event);
   if (mouse.button() != Qt::LeftButton) return QObject::eventFilter(watched, event);
-  if (event->type() == QEvent::MouseButtonPress) {
-    pressed_ = mouse.localPos();
-    return QObject::eventFilter(watched, event);
-  }
-  const QPointF moved = mouse.localPos() - pressed_;
-  if (std::hypot(moved.x(), moved.y()) < kStillPixels) click(mouse.localPos());
-  return true;  // a click selects nothing meanwhile
+  if (const auto clicked = clicks_.follow(mouse)) click(*clicked);
+  // A click selects nothing meanwhile.
+  return event->type() == QEvent::MouseButtonRelease || QObject::eventFilter(watched, event);
 }
 
 std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& position) const {
@@ -165,7 +155,7 @@ std::optional<MeasureController::Picked> MeasureController::pick(const QPointF& 
   if (!hit) return std::nullopt;
   const Vector3 p_W = ray.origin + hit->distance * ray.direction;
   const double pixel = view.camera().viewHeightAt(p_W) / std::max(1, bench_.scene.widget()->height());
-  return Picked{bodies[hit->body], *hit, p_W, kSnapPixels * pixel};
+  return Picked{bodies[hit->body], *hit, p_W, kFeaturePixels * pixel};
 }
 
 void MeasureController::click(const QPointF& position) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/window/feature_store.h"
+#include "app/window/left_click.h"
 #include "app/window/scene_hint.h"
 #include "widgets/scene3d/scene_pick.h"
 
@@ -63,7 +64,7 @@ class MeasureController final : public QObject {
   std::vector<MeasureFeature> features_;  ///< that were clicked, world frame
   std::vector<RigidBody> bodies_;         ///< likewise
   BackgroundTask measuring_;
-  QPointF pressed_;
+  LeftClick clicks_;
 };
 
 }  // namespace glissade
