@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Configures and builds one preset, quietly: the log is shown only when something fails.
+# Configures and builds one preset, quietly: the log is shown only when something fails. An option that is not given has
+# its default, whatever an earlier call left in the build folder.
 # usage: packaging/build.sh PRESET [TARGET...] [-- CMAKE_OPTION...]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -16,7 +17,9 @@ done
 log=build/$preset.log
 mkdir -p build
 echo "building $preset (log: $log)"
-if ! { cmake --preset "$preset" -DGLISSADE_UNITY=ON -DGLISSADE_PRECOMPILE=ON "$@" &&
+defaults=(-DGLISSADE_UNITY=ON -DGLISSADE_PRECOMPILE=ON -DGLISSADE_TESTS=ON -DGLISSADE_BENCHMARKS=OFF
+  -DGLISSADE_SANITIZER_TESTS=ON)
+if ! { cmake --preset "$preset" "${defaults[@]}" "$@" &&
        cmake --build "build/$preset" "${targets[@]}"; } >"$log" 2>&1; then
   grep -nE 'error|CMake Error|FAILED' "$log" | head -n 20 >&2 || true
   tail -n 30 "$log" >&2

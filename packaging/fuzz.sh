@@ -23,7 +23,7 @@ done
 
 if [ -n "$build" ]; then
   packaging/setup.sh build test || exit 1
-  packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_TESTS=ON -DGLISSADE_PRECOMPILE=OFF || exit 1
+  packaging/build.sh fuzz fuzz_readers -- -DGLISSADE_PRECOMPILE=OFF || exit 1
 fi
 [ -x build/fuzz/bin/fuzz_readers ] || { echo "build/fuzz/bin/fuzz_readers is missing" >&2; exit 1; }
 

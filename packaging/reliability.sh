@@ -33,9 +33,9 @@ while [ $# -gt 0 ]; do
 done
 
 if [ -n "$quick" ]; then
-  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 soak_minutes=1
+  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 sessions=100 soak_minutes=1
 else
-  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 soak_minutes=20
+  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 sessions=1000 soak_minutes=20
 fi
 : "${fuzz_seconds:=$default_fuzz_seconds}"
 
@@ -97,12 +97,22 @@ tests() {
   sed -n 's/^ROW //p' <<<"$output"  # what a test has counted
 }
 
+words() {
+  export GLISSADE_WORD_SESSIONS=$sessions GLISSADE_WORD_SEED=$seed
+  tests "words of a person in sessions" "$release/words_test" '*'
+}
+
+forbidden_samples() {
+  export GLISSADE_FORBIDDEN=all
+  tests "forbidden places of samples" "$release/forbidden_samples_test" '*'
+}
+
 saves() { GLISSADE_SAVE_KILLS=$kills GLISSADE_SAVE_SEED=$seed "$release/save_reliability_test"; }
 
 if [ -n "$build" ] && [ -z "$list" ]; then
-  packaging/setup.sh build run test && packaging/build.sh release -- -DGLISSADE_TESTS=ON || exit 1
-  packaging/build.sh release session_soak -- -DGLISSADE_TESTS=ON || exit 1
-  [[ "mutations truncations" =~ $only ]] && { packaging/build.sh asan mutate_readers -- -DGLISSADE_TESTS=ON || exit 1; }
+  packaging/setup.sh build run test && packaging/build.sh release || exit 1
+  packaging/build.sh release session_soak || exit 1
+  [[ "mutations truncations" =~ $only ]] && { packaging/build.sh asan mutate_readers || exit 1; }
 fi
 
 for format in $formats; do
@@ -129,6 +139,10 @@ campaign "exceptions in the window" "$release/window_exceptions_test" \
 campaign "exceptions in sessions" "$release/session_exceptions_test" \
   tests "exceptions in sessions" "$release/session_exceptions_test" '*'
 campaign "kills and failed system calls of saves" "$release/save_reliability_test" saves
+campaign "words of a person in sessions" "$release/words_test" words
+campaign "forbidden places in every strategy" "$release/forbidden_places_test" \
+  tests "forbidden places in every strategy" "$release/forbidden_places_test" '*'
+campaign "forbidden places of samples" "$release/forbidden_samples_test" forbidden_samples
 campaign "soak" "$release/session_soak" packaging/soak.sh --minutes "$soak_minutes" --seed "$seed"
 [ -z "$list" ] || exit 0
 

@@ -23,7 +23,7 @@ while [ $# -gt 0 ]; do
 done
 programs=build/release/bin
 for program in glissade-offscreen session_soak; do
-  [ -x "$programs/$program" ] || packaging/build.sh release "$program" -- -DGLISSADE_TESTS=ON || exit 1
+  [ -x "$programs/$program" ] || packaging/build.sh release "$program" || exit 1
 done
 
 folder=$(mktemp -d)

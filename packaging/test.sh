@@ -60,9 +60,8 @@ run_suite() {
 build_and_run() {
   local preset=$1 targets=$2 sanitizer_tests=$3 begun=$SECONDS built
   shift 3
-  # run.sh may have left the tests out.
   # shellcheck disable=SC2086
-  if packaging/build.sh "$preset" $targets -- -DGLISSADE_TESTS=ON "-DGLISSADE_SANITIZER_TESTS=$sanitizer_tests"; then
+  if packaging/build.sh "$preset" $targets -- "-DGLISSADE_SANITIZER_TESTS=$sanitizer_tests"; then
     built=$SECONDS
     run_suite "$preset" "$@"
     echo "$preset: built in $((built - begun)) s, tested in $((SECONDS - built)) s"

@@ -1,118 +1,123 @@
 #include "app/cli/check_command.h"
 
-#include <algorithm>
+#include <unistd.h>
+
+#include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/cli/interrupt.h"
-#include "app/cli/plan_check.h"
-#include "engine/collision/independent_check.h"
-#include "engine/planning/path_bounds.h"
-#include "engine/planning/path_certificate.h"
-#include "engine/planning/path_examination.h"
-#include "engine/scenario/path_reader.h"
-#include "engine/scenario/plan_file.h"
-#include "engine/scenario/scenario_io.h"
+#include "engine/check/read_path.h"
+#include "engine/check/read_question.h"
+#include "engine/check/verdict_report.h"
 
 namespace glissade::cli {
 namespace {
 
-struct Judgement {
-  MotionCertificate certificate;
-  std::string whyUndecided;  ///< empty where the certificate is a verdict
-  std::string whyRefused{};  ///< what is wrong with a motion in a thread; else empty
+/// The share of the work that is done, on the terminal of whoever waits.
+class CheckProgress {
+ public:
+  explicit CheckProgress(bool shown) : shown_(shown && isatty(STDERR_FILENO) != 0) {}
+  ~CheckProgress() {
+    if (percent_ >= 0) std::cerr << "\r\033[K" << std::flush;
+  }
+  CheckProgress(const CheckProgress&) = delete;
+  CheckProgress& operator=(const CheckProgress&) = delete;
+
+  void show(double share) {
+    const int percent = static_cast<int>(100.0 * share);
+    if (!shown_ || percent == percent_) return;
+    percent_ = percent;
+    std::cerr << "\r\033[K" << percent << " % judged" << std::flush;
+  }
+
+ private:
+  bool shown_;
+  int percent_ = -1;
 };
 
-std::string threadInWords(const MotionCertificate& certificate, const LoadedScenario& loaded) {
-  std::ostringstream text;
-  for (const Fit& fit : loaded.fits.allowed) {
-    if (!fit.thread || static_cast<int>(fit.obstacle) != certificate.nearest.body) continue;
-    const std::string& body = loaded.obstacles[fit.obstacle].name;
-    text << "'" << loaded.object.name << "' and '" << body << "' are a thread, which comes apart by turning only: ";
-    if (fit.thread->rule.mayTurn) {
-      text << "each turn about its axis advances by " << fit.thread->rule.pitch * 1e3 << " mm";
-    } else {
-      text << "'" << body << "' is turned, and has to leave first";
-    }
-  }
-  return text.str();
+StopToken limited(const StopToken& stop, double seconds) {
+  if (seconds <= 0.0) return stop;
+  const std::chrono::duration<double> limit(seconds);
+  return stop.withDeadline(StopToken::Clock::now() + std::chrono::duration_cast<StopToken::Clock::duration>(limit));
 }
 
-Judgement judge(const std::vector<PathPoint>& points, const LoadedScenario& loaded, const StopToken& stop) {
-  const CollisionWorld& world = *loaded.problem.world;
-  const std::vector<double> allowances = allowancesOf(loaded.fits.allowed, world.obstacles().size());
-  const IndependentCheck check(world.obstacles(), world.object(), allowances, threadRulesOf(loaded.fits.allowed));
-  const std::vector<Pose> path = configurationsOf(points);
-  const std::vector<EdgeDemand> demands = demandsOf(points, loaded.parameters);
-  Judgement judgement{check.check(path, demands, stop), ""};
-  if (judgement.certificate.againstThread) judgement.whyRefused = threadInWords(judgement.certificate, loaded);
-  if (judgement.certificate.status != CertificateStatus::Undecided) return judgement;
-  if (stop.stopRequested()) {
-    judgement.whyUndecided = "the check was stopped";
+/// 0 valid; else why not: what was shown goes before a stop.
+int exitCodeOf(bool valid, bool refused, const Interrupt& interrupt, const StopToken& stop) {
+  if (valid) return 0;
+  if (!refused && interrupt.requested()) return exitCode(ErrorKind::Interrupted);
+  if (!refused && stop.stopRequested()) return exitCode(ErrorKind::LimitReached);
+  return exitCode(ErrorKind::NoPath);
+}
+
+/// A reader that was stopped by the limit says that it was interrupted.
+int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
+  if (error.kind == ErrorKind::Interrupted && !interrupt.requested()) error.kind = ErrorKind::LimitReached;
+  return reportError(error, format);
+}
+
+int checkPath(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
+  auto question = check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash}, stop);
+  if (!question) return reportStopped(question.error(), interrupt, options.format);
+  reportWarnings(question->product.warnings);
+  const auto path = check::readPath(options.path);
+  if (!path) return reportError(path.error(), options.format);
+  if (options.requiredClearance) {
+    ParameterValues parameters(radiusAboutOrigin(*question->object().mesh));
+    const Outcome set = parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
+    if (!set) return reportError(set.error(), options.format);
+    question->requiredClearance = *options.requiredClearance;
+  }
+  check::PathVerdict verdict;
+  {
+    CheckProgress progress(options.format == Format::Text);
+    verdict = check::judgePath(*question, *path, {stop, [&](double share) { progress.show(share); }});
+  }
+  if (options.format == Format::Json) {
+    printJson(check::reportJson(verdict, *question, options.edges));
   } else {
-    const std::size_t edge = judgement.certificate.edge;
-    judgement.whyUndecided =
-        check.whyUndecided(path[edge], path[std::min(edge + 1, path.size() - 1)], demands[edge].clearance);
+    std::cout << check::reportText(verdict, *question, options.edges);
   }
-  return judgement;
+  const bool undecided = verdict.motion.verdict.status == check::Status::Undecided && !verdict.outside;
+  const bool refused = !undecided || !verdict.refusals.empty() || verdict.forbidden || !verdict.beginsAtStart;
+  return exitCodeOf(verdict.valid(), refused, interrupt, stop);
 }
 
-/// Of a path that is refused on the edge to its first configuration outside.
-Judgement outsideWorkspace(std::size_t configuration) {
-  Judgement judgement;
-  judgement.certificate.edge = configuration == 0 ? 0 : configuration - 1;
-  judgement.whyUndecided = "configuration " + std::to_string(configuration) +
-                           " is outside the scenario's workspace; the path was not examined further";
-  return judgement;
+int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
+  const auto plan = check::readPlan(options.path);
+  if (!plan) return reportError(plan.error(), options.format);
+  const auto product =
+      check::readProduct(options.scenario, plan->deflection, {options.fits.on, options.fits.acceptedClash}, stop);
+  if (!product) return reportStopped(product.error(), interrupt, options.format);
+  reportWarnings(product->warnings);
+  check::PlanVerdict verdict;
+  {
+    CheckProgress progress(options.format == Format::Text);
+    verdict = check::judgePlan(*product, *plan, options.requiredClearance,
+                               {stop, [&](double share) { progress.show(share); }});
+  }
+  if (options.format == Format::Json) {
+    printJson(check::reportJson(verdict, *product));
+  } else {
+    std::cout << check::reportText(verdict, *product);
+  }
+  bool refused = !verdict.refusals.empty();
+  for (const check::StepVerdict& step : verdict.steps) {
+    refused = refused || step.motion.verdict.status == check::Status::Violated || !step.refusals.empty();
+  }
+  return exitCodeOf(verdict.valid(), refused, interrupt, stop);
 }
 
 }  // namespace
 
 int runCheck(const CheckOptions& options) {
-  if (isPlanFile(options.path)) return runPlanCheck(options);
+  if (!(options.timeLimit >= 0.0)) {
+    return reportError({ErrorKind::Usage, "", "--time-limit", "is below zero", "Give seconds, 0 for none."},
+                       options.format);
+  }
   const Interrupt interrupt;
-  auto loaded = loadScenario(options.scenario, options.fits, interrupt.token());
-  if (!loaded) return reportError(loaded.error(), options.format);
-  reportWarnings(loaded->warnings);
-  reportWarnings(loaded->fits.warnings);
-  const auto read = readPath(options.path);
-  if (!read) return reportError(read.error(), options.format);
-
-  const Problem& problem = loaded->problem;
-  const std::vector<PathPoint> points = withUnitRotations(*read);
-  if (options.requiredClearance) {
-    const Outcome set = loaded->parameters.set(ParameterId::RequiredClearance, *options.requiredClearance);
-    if (!set) return reportError(set.error(), options.format);
-  }
-  const std::optional<std::size_t> outside = firstOutside(points, problem);
-  const auto [certificate, whyUndecided, whyRefused] =
-      outside ? outsideWorkspace(*outside) : judge(points, *loaded, interrupt.token());
-  const PathEnds ends = endsOf(points, problem);
-  const bool valid = certificate.status == CertificateStatus::Certified && ends.start && ends.goal && !outside;
-
-  if (options.format == Format::Json) {
-    nlohmann::ordered_json report;
-    report["valid"] = valid;
-    report["configurations"] = points.size();
-    report["begins_at_start"] = ends.start;
-    report["ends_at_goal"] = ends.goal;
-    report["outside_workspace"] = outside ? nlohmann::ordered_json(*outside) : nlohmann::ordered_json(nullptr);
-    report["certificate"] = toJson(certificate, *problem.world, options.edges);
-    if (!whyUndecided.empty()) report["certificate"]["why_undecided"] = whyUndecided;
-    if (!whyRefused.empty()) report["certificate"]["why_refused"] = whyRefused;
-    addUncertainties(*loaded, points, report["certificate"]);
-    printJson(report);
-  } else {
-    std::cout << (valid ? "valid" : "invalid") << ": " << points.size() << " configurations, "
-              << inWords(certificate, *problem.world) << (whyUndecided.empty() ? "" : ": ") << whyUndecided
-              << (whyRefused.empty() ? "" : ": ") << whyRefused << "\n";
-    std::cout << deviationInWords(*loaded, points);
-    if (options.edges) printEdges(certificate, *problem.world);
-    if (!ends.start) std::cout << "the path does not begin at the scenario's start\n";
-    if (!ends.goal) std::cout << "the path does not end at the scenario's goal\n";
-  }
-  return valid ? 0 : exitCode(ErrorKind::NoPath);
+  const StopToken stop = limited(interrupt.token(), options.timeLimit);
+  return check::isPlan(options.path) ? checkPlan(options, interrupt, stop) : checkPath(options, interrupt, stop);
 }
 
 }  // namespace glissade::cli

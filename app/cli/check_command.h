@@ -13,11 +13,13 @@ struct CheckOptions {
   std::string path;
   std::optional<double> requiredClearance;  ///< metres; the scenario's where absent
   FitOptions fits;
-  bool edges = false;  ///< certificates of every edge
+  bool edges = false;      ///< certificates of every edge
+  double timeLimit = 0.0;  ///< seconds; 0: none
   Format format = Format::Text;
 };
 
-/// glissade-cli check: an independent certificate of any path. Exit code 0 valid, 1 invalid.
+/// glissade-cli check: judges a path or an assembly plan (engine/check). Exit code 0 valid, 1 invalid, 5 where the time
+/// limit left it undecided, 130 interrupted.
 int runCheck(const CheckOptions& options);
 
 }  // namespace glissade::cli

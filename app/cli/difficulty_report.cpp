@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "app/cli/report.h"
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/session/grown_roadmap.h"
 
 namespace glissade::cli {

@@ -10,6 +10,7 @@
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
 #include "engine/geometry/mesh_audit.h"
+#include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/product_file.h"
 #include "engine/scenario/scenario_io.h"
@@ -178,13 +179,26 @@ int runProductInfo(const InfoOptions& options) {
   return 0;
 }
 
+/// The file keeps all else that it says.
+Outcome saveRegions(const std::string& file, LoadedScenario& loaded) {
+  auto places = forbiddenPlacesOf(loaded, loaded.scenario);
+  if (!places) return places.error();
+  loaded.scenario.forbiddenRegions = std::move(*places);
+  return saveScenario(loaded.scenario, file);
+}
+
 }  // namespace
 
 int runInfo(const InfoOptions& options) {
   if (isPartFile(usualPart(options.file).path)) return runProductInfo(options);
-  const auto loaded = loadScenario(options.file);
+  auto loaded = loadScenario(options.file);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
+  if (options.saveRegions) {
+    if (const Outcome saved = saveRegions(options.file, *loaded); !saved) {
+      return reportError(saved.error(), options.format);
+    }
+  }
   SceneKnowledgePtr knowledge;
   if (options.places) {
     const auto built = buildSceneKnowledge(loaded->problem, loaded->parameters[ParameterId::RequiredClearance]);

@@ -8,7 +8,8 @@ namespace glissade::cli {
 
 struct InfoOptions {
   std::string file;
-  bool places = false;  ///< build the environment model, too
+  bool places = false;       ///< build the environment model, too
+  bool saveRegions = false;  ///< write where the forbidden places are into the scenario file
   Format format = Format::Text;
 };
 

@@ -121,6 +121,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
       "Clearance to prove [m] (default: the scenario's)");
   addFitOptions(*check, options.fits, "the scenario's");
   check->add_flag("--edges", options.edges, "Report the certificate of every edge");
+  check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
   addFormat(*check, options.format);
   return check;
 }
@@ -155,6 +156,8 @@ CLI::App* addInfo(CLI::App& app, InfoOptions& options) {
   CLI::App* info = app.add_subcommand("info", "Show bodies, triangles, units and the quality of the meshes");
   info->add_option("FILE", options.file, "Scenario, OMPL.app .cfg, or part file (STEP, mesh, URDF)")->required();
   info->add_flag("--places", options.places, "Build the environment model: octree, places, borders, compatibility");
+  info->add_flag("--save-regions", options.saveRegions,
+                 "Write into the scenario file where its forbidden places are, which 'check' reads");
   addFormat(*info, options.format);
   return info;
 }

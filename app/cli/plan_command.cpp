@@ -1,11 +1,14 @@
 #include "app/cli/plan_command.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/cli/environment_report.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_setup.h"
+#include "engine/planning/fine/coarse_preview.h"
+#include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/scenario_io.h"
 
@@ -31,7 +34,27 @@ SnapshotPtr planInLockstep(LockstepSession& session, const Interrupt& interrupt)
 void checkEdits(const LoadedScenario& loaded, const StopToken& stop) {
   if (loaded.scenario.places.empty() && loaded.scenario.milestones.empty()) return;
   const auto knowledge = buildSceneKnowledge(loaded.problem, loaded.parameters[ParameterId::RequiredClearance], stop);
-  if (knowledge) warnOfEdits(loaded, **knowledge);
+  if (!knowledge) return;
+  warnOfEdits(loaded, **knowledge);
+  const auto places = forbiddenPlacesOf((*knowledge)->environment->map, semanticEditsOf(loaded.scenario));
+  if (!places) return;  // the run says why
+  if (const auto warning = regionsWarning(loaded.scenario, *places, loaded.file)) reportWarnings({*warning});
+}
+
+/// Only strategies that plan coarsely look at milestones and preferences.
+void warnOfUnused(const PlanOptions& options, const LoadedScenario& loaded) {
+  const std::string strategy = options.strategy.value_or(loaded.scenario.planner);
+  if (isMultiLayer(strategy)) return;
+  const auto prefers = [](const PlaceEdit& edit) { return edit.attributes.count("preference") > 0; };
+  const auto& places = loaded.scenario.places;
+  Warnings unused;
+  const auto warn = [&](const char* location, const char* what) {
+    unused.push_back({ErrorKind::Usage, loaded.file, location,
+                      std::string(what) + " not used by strategy '" + strategy + "'", "Choose gts to plan with them."});
+  };
+  if (!loaded.scenario.milestones.empty()) warn("/milestones", "are");
+  if (std::any_of(places.begin(), places.end(), prefers)) warn("/places", "have preferences, which are");
+  reportWarnings(unused);
 }
 
 /// Asked first, not after the whole search.
@@ -54,6 +77,7 @@ int runPlan(const PlanOptions& options) {
     loaded->problem.world = loaded->problem.world->withBackend(options.collision);
   }
   checkEdits(*loaded, interrupt.token());
+  warnOfUnused(options, *loaded);
   const auto session = setUpRun(options, *loaded, interrupt.token());
   if (!session) return reportError(session.error(), options.format);
   if (options.format == Format::Text) std::cout << "seed " << (*session)->snapshot()->seed << "\n";

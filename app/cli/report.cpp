@@ -13,6 +13,7 @@ namespace glissade::cli {
 using Json = nlohmann::ordered_json;
 
 std::string bodyName(const CollisionWorld& world, int body) {
+  if (body == kForbiddenPlace) return "a forbidden place";
   return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].name;
 }
 

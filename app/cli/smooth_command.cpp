@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/interrupt.h"
+#include "engine/planning/coarse/prohibitions.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
@@ -29,7 +30,9 @@ int runSmooth(const SmoothOptions& options) {
   reportWarnings(loaded->warnings);
   auto points = readPath(options.input);
   if (!points) return reportError(points.error(), options.format);
-  const Problem& problem = loaded->problem;
+  const auto kept = keepingOut(loaded->problem, interrupt.token());
+  if (!kept) return reportError(kept.error(), options.format);
+  const Problem& problem = *kept;
 
   Path path;
   path.points = std::move(*points);

@@ -116,7 +116,7 @@ SaveController* FileController::makeSaves() {
 SaveResult FileController::write(const QString& file) {
   const std::string name = file.toStdString();
   if (bench_.document.hasUnkeptPath()) bench_.document.keepResult();
-  const Scenario content = bench_.document.contentFor(name);
+  const Scenario content = bench_.document.savedContentFor(name);
   SaveResult saved = saves_->save(content, name);
   if (!saved) return saved;
   bench_.document.noteSaved(name, content);

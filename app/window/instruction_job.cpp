@@ -7,7 +7,7 @@
 
 #include "app/window/report_file.h"
 #include "app/window/sequence_controller.h"
-#include "engine/sequence/plan_judge.h"
+#include "engine/scenario/judged_product.h"
 #include "engine/sequence/step_view.h"
 #include "engine/study/plan_graph.h"
 #include "widgets/commands/length_text.h"
@@ -29,11 +29,11 @@ std::vector<StepCheck> checksOf(const AssemblyPlan& plan, const AssembledProduct
   const bool all =
       known.size() == plan.steps.size() && std::find(known.begin(), known.end(), StepCheck::NotAsked) == known.end();
   if (all) return known;
-  const auto judgements = judgePlan(plan, product, std::nullopt, stop);
-  if (!judgements) return known;
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt, stop);
+  if (stop.stopRequested()) return known;
   std::vector<StepCheck> checks;
-  for (const StepJudgement& judgement : *judgements) {
-    checks.push_back(judgement.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
+  for (const check::StepVerdict& step : verdict.steps) {
+    checks.push_back(step.valid() ? StepCheck::Agrees : StepCheck::Disagrees);
   }
   return checks;
 }

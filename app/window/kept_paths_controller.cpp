@@ -1,6 +1,7 @@
 #include "app/window/kept_paths_controller.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/number_text.h"
 #include "engine/planning/path_examination.h"
@@ -72,13 +73,18 @@ void KeptPathsController::connectActions() {
 
 void KeptPathsController::followDocument(Changes what) {
   if (what & Change::Scenario) shown_.clear();
-  if (what & (Change::Scenario | Change::Arrangement)) {
+  // Places may have been forbidden, or allowed again.
+  const std::vector<PlaceEdit> places = bench_.document.semantics().edits().places;
+  const bool otherPlaces = std::exchange(places_, places) != places;
+  const bool otherProblem = otherPlaces || (what & (Change::Scenario | Change::Arrangement));
+  if (otherProblem) {
     proving_.cancel();
     proofs_.clear();
   }
-  if (!(what & (Change::Scenario | Change::Arrangement | Change::Paths | Change::Results | Change::File))) return;
+  const bool shown = otherProblem || (what & (Change::Paths | Change::Results | Change::File));
+  if (!shown || !bench_.document.scenario()) return;
   showRows();
-  if (what & (Change::Scenario | Change::Arrangement | Change::Paths)) proveNext();
+  if (otherProblem || (what & Change::Paths)) proveNext();
 }
 
 KeptPathsController::Proofs::iterator KeptPathsController::findProof(const KeptPath& path) {
@@ -111,9 +117,12 @@ void KeptPathsController::proveNext() {
 }
 
 void KeptPathsController::startProof(const KeptPathPtr& path) {
-  const auto prove = [this, path,
+  const auto edits = std::make_shared<const SemanticEdits>(bench_.document.semantics().edits());
+  const auto prove = [this, path, edits,
                       scenario = bench_.document.scenario()](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    const KeptPathProof proof = proveAgain(*path, *scenario, watch);
+    LoadedScenario edited = *scenario;
+    edited.problem.scene.edits = edits;
+    const KeptPathProof proof = proveAgain(*path, edited, watch);
     return [this, path, scenario, proof] {
       if (bench_.document.scenario() == scenario) takeProof(*path, proof);
     };

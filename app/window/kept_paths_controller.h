@@ -42,8 +42,9 @@ class KeptPathsController final : public QObject {
   const Workbench& bench_;
   KeptPathsPanel* panel_;
   BackgroundTask proving_;
-  Proofs proofs_;                ///< in the scenario as it is
-  std::set<std::string> shown_;  ///< names of the paths that are drawn
+  Proofs proofs_;                  ///< in the scenario as it is
+  std::vector<PlaceEdit> places_;  ///< what the proofs are about, too
+  std::set<std::string> shown_;    ///< names of the paths that are drawn
 };
 
 }  // namespace glissade

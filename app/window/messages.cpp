@@ -1,5 +1,7 @@
 #include "app/window/messages.h"
 
+#include <QCoreApplication>
+#include <QPushButton>
 #include <QStatusBar>
 
 #include "app/window/plain_message_box.h"
@@ -24,6 +26,19 @@ void Messages::showError(const QString& title, const Diagnostic& why) {
   PlainMessageBox box(QMessageBox::Warning, title, title, details, &window_);
   box.setStandardButtons(QMessageBox::Ok);
   box.exec();
+}
+
+bool Messages::isNewDemandPreferred(const QString& title, const Diagnostic& conflict) {
+  if (quiet_) {
+    showError(title, conflict);
+    return false;
+  }
+  PlainMessageBox box(QMessageBox::Question, title, title, engineText(conflict.reason), &window_);
+  box.addButton(QCoreApplication::translate("Messages", "&Keep the earlier demand"), QMessageBox::RejectRole);
+  const QPushButton* newer = box.addButton(QCoreApplication::translate("Messages", "&Remove it and take the new one"),
+                                           QMessageBox::AcceptRole);
+  box.exec();
+  return box.clickedButton() == newer;
 }
 
 void Messages::showStatus(const QString& text) {

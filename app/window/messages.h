@@ -17,6 +17,9 @@ class Messages final {
   bool isQuiet() const { return quiet_; }
 
   void showError(const QString& title, const Diagnostic& why);
+  /// Asks which of two demands that exclude each other is to stay; whether it is the new one. Where nobody is there to
+  /// answer it is an error, and nothing changes.
+  bool isNewDemandPreferred(const QString& title, const Diagnostic& conflict);
   void showStatus(const QString& text);
   MessageLog& log() { return log_; }
 

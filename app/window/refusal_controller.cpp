@@ -112,6 +112,8 @@ void RefusalController::showProblem(const SessionSnapshot& snapshot) {
     case ErrorKind::InCollision: notice.actions = {"refusal.show", "refusal.allow", "assembly.free-ends"}; break;
     case ErrorKind::MalformedInput: notice.actions = {"assembly.fit-workspace"}; break;
     case ErrorKind::NoPath:
+      if (atEnds) break;  // a forbidden place
+      [[fallthrough]];
     case ErrorKind::LimitReached: notice.actions = {"difficulty.find", "run.restart-new-seed"}; break;
     default: break;
   }
@@ -126,7 +128,9 @@ void RefusalController::showRefusedPath(const PathExamination& refused) {
     notice.details = tr("%1 of %2 edges are blocked.")
                          .arg(refused.blocked.size())
                          .arg(std::max<std::size_t>(1, refused.path.points.size() - 1));
-    if (body >= 0) {
+    if (body == kForbiddenPlace) {
+      notice.details += QLatin1Char(' ') + tr("The first leads through a forbidden place.");
+    } else if (body >= 0) {
       const auto& obstacles = bench_.document.scenario()->obstacles;
       notice.details +=
           QLatin1Char(' ') + tr("The first is blocked by '%1'.")

@@ -210,7 +210,8 @@ void SequenceController::updateGraph() {
 void SequenceController::followDocument(Changes what) {
   if (what & (Change::Scenario | Change::Arrangement)) {
     followArrangement((what & Change::Scenario) != 0);
-  } else if ((what & Change::Sequence) && !adopting_) {
+    (void)knowsOtherDemands();
+  } else if ((what & (Change::Sequence | Change::Semantics)) && knowsOtherDemands() && !adopting_) {
     followDemands();
   }
 }
@@ -251,6 +252,15 @@ void SequenceController::followDemands() {
     chosenLater_ = chosen;
     plan(false);
   }
+}
+
+/// What the classes and attributes of bodies say is a demand, too: whether it is other than when this was asked last.
+bool SequenceController::knowsOtherDemands() {
+  const ScenarioPtr& scenario = bench_.document.scenario();
+  if (!scenario || !shown().product) return false;
+  const auto demands = knownDemands(bench_.document.current(), shown().product->bodies);
+  const std::optional<SequenceDemands> now = demands ? std::make_optional(*demands) : std::nullopt;
+  return std::exchange(knownDemands_, now) != now;
 }
 
 void SequenceController::adoptDemands(const AssemblyPlan& plan) {

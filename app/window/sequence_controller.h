@@ -58,6 +58,7 @@ class SequenceController final : public QObject {
   void followArrangement(bool another);
   /// After a change of the demands: a plan that is known already, or a new one.
   void followDemands();
+  bool knowsOtherDemands();
   /// The demands of a plan that is opened become the document's.
   void adoptDemands(const AssemblyPlan& plan);
   /// The product of the scenario; the same object as before where it is the same product.
@@ -93,6 +94,7 @@ class SequenceController final : public QObject {
   std::vector<ShownPlan> memory_;  ///< plans of this scenario, the last ones: for undo
   std::string chosenLater_;        ///< id; empty: the row stays
   bool adopting_ = false;
+  std::optional<SequenceDemands> knownDemands_;  ///< with what classes and attributes say; nothing: they are wrong
   bool hasRoom_ = false;
   SequenceEdits* edits_;
   SequenceHand* hand_;

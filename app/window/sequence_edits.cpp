@@ -7,6 +7,7 @@
 
 #include "app/window/sequence_controller.h"
 #include "engine/base/number_text.h"
+#include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/step_cost.h"
 #include "engine/sequence/step_motion.h"
 
@@ -103,7 +104,13 @@ void SequenceEdits::set(const QString& text, const SequenceDemands& demands) {
     sequence_.panel()->setCost(bench_.document.demands().cost);
     return;
   }
-  bench_.document.setDemands(text, demands);
+  const SequenceDemands& present = bench_.document.demands();
+  const DemandConflict conflict = conflictBetween(present, demands);
+  if (conflict.isNone()) {
+    bench_.document.setDemands(text, demands);
+  } else if (bench_.messages.isNewDemandPreferred(tr("Two demands exclude each other"), inWords(conflict))) {
+    bench_.document.setDemands(text, withoutEarlier(conflict, demands));
+  }
 }
 
 std::vector<std::string> SequenceEdits::chosenBodies() const {

@@ -4,6 +4,7 @@
 
 #include "app/window/sequence_controller.h"
 #include "engine/scenario/hand_run.h"
+#include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demand_edits.h"
 
 namespace glissade {
@@ -107,16 +108,26 @@ void SequenceHand::takePath() {
   if (!run_ || run_->command < 0 || goingBack_ || !path || path->points.size() < 2) return;
   if (bench_.document.scenario()->object.id != run_->body) return;
   const ShownPlan& shown = run_->plan;
-  const DemandedMotion motion = motionByHand(shown.product->bodies[*shown.product->indexOf(run_->body)], path->points);
+  const RigidBody& body = shown.product->bodies[*shown.product->indexOf(run_->body)];
+  const DemandedMotion motion = motionOfRun(body, path->points, bench_.document.results().provenance.planner);
+  const SequenceDemands& present = bench_.document.demands();
+  const DemandConflict conflict = conflictBetween(present, withMotion(motion, present));
+  const bool taken = conflict.isNone() || bench_.messages.isNewDemandPreferred(
+                                              tr("The path leaves in a forbidden direction"), inWords(conflict));
+  if (!taken) return;
   const auto step = run_->step;
   const QString name = QString::fromStdString(shortNameOf(run_->body, *shown.product));
   const PlanPtr plan = shown.plan;
-  goBack([this, motion, step, plan, name] {
+  goBack([this, motion, conflict, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();
     sequence_.chooseLater(motion.bodies.front());
     if (step) demands = withStepMoved(*step, *step, *plan, std::move(demands));
-    bench_.document.setDemands(tr("%1 by hand").arg(name), withMotion(motion, std::move(demands)));
-    bench_.messages.showStatus(tr("The path by hand is the motion of %1.").arg(name));
+    demands = withoutEarlier(conflict, std::move(demands));
+    const bool byHand = motion.method == kByHand;
+    bench_.document.setDemands(byHand ? tr("%1 by hand").arg(name) : tr("Path of %1").arg(name),
+                               withMotion(motion, std::move(demands)));
+    bench_.messages.showStatus(byHand ? tr("The path by hand is the motion of %1.").arg(name)
+                                      : tr("The path that the computer found is the motion of %1.").arg(name));
   });
 }
 

@@ -8,15 +8,21 @@
 #include <vector>
 
 #include "engine/base/stop_token.h"
+#include "engine/collision/forbidden_regions.h"
 #include "engine/collision/motion_bound.h"
 #include "engine/environment/rigid_body.h"
 
 namespace glissade {
 
+/// Stands for an obstacle's index where a person forbids the place that the reference point is in.
+inline constexpr int kForbiddenPlace = -2;
+
 /// Nearest pair between the object and all obstacles (paper 1, Find_Nearest_Obstacle).
 struct NearestObstacle {
   double distance = 0.0;  ///< metres, >= 0; exactly 0 where the object touches, penetrates, or is contained
-  int body = -1;  ///< index into CollisionWorld::obstacles(); -1 where there is no obstacle (distance is +infinity)
+  /// Index into CollisionWorld::obstacles(); -1 where there is no obstacle (distance is +infinity), kForbiddenPlace in
+  /// a forbidden place (distance is 0).
+  int body = -1;
   Vector3 p_WPo = Vector3::Zero();  ///< P_o on the obstacle; meaningless where distance is 0
   Vector3 p_WPn = Vector3::Zero();  ///< P_n on the object; meaningless where distance is 0
 
@@ -67,7 +73,8 @@ class CollisionQuery {
 
   /// The object at X_WB touches or penetrates an obstacle.
   virtual bool collides(const Pose& X_WB) = 0;
-  /// Index of one obstacle that is in collision, the lowest; nothing where free.
+  /// Index of one obstacle that is in collision, the lowest; else kForbiddenPlace in a forbidden place; nothing where
+  /// free.
   virtual std::optional<int> collidingBody(const Pose& X_WB) = 0;
   /// Exact distance (error below 1e-9 relative, never over-estimated beyond that).
   virtual NearestObstacle nearestObstacle(const Pose& X_WB) = 0;
@@ -85,6 +92,9 @@ class CollisionQuery {
   /// the motion itself.
   virtual double screwClearance(const Pose& from, const ScrewAxis& screw, double advance, double enough,
                                 double off) = 0;
+
+  /// Where the straight motion first leads through a forbidden place; nothing where it keeps out of all.
+  virtual std::optional<ForbiddenStretch> forbiddenOn(const Pose& /*from*/, const Pose& /*to*/) { return std::nullopt; }
 
   /// Of the object of this query's world.
   virtual const MotionBound& motionBound() const = 0;
@@ -145,6 +155,12 @@ class CollisionWorld : public std::enable_shared_from_this<CollisionWorld> {
   /// All other worlds that are made of this one have no threads, but withObjects() and withBackend().
   std::shared_ptr<const CollisionWorld> withThreads(std::vector<ThreadPair> pairs,
                                                     std::shared_ptr<const CollisionWorld> whole) const;
+  /// The same world where the object's reference point keeps out of what is forbidden at the time of each question
+  /// (ForbiddingQuery). Null: nothing is forbidden. All worlds that are made of this one keep it.
+  std::shared_ptr<const CollisionWorld> withForbidden(std::shared_ptr<const ForbiddenSpace> space) const;
+  /// Null where nothing is.
+  ForbiddenRegionsPtr forbidden() const;
+
   /// Those that the object's thread is in.
   const std::vector<ThreadPair>& threads() const;
 

@@ -4,6 +4,7 @@
 
 #include "engine/collision/collision_query.h"
 #include "engine/collision/coordinate_rounding.h"
+#include "engine/collision/forbidding_query.h"
 #include "engine/collision/grouped_query.h"
 #include "engine/collision/later_geometry.h"
 #include "engine/collision/motion_certificate.h"
@@ -23,9 +24,10 @@ struct CollisionWorld::Impl {
 
   const WorldGeometry& prepared() const { return later ? later->get().geometry : geometry; }
   std::vector<ObjectVariant> variants;
-  std::vector<ObstacleGroup> groups;             ///< where there are variants: these answer, and not the geometry
-  CollisionWorldPtr whole;                       ///< that withVariants() was asked of
-  std::shared_ptr<const ThreadedWorld> threads;  ///< null: there are none
+  std::vector<ObstacleGroup> groups;                ///< where there are variants: these answer, and not the geometry
+  CollisionWorldPtr whole;                          ///< that withVariants() was asked of
+  std::shared_ptr<const ThreadedWorld> threads;     ///< null: there are none
+  std::shared_ptr<const ForbiddenSpace> forbidden;  ///< null: nothing is
 };
 
 namespace {
@@ -242,11 +244,13 @@ CollisionWorldPtr CollisionWorld::compose(double scale, const PreparedObject& ob
 }
 
 CollisionWorldPtr CollisionWorld::withObject(MeshPtr object) const {
+  if (impl_->forbidden) return withForbidden(nullptr)->withObject(std::move(object))->withForbidden(impl_->forbidden);
   auto geometry = withOtherObject(impl_->prepared(), object);
   return finished(consistingOf(std::move(geometry)), std::move(object));
 }
 
 CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const TriangleMesh&)>& change) const {
+  if (impl_->forbidden) return withForbidden(nullptr)->withObjects(change)->withForbidden(impl_->forbidden);
   if (impl_->threads) {
     auto threads = std::make_shared<ThreadedWorld>(*impl_->threads);
     threads->whole = threads->whole->withObjects(change);
@@ -262,6 +266,9 @@ CollisionWorldPtr CollisionWorld::withObjects(const std::function<MeshPtr(const 
 
 /// The obstacles that no variant is for keep the whole object.
 CollisionWorldPtr CollisionWorld::withVariants(std::vector<ObjectVariant> variants) const {
+  if (impl_->forbidden) {
+    return withForbidden(nullptr)->withVariants(std::move(variants))->withForbidden(impl_->forbidden);
+  }
   if (impl_->whole) return impl_->whole->withVariants(std::move(variants));
   if (variants.empty()) {
     if (!impl_->groups.empty()) return build(obstacles(), impl_->geometry.object, backend());
@@ -308,9 +315,23 @@ CollisionWorldPtr CollisionWorld::withThreaded(std::shared_ptr<const ThreadedWor
   return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
 }
 
+CollisionWorldPtr CollisionWorld::withForbidden(std::shared_ptr<const ForbiddenSpace> space) const {
+  auto impl = std::make_unique<Impl>(*impl_);
+  impl->forbidden = std::move(space);
+  return CollisionWorldPtr(new CollisionWorld(std::move(impl)));
+}
+
+ForbiddenRegionsPtr CollisionWorld::forbidden() const {
+  return impl_->forbidden ? impl_->forbidden->regions() : nullptr;
+}
+
 CollisionWorldPtr CollisionWorld::withoutThreads() const { return withThreaded(nullptr); }
 
 CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, MeshPtr object) const {
+  if (impl_->forbidden) {
+    const CollisionWorldPtr other = withForbidden(nullptr)->updated(std::move(obstacles), std::move(object));
+    return other->withForbidden(impl_->forbidden);
+  }
   if (impl_->whole) return impl_->whole->updated(std::move(obstacles), std::move(object));
   const WorldGeometry& known = impl_->prepared();
   if (!known.solids) return build(std::move(obstacles), std::move(object), known.backend);
@@ -331,6 +352,7 @@ CollisionWorldPtr CollisionWorld::updated(std::vector<RigidBody> obstacles, Mesh
 }
 
 CollisionWorldPtr CollisionWorld::withBackend(CollisionBackend backend) const {
+  if (impl_->forbidden) return withForbidden(nullptr)->withBackend(backend)->withForbidden(impl_->forbidden);
   const CollisionWorldPtr whole = build(obstacles(), impl_->geometry.object, backend);
   const CollisionWorldPtr other = impl_->variants.empty() ? whole : whole->withVariants(impl_->variants);
   if (!impl_->threads) return other;
@@ -362,6 +384,9 @@ const std::vector<ThreadPair>& CollisionWorld::threads() const {
 bool CollisionWorld::isPrepared() const { return !impl_->later || impl_->later->isPrepared(); }
 
 std::unique_ptr<CollisionQuery> CollisionWorld::makeQuery() const {
+  if (impl_->forbidden) {
+    return std::make_unique<ForbiddingQuery>(withForbidden(nullptr)->makeQuery(), impl_->forbidden);
+  }
   if (impl_->threads) return std::make_unique<ThreadedQuery>(withoutThreads()->makeQuery(), impl_->threads);
   if (!impl_->groups.empty()) return std::make_unique<GroupedQuery>(impl_->groups, impl_->motionBound);
   const WorldGeometry& geometry = impl_->prepared();

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/collision/fcl_scale.h"
+#include "engine/geometry/fcl_scale.h"
 
 namespace glissade {
 
@@ -52,7 +52,13 @@ void warmUp(const FclGeometry& geometry) {
 std::shared_ptr<const FclGeometry> makeFclGeometry(const std::vector<RigidBody>& obstacles,
                                                    const TriangleMesh& object) {
   auto geometry = std::make_shared<FclGeometry>();
-  geometry->scale = fclScale(obstacles, object);
+  std::vector<const TriangleMesh*> meshes{&object};
+  double farthest = 0.0;
+  for (const RigidBody& body : obstacles) {
+    meshes.push_back(body.mesh.get());
+    farthest = std::max(farthest, body.X_WB.position.cwiseAbs().maxCoeff());
+  }
+  geometry->scale = fclScale(meshes, farthest);
   geometry->object.beginModel();
   addMesh(geometry->object, object, geometry->scale);
   geometry->object.endModel();

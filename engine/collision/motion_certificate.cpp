@@ -39,6 +39,7 @@ class Certifier {
 
   MotionCertificate run(const StopToken& stop) {
     if (!resolvesClearance(from_, to_, query_.motionBound().objectRadius(), result_.tolerance)) return result_;
+    if (const auto stretch = query_.forbiddenOn(from_, to_)) return forbidden(*stretch);
     double proved = 0.0;  // the motion is free on [0, proved]
     double probe = 0.0;
     for (bool first = true; first || proved < 1.0; first = false) {
@@ -66,6 +67,14 @@ class Certifier {
   }
 
  private:
+  MotionCertificate forbidden(const ForbiddenStretch& stretch) {
+    result_.status = CertificateStatus::Violated;
+    result_.minClearance = result_.provedClearance = 0.0;
+    result_.at = stretch.begin;
+    result_.nearest.body = kForbiddenPlace;
+    return result_;
+  }
+
   double clearanceAt(double t) {
     ++result_.distanceQueries;
     const NearestObstacle nearest = query_.nearestObstacle(interpolate(from_, to_, t));
@@ -227,7 +236,11 @@ class FreeSamples {
   FreeSamples(CollisionQuery& query, const Pose& from, const Pose& to, double dt, const StopToken& stop)
       : query_(query), from_(from), to_(to), dt_(dt), bound_(query.motionBound()(from, to)), stop_(stop) {}
 
-  double fraction() { return at(lastFree(0.0, std::ceil(1.0 / dt_))); }
+  /// Of the samples before a forbidden place.
+  double fraction() {
+    const auto stretch = query_.forbiddenOn(from_, to_);
+    return at(lastFree(0.0, stretch ? std::floor(stretch->begin / dt_) : std::ceil(1.0 / dt_)));
+  }
 
  private:
   double at(double sample) const { return std::min(1.0, sample * dt_); }

@@ -8,6 +8,34 @@
 #include "engine/geometry/vertex_welder.h"
 
 namespace glissade {
+namespace {
+
+SurfaceFace scaled(SurfaceFace face, const Vector3& factors) {
+  const double largest = factors.cwiseAbs().maxCoeff();
+  const bool even = factors.x() == factors.y() && factors.y() == factors.z() && factors.x() > 0.0;
+  face.deflection *= largest;
+  if (!even) return {.deflection = face.deflection};
+  face.point *= largest;
+  face.radius *= largest;
+  if (face.kind == SurfaceFace::Kind::Torus) face.second *= largest;
+  return face;
+}
+
+/// A face for triangles that have none, so that each has one.
+void giveFace(TriangleMesh& mesh) {
+  if (!mesh.faceOf.empty() || mesh.triangles.empty()) return;
+  mesh.faces.assign(1, SurfaceFace());
+  mesh.faceOf.assign(mesh.triangles.size(), 0);
+}
+
+}  // namespace
+
+SurfaceFace transformed(const SurfaceFace& face, const Pose& X_AB) {
+  SurfaceFace moved = face;
+  moved.point = X_AB * face.point;
+  moved.axis = X_AB.orientation * face.axis;
+  return moved;
+}
 
 Box3 boundingBox(const TriangleMesh& mesh) { return boundingBox(mesh, Pose::identity()); }
 
@@ -32,12 +60,14 @@ Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& triangle) {
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB) {
   TriangleMesh result = mesh;
   for (Vector3& vertex : result.vertices) vertex = X_AB * vertex;
+  for (SurfaceFace& face : result.faces) face = transformed(face, X_AB);
   return result;
 }
 
 TriangleMesh scaled(const TriangleMesh& mesh, const Vector3& factors) {
   TriangleMesh result = mesh;
   for (Vector3& vertex : result.vertices) vertex = vertex.cwiseProduct(factors);
+  for (SurfaceFace& face : result.faces) face = scaled(face, factors);
   const bool mirrored = factors.prod() < 0.0;
   if (mirrored) {
     for (auto& triangle : result.triangles) std::swap(triangle[1], triangle[2]);
@@ -48,6 +78,14 @@ TriangleMesh scaled(const TriangleMesh& mesh, const Vector3& factors) {
 void append(TriangleMesh& target, const TriangleMesh& addition) {
   const auto offset = static_cast<std::uint32_t>(target.vertices.size());
   target.vertices.insert(target.vertices.end(), addition.vertices.begin(), addition.vertices.end());
+  if (!target.faces.empty() || !addition.faces.empty()) {
+    giveFace(target);
+    const auto firstFace = static_cast<std::uint32_t>(target.faces.size());
+    TriangleMesh faced{{}, addition.triangles, addition.faces, addition.faceOf};
+    giveFace(faced);
+    target.faces.insert(target.faces.end(), faced.faces.begin(), faced.faces.end());
+    for (const std::uint32_t face : faced.faceOf) target.faceOf.push_back(firstFace + face);
+  }
   for (const auto& [a, b, c] : addition.triangles) {
     target.triangles.push_back({a + offset, b + offset, c + offset});
   }
@@ -64,7 +102,9 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh result;
   reserveFilled(result.vertices, welder.vertices().size());
   reserveFilled(result.triangles, mesh.triangles.size());
-  for (const TriangleIndices& triangle : mesh.triangles) {
+  result.faces = mesh.faces;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const TriangleIndices& triangle = mesh.triangles[t];
     TriangleIndices joined;
     for (std::size_t i = 0; i < 3; ++i) {
       std::uint32_t& number = numberOf[positionOf[triangle[i]]];
@@ -75,7 +115,9 @@ TriangleMesh welded(const TriangleMesh& mesh) {
       joined[i] = number;
     }
     const bool degenerate = joined[0] == joined[1] || joined[1] == joined[2] || joined[2] == joined[0];
-    if (!degenerate) result.triangles.push_back(joined);
+    if (degenerate) continue;
+    result.triangles.push_back(joined);
+    if (!mesh.faceOf.empty()) result.faceOf.push_back(mesh.faceOf[t]);
   }
   return result;
 }

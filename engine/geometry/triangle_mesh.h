@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/geometry/pose.h"
+#include "engine/geometry/surface_face.h"
 
 namespace glissade {
 
@@ -16,7 +16,11 @@ using TriangleIndices = std::array<std::uint32_t, 3>;
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<TriangleIndices> triangles;
+  std::vector<SurfaceFace> faces{};     ///< that the file states; empty where it holds triangles only
+  std::vector<std::uint32_t> faceOf{};  ///< index into `faces`, of each triangle; empty where `faces` is
 
+  /// Metres that the triangle may be off the surface that it stands for; 0 where the file holds triangles only.
+  double deflectionOf(std::size_t triangle) const { return faceOf.empty() ? 0.0 : faces[faceOf[triangle]].deflection; }
   bool empty() const { return triangles.empty(); }
 };
 
@@ -29,9 +33,11 @@ Box3 boundingBox(const TriangleMesh& mesh, const Pose& X_WB);
 double radiusAboutOrigin(const TriangleMesh& mesh);
 /// Unit normal of a triangle, to its outer side; z where it has no area.
 Vector3 faceNormal(const TriangleMesh& mesh, const TriangleIndices& triangle);
-/// The mesh with every vertex moved by X_AB.
+/// The mesh with every vertex moved by X_AB, and its faces.
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB);
+/// Faces keep their kind where the three factors are equal, and are Free otherwise.
 TriangleMesh scaled(const TriangleMesh& mesh, const Vector3& factors);
+/// Triangles of a mesh without faces become one face of kind Free without deflection where the other one has faces.
 void append(TriangleMesh& target, const TriangleMesh& addition);
 /// Vertices with bit-equal positions merged, unreferenced ones dropped, degenerate triangles (two
 /// equal corners) removed; the order of first appearance is kept.

@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "engine/geometry/nearest_point.h"
 #include "engine/geometry/triangle_mesh.h"
 #include "engine/geometry/triangle_pair.h"
 
 namespace glissade {
-
-/// Point of a triangle that is nearest to `p`. Degenerate triangles are the segment or point that they are.
-Vector3 nearestPoint(const Triangle& triangle, const Vector3& p);
 
 /// Triangles in a hierarchy of boxes, for nearest points, for rays and for pairs that are near. Triangles keep the
 /// indices that they are given with. Immutable, shared by threads.

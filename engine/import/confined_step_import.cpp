@@ -52,6 +52,7 @@ class Message {
       output.write(&shape.record, sizeof shape.record);
       output.write(shape.vertices);
       output.write(shape.indices);
+      output.write(shape.faces);
     }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       output.write(&parts_[i], sizeof parts_[i]);
@@ -107,14 +108,19 @@ class Message {
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
+    faces_ += shapes_.back().record.faces;
     if (total_.vertices > protocol::kMostElements || total_.triangles > protocol::kMostElements) {
       throw std::runtime_error("it needs more than " + std::to_string(protocol::kMostElements) + " triangles");
+    }
+    if (faces_ > protocol::kMostFaces) {
+      throw std::runtime_error("it has more than " + std::to_string(protocol::kMostFaces) + " faces");
     }
   }
 
   double deflection_;
   std::string rootName_;
   protocol::Header total_;
+  std::uint32_t faces_ = 0;
   std::vector<StepTriangles> shapes_;
   TopTools_DataMapOfShapeInteger numberOf_;
   /// Number of the shape, scale, mirrored.

@@ -9,11 +9,11 @@ namespace glissade::import_protocol {
 // What an importing process writes to its standard output: one header, then
 // for kMesh a MeshFacts, `vertices` x 3 doubles, `triangles` x 3 indices, the bytes of its warnings (a line each);
 // for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
-// (millimetres), its triangles x 3 indices; every part as a Part, the bytes of its path below the root (UTF-8); every
-// use of another file as an ExternalPart, the bytes of its path, the bytes of the file's name; the bytes of its losses
-// (a line each, "entity in the file, tab, what is missing");
-// for kError (the file cannot be read) and kNotConfined (the process cannot give up its rights, and
-// has read nothing) `vertices` bytes of text: the location in the file (may be empty), a line feed, the reason.
+// (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
+// the root (UTF-8); every use of another file as an ExternalPart, the bytes of its path, the bytes of the file's name;
+// the bytes of its losses (a line each, "entity in the file, tab, what is missing"); for kError (the file cannot be
+// read) and kNotConfined (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the
+// location in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
 inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
@@ -48,9 +48,19 @@ struct AssemblyCounts {
 struct Shape {
   std::uint32_t vertices = 0;
   std::uint32_t triangles = 0;
-  std::uint32_t faces = 0;
+  std::uint32_t faces = 0;  ///< that have triangles
   std::uint32_t facesWithoutMesh = 0;
-  double deflection = 0.0;  ///< millimetres
+};
+
+/// As SurfaceFace, in millimetres. The triangles of a shape come in the order of its faces.
+struct Face {
+  std::uint32_t kind = 0;
+  std::uint32_t triangles = 0;
+  double point[3] = {0.0, 0.0, 0.0};
+  double axis[3] = {0.0, 0.0, 1.0};
+  double radius = 0.0;
+  double second = 0.0;
+  double deflection = 0.0;
 };
 
 /// A shape where the assembly has it.
@@ -94,6 +104,10 @@ constexpr Limits stepLimitsFor(std::uint64_t fileBytes) {
 
 /// Largest number of vertices or triangles taken over.
 inline constexpr std::uint32_t kMostElements = 64U << 20;
+/// Largest number of faces, of all shapes together.
+inline constexpr std::uint32_t kMostFaces = 1U << 20;
+/// Metres: the largest radius and coordinate of a face.
+inline constexpr double kLargestFace = 1e9;
 /// Largest number of parts taken over.
 inline constexpr std::uint32_t kMostParts = 10'000;
 /// Largest number of files that a product may be in.

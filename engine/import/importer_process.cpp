@@ -13,9 +13,10 @@ namespace {
 
 namespace protocol = import_protocol;
 
-/// More than any message of kMostElements and kMostParts.
-constexpr std::size_t kMostOutput =
-    std::size_t{40} * protocol::kMostElements + std::size_t{1024} * protocol::kMostParts;
+/// More than any message of kMostElements, kMostFaces and kMostParts.
+constexpr std::size_t kMostOutput = std::size_t{40} * protocol::kMostElements +
+                                    sizeof(protocol::Face) * protocol::kMostFaces +
+                                    std::size_t{1024} * protocol::kMostParts;
 
 std::string besideThisProgram(const std::string& name) {
   std::error_code error;

@@ -12,6 +12,34 @@ namespace {
 
 namespace protocol = import_protocol;
 
+using Kind = SurfaceFace::Kind;
+
+bool isLength(double value) { return value >= 0.0 && value <= protocol::kLargestFace; }
+
+/// As large as its kind allows.
+bool isSecond(double value, Kind kind) {
+  constexpr double kRightAngle = 1.5707963267948966;
+  if (kind == Kind::Torus) return isLength(value);
+  return kind == Kind::Cone ? value >= 0.0 && value < kRightAngle : value == 0.0;
+}
+
+/// In metres; nothing where a number is none that a face can have.
+std::optional<SurfaceFace> faceOf(const protocol::Face& record) {
+  if (record.kind > static_cast<std::uint32_t>(Kind::Torus)) return std::nullopt;
+  SurfaceFace face{static_cast<Kind>(record.kind),
+                   protocol::kMillimetre * Vector3(record.point[0], record.point[1], record.point[2]),
+                   Vector3(record.axis[0], record.axis[1], record.axis[2]),
+                   protocol::kMillimetre * record.radius,
+                   record.second,
+                   protocol::kMillimetre * record.deflection};
+  if (face.kind == Kind::Torus) face.second *= protocol::kMillimetre;
+  constexpr double kUnit = 1e-9;
+  const bool sound = face.point.cwiseAbs().maxCoeff() <= protocol::kLargestFace && face.point.allFinite() &&
+                     std::abs(face.axis.norm() - 1.0) <= kUnit && isLength(face.radius) &&
+                     isSecond(face.second, face.kind) && isLength(face.deflection);
+  return sound ? std::optional(face) : std::nullopt;
+}
+
 struct Shape {
   MeshPtr mesh;
   double deflection = 0.0;
@@ -73,8 +101,7 @@ class StepDecoder {
   Outcome takeShape() {
     protocol::Shape record;
     if (!answer_.message.take(&record, 1) || record.vertices > answer_.header.vertices ||
-        record.triangles > answer_.header.triangles ||
-        !(record.deflection >= 0.0 && std::isfinite(record.deflection))) {
+        record.triangles > answer_.header.triangles || record.faces > protocol::kMostFaces - faces_) {
       return broken();
     }
     std::vector<double> coordinates(std::size_t{3} * record.vertices);
@@ -89,9 +116,25 @@ class StepDecoder {
                                  Vector3(coordinates[i], coordinates[i + 1], coordinates[i + 2]));
     }
     if (const auto fault = faultOf(mesh)) return refusalOf(call_, *fault);
-    shapes_.push_back({std::make_shared<const TriangleMesh>(welded(mesh)), protocol::kMillimetre * record.deflection,
-                       record.facesWithoutMesh});
+    if (!takeFaces(record.faces, mesh)) return broken();
+    double deflection = 0.0;
+    for (const SurfaceFace& face : mesh.faces) deflection = std::max(deflection, face.deflection);
+    shapes_.push_back({std::make_shared<const TriangleMesh>(welded(mesh)), deflection, record.facesWithoutMesh});
     return Done{};
+  }
+
+  /// Each triangle has one, and each has a triangle.
+  bool takeFaces(std::uint32_t count, TriangleMesh& mesh) {
+    faces_ += count;
+    std::vector<protocol::Face> records(count);
+    if (!answer_.message.take(records.data(), records.size())) return false;
+    for (const protocol::Face& record : records) {
+      const auto face = faceOf(record);
+      if (!face || record.triangles == 0 || record.triangles > mesh.triangles.size() - mesh.faceOf.size()) return false;
+      mesh.faceOf.insert(mesh.faceOf.end(), record.triangles, static_cast<std::uint32_t>(mesh.faces.size()));
+      mesh.faces.push_back(*face);
+    }
+    return mesh.faceOf.size() == mesh.triangles.size();
   }
 
   bool takeName(std::uint32_t bytes, std::string& name) {
@@ -150,6 +193,7 @@ class StepDecoder {
   const ImporterCall& call_;
   ImporterAnswer& answer_;
   std::vector<Shape> shapes_;
+  std::uint32_t faces_ = 0;
   std::set<std::string> paths_;
 };
 

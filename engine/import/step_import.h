@@ -19,7 +19,7 @@ struct StepPart {
   MeshPtr mesh;                                 ///< at its own origin P, metres; instances of one solid share it
   Pose X_FP;                                    ///< in the file's frame F, metres and z up
   std::optional<std::array<double, 3>> colour;  ///< sRGB
-  double deflection = 0.0;                      ///< metres that the mesh may be off the surface, about
+  double deflection = 0.0;                      ///< metres that the mesh is off the surface: the most of its faces
   std::size_t facesWithoutMesh = 0;             ///< faces and boundaries that could not be made: they are missing
 };
 

@@ -14,9 +14,12 @@
 #include <cmath>
 
 #include "engine/import/step_deflection.h"
+#include "engine/import/step_faces.h"
 
 namespace glissade {
 namespace {
+
+namespace protocol = import_protocol;
 
 /// OpenCASCADE misses the deflection that it is asked for by up to 1.6 times on spheres.
 constexpr double kAsked = 0.5;
@@ -25,14 +28,27 @@ double usualDeflectionOf(const TopoDS_Shape& shape, double scale) {
   Bnd_Box box;
   BRepBndLib::Add(shape, box, false);
   const double diagonal = box.IsVoid() ? 0.0 : scale * std::sqrt(box.SquareExtent());
-  return usualDeflection(import_protocol::kMillimetre * diagonal) / import_protocol::kMillimetre;
+  return usualDeflection(protocol::kMillimetre * diagonal) / protocol::kMillimetre;
+}
+
+protocol::Face recordOf(const SurfaceFace& face, int triangles) {
+  protocol::Face record;
+  record.kind = static_cast<std::uint32_t>(face.kind);
+  record.triangles = static_cast<std::uint32_t>(triangles);
+  for (int i = 0; i < 3; ++i) {
+    record.point[i] = face.point[i];
+    record.axis[i] = face.axis[i];
+  }
+  record.radius = face.radius;
+  record.second = face.second;
+  record.deflection = face.deflection;
+  return record;
 }
 
 void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
   TopLoc_Location location;
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, location);
-  ++triangles.record.faces;
-  if (mesh.IsNull()) {
+  if (mesh.IsNull() || mesh->NbTriangles() == 0) {
     ++triangles.record.facesWithoutMesh;
     return;
   }
@@ -51,6 +67,17 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
     if (reversed) std::swap(b, c);
     for (const int corner : {a, b, c}) triangles.indices.push_back(base + static_cast<std::uint32_t>(corner - 1));
   }
+  triangles.faces.push_back(recordOf(measuredFace(face, mesh, placement), mesh->NbTriangles()));
+}
+
+void resize(protocol::Face& face, double scale, bool mirrored) {
+  for (double& coordinate : face.point) coordinate *= scale;
+  face.radius *= scale;
+  face.deflection *= scale;
+  if (face.kind == static_cast<std::uint32_t>(SurfaceFace::Kind::Torus)) face.second *= scale;
+  if (!mirrored) return;
+  face.point[0] = -face.point[0];
+  face.axis[0] = -face.axis[0];
 }
 
 /// Every vertex alike, so that what faces share stays equal.
@@ -61,15 +88,16 @@ void resize(StepTriangles& triangles, double scale, bool mirrored) {
   for (std::size_t i = 0; mirrored && i < triangles.indices.size(); i += 3) {
     std::swap(triangles.indices[i + 1], triangles.indices[i + 2]);
   }
+  for (protocol::Face& face : triangles.faces) resize(face, scale, mirrored);
 }
 
 }  // namespace
 
 StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored) {
   StepTriangles triangles;
-  triangles.record.deflection = deflection > 0.0 ? deflection : usualDeflectionOf(shape, scale);
+  const double asked = deflection > 0.0 ? deflection : usualDeflectionOf(shape, scale);
   IMeshTools_Parameters parameters;
-  parameters.Deflection = kAsked * triangles.record.deflection / scale;
+  parameters.Deflection = kAsked * asked / scale;
   parameters.Angle = kStepAngle;
   parameters.InParallel = false;
   BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
@@ -80,6 +108,7 @@ StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double sc
   resize(triangles, scale, mirrored);
   triangles.record.vertices = static_cast<std::uint32_t>(triangles.vertices.size() / 3);
   triangles.record.triangles = static_cast<std::uint32_t>(triangles.indices.size() / 3);
+  triangles.record.faces = static_cast<std::uint32_t>(triangles.faces.size());
   return triangles;
 }
 

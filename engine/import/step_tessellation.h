@@ -14,10 +14,12 @@ struct StepTriangles {
   import_protocol::Shape record;
   std::vector<double> vertices;  ///< x y z, millimetres
   std::vector<std::uint32_t> indices;
+  std::vector<import_protocol::Face> faces;  ///< of the triangles in their order
 };
 
 /// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface, of the shape
-/// taken `scale` times as large, and mirrored in x where that is asked for. Runs in the importing process only.
+/// taken `scale` times as large, and mirrored in x where that is asked for. How far they are off is measured. Runs in
+/// the importing process only.
 StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored);
 
 }  // namespace glissade

@@ -23,6 +23,7 @@ constexpr double kSameAxis = 1e-5;
 constexpr double kSamePitch = 1e-6;
 
 std::string quoted(const CollisionWorld& world, int body) {
+  if (body == kForbiddenPlace) return "a forbidden place";
   return "'" + world.obstacles()[static_cast<std::size_t>(body)].name + "'";
 }
 

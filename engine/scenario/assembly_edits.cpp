@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "engine/base/file.h"
-#include "engine/scenario/geometry_loader.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/reference_point.h"
 
 namespace glissade {
 namespace {
@@ -38,7 +39,7 @@ void dropUnusedAssets(Scenario& scenario) {
 }
 
 const LoadedGeometry& geometryOf(const Geometry& geometry, const LoadedScenario& loaded) {
-  return *loaded.geometry.at(geometryKey(geometry, loaded.scenario, folderOf(loaded.file)));
+  return *loaded.geometry.at(geometryKey(geometry, loaded.scenario.assets, folderOf(loaded.file)));
 }
 
 /// From the frame of an object's geometry to that about its reference point.

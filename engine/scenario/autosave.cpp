@@ -12,8 +12,8 @@
 
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
+#include "engine/import/json_checksum.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/json_checksum.h"
 #include "engine/scenario/scenario_io.h"
 
 namespace glissade {

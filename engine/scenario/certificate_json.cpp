@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 
 namespace glissade {
 namespace {

@@ -31,10 +31,12 @@ void demandThread(const JsonCursor& at, const FitEdit& pair) {
 }
 
 double readPitch(const JsonCursor& at, const FitEdit& pair) {
-  const double value = at.coordinate();
+  const double value = at.number();
+  // Below is nothing that is made; above is no thread but a straight way.
   constexpr double kLeastPitch = 1e-5;
-  if (std::abs(value) < kLeastPitch) {
-    at.fail("is not a pitch", "Give metres a turn, 0.00001 or more; below zero for a left-handed thread.");
+  constexpr double kMostPitch = 1.0;
+  if (!(std::abs(value) >= kLeastPitch && std::abs(value) <= kMostPitch)) {
+    at.fail("is not a pitch", "Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.");
   }
   demandThread(at, pair);
   return value;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/import/json_reader.h"
 #include "engine/product/fit_settings.h"
-#include "engine/scenario/json_reader.h"
 
 namespace glissade {
 

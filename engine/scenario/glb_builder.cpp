@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 
 namespace glissade {
 namespace {

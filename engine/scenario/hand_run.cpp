@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "engine/base/file.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/scenario/assembly_edits.h"
-#include "engine/scenario/geometry_loader.h"
+#include "engine/scenario/reference_point.h"
 
 namespace glissade {
 namespace {
@@ -30,7 +31,8 @@ Vector3 middleOf(const std::string& id, const LoadedScenario& loaded) {
 /// The object stays where it is. Motions between two configurations depend on the point that an object turns about.
 void turnAbout(const Vector3& point_W, const LoadedScenario& loaded, Scenario& scenario) {
   ObjectDescription& object = scenario.object;
-  const auto& geometry = *loaded.geometry.at(geometryKey(object.geometry, loaded.scenario, folderOf(loaded.file)));
+  const auto& geometry =
+      *loaded.geometry.at(geometryKey(object.geometry, loaded.scenario.assets, folderOf(loaded.file)));
   const Pose X_WG = scenario.start * Pose::translation(-referencePointOf(object, geometry));
   object.centreOnVertexMean = false;
   object.referencePoint = inverse(X_WG) * point_W;
@@ -58,8 +60,12 @@ Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>
   return Done{};
 }
 
-DemandedMotion motionByHand(const RigidBody& body, const std::vector<PathPoint>& path) {
-  DemandedMotion motion{{body.id}, {}, kByHand};
+DemandedMotion motionOfRun(const RigidBody& body, const std::vector<PathPoint>& path, const std::string& planner) {
+  // Samples in contact are drawn about the object in the hand.
+  const bool steered = std::any_of(path.begin(), path.end(), [](const PathPoint& point) {
+    return point.author != Author::Computer || point.segmentAuthor != Author::Computer;
+  });
+  DemandedMotion motion{{body.id}, {}, steered || planner.empty() ? kByHand : planner};
   const Pose X_OB = inverse(path.front().q) * body.X_WB;
   for (const PathPoint& point : path) {
     motion.path.push_back({point.q * X_OB, point.author, point.segmentAuthor});

@@ -15,8 +15,8 @@ namespace glissade {
 Outcome prepareHandRun(const std::string& moving, const std::vector<std::string>& gone, const LoadedScenario& loaded,
                        Scenario& scenario);
 
-/// The path of the object as the motion of the product's body, from where it is assembled. Precondition: the path has
-/// two points.
-DemandedMotion motionByHand(const RigidBody& body, const std::vector<PathPoint>& path);
+/// The path of the object as the motion of the product's body, from where it is assembled: by hand where a person has
+/// steered a part of it, else by the planner that found it. Precondition: the path has two points.
+DemandedMotion motionOfRun(const RigidBody& body, const std::vector<PathPoint>& path, const std::string& planner);
 
 }  // namespace glissade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/planning/coarse/prohibitions.h"
 #include "engine/scenario/kept_path_proof.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario.h"
@@ -66,7 +67,9 @@ KeptPathProof proveAgain(const KeptPath& kept, const LoadedScenario& scenario, c
   ParameterValues parameters = scenario.parameters;
   // Out of range for an object of another size: the scenario's own demand holds then.
   (void)parameters.set(ParameterId::RequiredClearance, kept.requiredClearance);
-  return proofOf(examinePath(withUnitRotations(kept.points), scenario.problem, parameters, watch), scenario);
+  const auto problem = keepingOut(scenario.problem, watch.stop);
+  if (!problem) return proof;
+  return proofOf(examinePath(withUnitRotations(kept.points), *problem, parameters, watch), scenario);
 }
 
 }  // namespace glissade

@@ -10,7 +10,7 @@ namespace glissade {
 enum class KeptPathState {
   Unknown,     ///< not examined (yet), or the examination was stopped
   Holds,       ///< certified again
-  Blocked,     ///< a body is in the way, or the path leaves the workspace
+  Blocked,     ///< a body or a forbidden place is in the way, or the path leaves the workspace
   OtherEnds,   ///< it is free, but does not lead from the start to the goal
   OtherObject  ///< another object moves now
 };
@@ -21,8 +21,9 @@ struct KeptPathProof {
   std::string blockedBy;             ///< id of the body that blocks it first; empty where none is near
 };
 
-/// Certifies a kept path in the scenario, with the clearance that was required when it was kept. On any thread; takes
-/// its time, and ends as Unknown where it is stopped.
+/// Certifies a kept path in the scenario, with the clearance that was required when it was kept, and out of what the
+/// edits of its problem forbid. On any thread; takes its time, and ends as Unknown where it is stopped, or where an edit
+/// forbids a place that is not there.
 KeptPathProof proveAgain(const KeptPath& kept, const LoadedScenario& scenario, const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -5,8 +5,8 @@
 
 #include "engine/base/file.h"
 #include "engine/import/step_import.h"
+#include "engine/import/step_parts.h"
 #include "engine/scenario/asset_path.h"
-#include "engine/scenario/step_parts.h"
 
 namespace glissade {
 namespace {

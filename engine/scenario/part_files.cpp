@@ -7,11 +7,12 @@
 
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/import/mesh_import.h"
 #include "engine/import/step_import.h"
-#include "engine/scenario/geometry_loader.h"
 #include "engine/scenario/part_adder.h"
 #include "engine/scenario/part_expansion.h"
+#include "engine/scenario/reference_point.h"
 
 namespace glissade {
 namespace {
@@ -83,7 +84,7 @@ Result<LoadedGeometryPtr> readPart(const PartFile& part, GeometryCache& read, co
                                    Warnings* warnings) {
   Scenario scenario;
   PartAdder(scenario, "").addBody(part);
-  GeometryLoader loader(scenario, ".", part.path, read, stop);
+  GeometryLoader loader(scenario.assets, ".", part.path, read, stop);
   auto geometry = loader.load(scenario.bodies.front().geometry);
   if (geometry) read.merge(loader.loaded());
   if (warnings != nullptr) warnings->insert(warnings->end(), loader.warnings().begin(), loader.warnings().end());
@@ -127,12 +128,12 @@ Result<Scenario> scenarioOfParts(const std::vector<PartFile>& files, GeometryCac
   for (const PartFile& part : parts) {
     if (!moves(part)) adder.addBody(part);
   }
-  GeometryLoader loader(scenario, ".", "", std::move(known), stop);
+  GeometryLoader loader(scenario.assets, ".", "", std::move(known), stop);
   const auto object = loader.load(scenario.object.geometry);
   if (!object) return object.error();
   const auto bodies = boxOfBodies(loader, scenario, 0);
   if (!bodies) return bodies.error();
-  loader.noteHashes(scenario);
+  loader.noteHashes(scenario.assets);
   if (read != nullptr) read->merge(loader.loaded());
   scenario.name = scenario.object.name;
   chooseReferencePoint(scenario.object, **object);
@@ -160,12 +161,12 @@ Result<Scenario> withParts(Scenario scenario, const std::string& scenarioFile, c
   const std::size_t before = scenario.bodies.size();
   PartAdder adder(scenario, scenarioFile);
   for (const PartFile& part : *parts) adder.addBody(part);
-  GeometryLoader loader(scenario, folderOf(scenarioFile), scenarioFile, std::move(known), stop);
+  GeometryLoader loader(scenario.assets, folderOf(scenarioFile), scenarioFile, std::move(known), stop);
   const auto added = boxOfBodies(loader, scenario, before);
   if (!added) return added.error();
   const auto object = loader.load(scenario.object.geometry);
   if (!object) return object.error();
-  loader.noteHashes(scenario);
+  loader.noteHashes(scenario.assets);
   if (read != nullptr) read->merge(loader.loaded());
   if (!std::holds_alternative<GoalOut>(scenario.goal)) return scenario;
   scenario.workspace.extend(roomAbout(*added, radiusAboutOrigin(objectMesh(scenario.object, **object))));

@@ -8,9 +8,9 @@
 #include "engine/base/number_text.h"
 #include "engine/base/printable_text.h"
 #include "engine/base/tolerances.h"
+#include "engine/import/json_checksum.h"
+#include "engine/import/json_reader.h"
 #include "engine/scenario/author_names.h"
-#include "engine/scenario/json_checksum.h"
-#include "engine/scenario/json_reader.h"
 #include "engine/scenario/path_exporter.h"
 #include "engine/scenario/path_reader.h"
 

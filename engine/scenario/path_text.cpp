@@ -3,10 +3,10 @@
 #include <glissade/version.h>
 
 #include "engine/base/number_text.h"
+#include "engine/import/json_checksum.h"
+#include "engine/import/json_reader.h"
 #include "engine/scenario/author_names.h"
 #include "engine/scenario/certificate_json.h"
-#include "engine/scenario/json_checksum.h"
-#include "engine/scenario/json_reader.h"
 #include "engine/scenario/scenario_fits.h"
 
 namespace glissade {

@@ -2,7 +2,8 @@
 
 #include "engine/base/file.h"
 #include "engine/environment/rigid_body.h"
-#include "engine/scenario/geometry_loader.h"
+#include "engine/import/geometry_loader.h"
+#include "engine/scenario/reference_point.h"
 
 namespace glissade {
 namespace {
@@ -11,7 +12,8 @@ PlacementPoints pointsOfObject(const LoadedScenario& loaded) {
   const ObjectDescription& object = loaded.scenario.object;
   PlacementPoints points;
   points.middle = boundingBox(*loaded.object.mesh).center();
-  const auto geometry = loaded.geometry.find(geometryKey(object.geometry, loaded.scenario, folderOf(loaded.file)));
+  const auto geometry =
+      loaded.geometry.find(geometryKey(object.geometry, loaded.scenario.assets, folderOf(loaded.file)));
   if (geometry != loaded.geometry.end()) points.fileOrigin = -referencePointOf(object, *geometry->second);
   return points;
 }

@@ -5,7 +5,7 @@
 #include "engine/base/file.h"
 #include "engine/base/file_save.h"
 #include "engine/base/limits.h"
-#include "engine/scenario/json_checksum.h"
+#include "engine/import/json_checksum.h"
 #include "engine/scenario/plan_json.h"
 
 namespace glissade {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "engine/scenario/geometry_loader.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/scenario/sequence_knowledge.h"

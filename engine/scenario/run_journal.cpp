@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "engine/base/descriptor.h"
-#include "engine/scenario/json_checksum.h"
+#include "engine/import/json_checksum.h"
 #include "engine/scenario/run_record_json.h"
 
 namespace glissade {

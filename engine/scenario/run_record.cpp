@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
-#include "engine/scenario/json_checksum.h"
+#include "engine/import/json_checksum.h"
 #include "engine/scenario/run_record_json.h"
 #include "engine/scenario/scenario_file.h"
 
@@ -65,6 +65,7 @@ std::string problemSha256(const Scenario& scenario) {
   problem.parameters.clear();
   problem.seed = usual.seed;
   problem.paths.clear();
+  problem.forbiddenRegions.clear();
   problem.plan.reset();
   problem.sequence = {};
   for (Asset& asset : problem.assets) {

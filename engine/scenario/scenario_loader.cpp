@@ -7,14 +7,15 @@
 #include "engine/base/utf8.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/import/file_content.h"
+#include "engine/import/geometry_loader.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/default_colour.h"
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"
-#include "engine/scenario/geometry_loader.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/reference_point.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/scenario_fits.h"
 
@@ -231,7 +232,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
                                     FindFits fits) {
   LoadedScenario loaded;
   loaded.file = file;
-  GeometryLoader loader(scenario, folder, file, known, stop);
+  GeometryLoader loader(scenario.assets, folder, file, known, stop);
   for (const BodyDescription& body : scenario.bodies) {
     const auto geometry = loader.load(body.geometry);
     if (!geometry) return geometry.error();
@@ -245,7 +246,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
   if (!object) return object.error();
   const auto geometryOfObject = loader.load(scenario.object.geometry);
   noteUncertainties(**geometryOfObject, scenario.object.id, true, loaded);
-  loader.noteHashes(scenario);
+  loader.noteHashes(scenario.assets);
   loaded.object = std::move(*object);
   loaded.geometry = std::move(loader.loaded());
   loaded.warnings = std::move(loader.warnings());

@@ -2,9 +2,9 @@
 #include <set>
 
 #include "engine/base/limits.h"
+#include "engine/import/json_checksum.h"
+#include "engine/import/json_reader.h"
 #include "engine/scenario/fits_json.h"
-#include "engine/scenario/json_checksum.h"
-#include "engine/scenario/json_reader.h"
 #include "engine/scenario/kept_path_json.h"
 #include "engine/scenario/plan_json.h"
 #include "engine/scenario/scenario_file.h"
@@ -146,8 +146,8 @@ void checkId(std::set<std::string>& seen, const std::string& id, const JsonCurso
 Scenario readScenario(const JsonCursor& root) {
   root.allowOnly({"format",     "version",     "name",       "description", "assets",     "bodies",
                   "object",     "start",       "goal",       "workspace",   "way_points", "planner",
-                  "parameters", "environment", "attributes", "places",      "milestones", "rules",
-                  "fits",       "sequence",    "seed",       "paths",       "plan"});
+                  "parameters", "environment", "attributes", "places",      "milestones", "forbidden_regions",
+                  "rules",      "fits",        "sequence",   "seed",        "paths",      "plan"});
   Scenario scenario;
   if (const auto name = root.find("name")) scenario.name = name->text();
   if (const auto description = root.find("description")) scenario.description = description->text();

@@ -2,6 +2,7 @@
 
 #include "engine/base/limits.h"
 #include "engine/planning/planner.h"
+#include "engine/scenario/forbidden_regions_json.h"
 
 namespace glissade {
 
@@ -178,6 +179,7 @@ void readSemantics(const JsonCursor& root, Scenario& scenario) {
   scenario.attributeDefinitions = readList<AttributeDefinition>(root, "attributes", readDefinition);
   scenario.places = readList<PlaceEdit>(root, "places", readPlace);
   scenario.milestones = readList<MilestoneEdit>(root, "milestones", readMilestone);
+  readForbiddenRegions(root, scenario);
   if (const auto rules = root.find("rules")) scenario.rules = readRules(*rules);
   checkSemantics(scenario, root);
 }
@@ -261,6 +263,7 @@ void addSemantics(const Scenario& scenario, Json& json) {
   addList("attributes", scenario.attributeDefinitions, json);
   addList("places", scenario.places, json);
   addList("milestones", scenario.milestones, json);
+  addForbiddenRegions(scenario.forbiddenRegions, json);
   if (scenario.rules) json["rules"] = toJson(*scenario.rules);
 }
 

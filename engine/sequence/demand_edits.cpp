@@ -26,6 +26,18 @@ void dropMotion(const BodyNames& bodies, SequenceDemands& demands) {
   std::erase_if(demands.motions, [&](const DemandedMotion& each) { return hasOneOf(each.bodies, bodies); });
 }
 
+/// Another step that is wanted at this place comes to the next one that is wanted by none.
+void makeRoomAt(std::size_t place, std::vector<DemandedPlace>& places) {
+  const auto at = [&](std::size_t number) {
+    return std::find_if(places.begin(), places.end(), [&](const DemandedPlace& each) { return each.place == number; });
+  };
+  const auto there = at(place);
+  if (there == places.end()) return;
+  std::size_t next = place + 1;
+  while (at(next) != places.end()) ++next;
+  there->place = next;
+}
+
 }  // namespace
 
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands) {
@@ -39,11 +51,10 @@ SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan
   const AssemblyStep& own = plan.steps[step];
   const BodyNames bodies = own.bodies();
   const bool byHand = own.method == kByHand;
-  std::erase_if(demands.places, [&](const DemandedPlace& each) {
-    return hasOneOf(each.bodies, bodies) || (locked && each.place == step + 1);
-  });
+  std::erase_if(demands.places, [&](const DemandedPlace& each) { return hasOneOf(each.bodies, bodies); });
   if (!byHand) dropMotion(bodies, demands);
   if (!locked) return demands;
+  makeRoomAt(step + 1, demands.places);
   demands.places.push_back({bodies, step + 1, true});
   std::sort(demands.places.begin(), demands.places.end(),
             [](const DemandedPlace& a, const DemandedPlace& b) { return a.place < b.place; });
@@ -57,9 +68,6 @@ SequenceDemands withForbidden(const BodyNames& bodies, const Vector3& direction,
       demands.forbidden.push_back(added);
     }
   }
-  std::erase_if(demands.motions, [&](const DemandedMotion& each) {
-    return hasOneOf(each.bodies, bodies) && isForbidden(exitDirection(each.path), {direction.normalized()});
-  });
   return demands;
 }
 
@@ -69,7 +77,6 @@ SequenceDemands withOrder(const std::vector<BodyNames>& steps, SequenceDemands d
       for (const std::string& then : steps[i]) {
         const std::pair<std::string, std::string> rule(first, then);
         auto& before = demands.before;
-        before.erase(std::remove(before.begin(), before.end(), std::pair(then, first)), before.end());
         if (std::find(before.begin(), before.end(), rule) == before.end()) before.push_back(rule);
       }
     }
@@ -79,10 +86,6 @@ SequenceDemands withOrder(const std::vector<BodyNames>& steps, SequenceDemands d
 
 SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands) {
   dropMotion(motion.bodies, demands);
-  const Vector3 way = exitDirection(motion.path);
-  std::erase_if(demands.forbidden, [&](const ForbiddenDirection& each) {
-    return isOneOf(each.body, motion.bodies) && isForbidden(way, {each.direction.normalized()});
-  });
   demands.motions.push_back(motion);
   return demands;
 }

@@ -9,17 +9,18 @@ namespace glissade {
 /// The step comes to stand where `to` is: see movedTo().
 SequenceDemands withStepMoved(std::size_t from, std::size_t to, const AssemblyPlan& plan, SequenceDemands demands);
 
-/// The step keeps its place and its motion, or not any more; a motion by hand stays.
+/// The step keeps its place and its motion, or not any more; a motion by hand stays. Another step that is wanted at its
+/// place comes behind it.
 SequenceDemands withStepLocked(std::size_t step, bool locked, const AssemblyPlan& plan, SequenceDemands demands);
 
-/// None of the bodies leaves in the direction. A motion that they had to leave by is given up where it does.
+/// None of the bodies leaves in the direction. Demands that exclude it stay: see demand_conflicts.h.
 SequenceDemands withForbidden(const std::vector<std::string>& bodies, const Vector3& direction,
                               SequenceDemands demands);
 
-/// Each body of one list leaves before all those of the next one.
+/// Each body of one list leaves before all those of the next one. Demands of the other order stay.
 SequenceDemands withOrder(const std::vector<std::vector<std::string>>& steps, SequenceDemands demands);
 
-/// The bodies leave by this motion only. Its direction is not forbidden to them any more.
+/// The bodies leave by this motion only, and by none that was demanded of them earlier. What forbids it stays.
 SequenceDemands withMotion(const DemandedMotion& motion, SequenceDemands demands);
 
 /// Nothing is demanded of the places, motions, directions and order of these bodies.

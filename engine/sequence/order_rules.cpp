@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/sequence/step_motion.h"
+
 namespace glissade {
 namespace {
 
@@ -121,6 +123,17 @@ Outcome addForbidden(const SequenceDemands& demands, const AssembledProduct& pro
   return Done{};
 }
 
+/// A motion that is demanded may not be forbidden as well.
+Outcome checkMotions(const OrderRules& rules, const AssembledProduct& product) {
+  for (const OrderRules::GivenMotion& motion : rules.motions) {
+    if (!isForbidden(exitDirection(motion.path), rules.forbiddenTo(motion.group))) continue;
+    return refusedDemand("'" + product.bodies[motion.group.front()].id +
+                             "' has a demanded motion in a direction that is forbidden to it",
+                         "Remove one of the two demands.");
+  }
+  return Done{};
+}
+
 }  // namespace
 
 const OrderRules::GivenMotion* OrderRules::motionOf(const BodyGroup& group) const {
@@ -195,6 +208,7 @@ Result<OrderRules> resolved(const SequenceDemands& demands, const AssembledProdu
     const Outcome added = add(demands, product, rules);
     if (!added) return added.error();
   }
+  if (const Outcome possible = checkMotions(rules, product); !possible) return possible.error();
   if (isCircular(rules, product.bodies.size())) {
     return refusedDemand("the demands about the order form a cycle", "Remove one of them.");
   }

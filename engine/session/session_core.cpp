@@ -78,7 +78,9 @@ SessionCore::SessionCore(SessionConfig config, PlannerRegistry planners)
       registry_(std::move(planners)),
       parameters_(config.parameters),
       plannerId_(std::move(config.plannerId)),
-      seed_(config.seed) {}
+      seed_(config.seed) {
+  problem_.world = problem_.world->withForbidden(forbidden_);
+}
 
 SessionCore::~SessionCore() = default;
 
@@ -105,7 +107,7 @@ void SessionCore::carryOut(const Command& command, const WorkWatch& watch) {
     if (state_ == from) state_ = to;
   };
   std::visit(Overloaded{[&](const command::Start&) {
-                          if (!running) startRun();
+                          if (!running) startRun(watch.stop);
                         },
                         [&](const command::Pause&) { replaceState(SessionState::Planning, SessionState::Paused); },
                         [&](const command::Resume&) { replaceState(SessionState::Paused, SessionState::Planning); },
@@ -115,10 +117,7 @@ void SessionCore::carryOut(const Command& command, const WorkWatch& watch) {
                         [&](const command::SetSeed& seed) { seed_ = seed.seed; },
                         [&](const command::SetPlanner& planner) { setPlanner(planner.id); },
                         [&](const command::SetParameter& parameter) { setParameter(parameter.id, parameter.value); },
-                        [&](const command::SetSemantics& semantics) {
-                          problem_.scene.edits = semantics.edits;
-                          if (running) logger_.note(semantics.edits);
-                        },
+                        [&](const command::SetSemantics& semantics) { setSemantics(semantics.edits, watch); },
                         [&](const command::SetKnowledge& known) { problem_.scene.knowledge = known.knowledge; },
                         [](const command::SetDevicePose&) {},  // the session's hand takes it
                         [&](const command::SmoothPath& smooth) {
@@ -154,7 +153,44 @@ void SessionCore::setParameter(ParameterId id, double value) {
   if (left != tuned) setParameter(ParameterId::Tuning, left);  // taken back by hand
 }
 
-void SessionCore::startRun() {
+/// A path that is there and leads through a place that is forbidden now holds no more.
+void SessionCore::setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch) {
+  problem_.scene.edits = edits;
+  const bool running = state_ == SessionState::Planning || state_ == SessionState::Paused;
+  if (running) logger_.note(edits);
+  if (!running && !path_) return;  // what is forbidden is found at the start
+  const Outcome known = forbidByEdits(watch.stop);
+  if (!known && running) {
+    fail(known.error());
+  } else if (!known) {
+    trouble_ = known.error();
+  } else if (path_) {
+    withdrawForbiddenPath(watch);
+  }
+}
+
+/// Brings what is forbidden to what the edits say.
+Outcome SessionCore::forbidByEdits(const StopToken& stop) {
+  auto regions = prohibitions_.of(problem_, stop);
+  if (!regions) return regions.error();
+  forbidden_->set(std::move(*regions));
+  return Done{};
+}
+
+std::optional<std::string> SessionCore::forbiddenOn(const Path& path) const {
+  const ForbiddenRegionsPtr regions = forbidden_->regions();
+  return regions ? firstForbidden(path.configurations(), *regions) : std::nullopt;
+}
+
+void SessionCore::withdrawForbiddenPath(const WorkWatch& watch) {
+  if (!forbiddenOn(*path_)) return;
+  refused_ = std::make_shared<const PathExamination>(examinePath(path_->points, problem_, parameters_, watch));
+  path_ = planned_ = nullptr;
+  smoothed_ = false;
+  if (state_ == SessionState::Solved) state_ = SessionState::Idle;
+}
+
+void SessionCore::startRun(const StopToken& stop) {
   ++run_;
   state_ = SessionState::Planning;
   trouble_.reset();
@@ -169,6 +205,10 @@ void SessionCore::startRun() {
                  scene.knowledge ? std::make_optional(scene.knowledge->source) : std::nullopt});
   spent_ = std::chrono::duration<double>(0);
   cpuSpent_ = 0.0;
+  if (const Outcome known = forbidByEdits(stop); !known) {
+    fail(known.error());
+    return;
+  }
   const Outcome startable = checkStart(problem_, parameters_[ParameterId::RequiredClearance]);
   if (!startable) {
     fail(startable.error());
@@ -180,6 +220,11 @@ void SessionCore::startRun() {
     state_ = SessionState::Failed;
     return;
   }
+  const Outcome milestones = entry->multiLayer ? checkMilestones(problem_) : Outcome(Done{});
+  if (!milestones) {
+    fail(milestones.error());
+    return;
+  }
   planner_ = entry->make(problem_, seed_);
 }
 
@@ -187,7 +232,12 @@ void SessionCore::plan(const Hooks& hooks) {
   Host host(*this, hooks);
   cpuBefore_ = cpuSeconds(*planner_);
   planningSince_ = std::chrono::steady_clock::now();
-  if (planner_->solve(host)) {
+  const bool solved = planner_->solve(host);
+  const auto forbidden = solved ? forbiddenOn(*planner_->path()) : std::nullopt;
+  if (forbidden) {
+    fail({ErrorKind::NoPath, "", "",
+          "the path that was found leads through '" + *forbidden + "', which was forbidden meanwhile", "Start again."});
+  } else if (solved) {
     deliverPath(hooks.stop);
     endRun(SessionState::Solved);
   } else if (state_ == SessionState::Planning) {
@@ -225,6 +275,10 @@ void SessionCore::smoothPath(int attempts, const WorkWatch& watch) {
 }
 
 void SessionCore::examine(const command::ExaminePath& given, const WorkWatch& watch) {
+  if (const Outcome known = forbidByEdits(watch.stop); !known) {
+    trouble_ = known.error();
+    return;
+  }
   PathExamination examination = examinePath(given.points, problem_, parameters_, watch);
   if (!examination.complete) return;
   const bool holds = examination.holds();
@@ -240,7 +294,13 @@ void SessionCore::endRun(SessionState state) {
   if (planner_) planner_->completeRoadmap();
 }
 
+/// Where no path was found, prohibitions may be the reason: they are named.
 void SessionCore::fail(Diagnostic why) {
+  const ForbiddenRegionsPtr regions = forbidden_->regions();
+  const bool noPath = why.kind == ErrorKind::NoPath || why.kind == ErrorKind::LimitReached;
+  if (regions && noPath && why.reason.find("forbidden") == std::string::npos) {
+    why.reason += "; forbidden: " + regions->names();
+  }
   trouble_ = std::move(why);
   endRun(SessionState::Failed);
 }

@@ -10,6 +10,7 @@
 
 #include "engine/base/guarded.h"
 #include "engine/base/work_watch.h"
+#include "engine/planning/coarse/prohibitions.h"
 #include "engine/session/roadmap_publisher.h"
 #include "engine/session/run_logger.h"
 #include "engine/session/session.h"
@@ -84,7 +85,11 @@ class SessionCore {
  private:
   class Host;
 
-  void startRun();
+  void startRun(const StopToken& stop);
+  void setSemantics(const SemanticEditsPtr& edits, const WorkWatch& watch);
+  Outcome forbidByEdits(const StopToken& stop);
+  std::optional<std::string> forbiddenOn(const Path& path) const;
+  void withdrawForbiddenPath(const WorkWatch& watch);
   void setPlanner(const std::string& id);
   void setParameter(ParameterId id, double value);
   void smoothPath(int attempts, const WorkWatch& watch);
@@ -98,7 +103,9 @@ class SessionCore {
   std::optional<Diagnostic> limitReached() const;
   StopToken withTimeLimit(const StopToken& stop) const;
 
-  Problem problem_;
+  std::shared_ptr<ForbiddenSpace> forbidden_ = std::make_shared<ForbiddenSpace>();
+  Prohibitions prohibitions_;
+  Problem problem_;  ///< its world keeps out of forbidden_
   PlannerRegistry registry_;
   ParameterValues parameters_;
   std::string plannerId_;

@@ -7,6 +7,12 @@
 namespace glissade {
 namespace {
 
+/// The forbidden place that the object's reference point is inside of.
+std::string forbiddenAt(const Problem& problem, const Pose& q) {
+  const ForbiddenRegionsPtr regions = problem.world->forbidden();
+  return regions->places()[*regions->holding(q.position)].name;
+}
+
 Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const Pose& q, const std::string& which,
                            double requiredClearance) {
   const auto& obstacles = problem.world->obstacles();
@@ -18,7 +24,11 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
     return Diagnostic{ErrorKind::MalformedInput, "", which, "lies outside the workspace bounds",
                       "Enlarge the workspace or move the " + which + " inside."};
   }
-  if (const auto body = query.collidingBody(q)) {
+  if (const auto body = query.collidingBody(q); body == kForbiddenPlace) {
+    return Diagnostic{ErrorKind::NoPath, "", which,
+                      "the reference point is inside of '" + forbiddenAt(problem, q) + "', which is forbidden",
+                      "Allow the place again, or move the " + which + " out of it."};
+  } else if (body) {
     return Diagnostic{ErrorKind::InCollision, "", which,
                       "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].name + "'",
                       "Move the " + which + " to a position clear of all bodies."};
@@ -36,6 +46,24 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
 }
 
 }  // namespace
+
+Outcome checkMilestones(const Problem& problem) {
+  if (!problem.scene.edits || problem.scene.edits->milestones.empty()) return Done{};
+  const auto query = problem.world->makeQuery();
+  const auto& milestones = problem.scene.edits->milestones;
+  for (std::size_t i = 0; i < milestones.size(); ++i) {
+    const auto body = query->collidingBody(milestones[i].q);
+    if (!body) continue;
+    const std::string reason =
+        *body == kForbiddenPlace
+            ? "the milestone is inside of '" + forbiddenAt(problem, milestones[i].q) + "', which is forbidden"
+            : "the milestone is in collision with '" +
+                  problem.world->obstacles()[static_cast<std::size_t>(*body)].name + "'";
+    return Diagnostic{ErrorKind::NoPath, "", "/milestones/" + std::to_string(i), reason,
+                      "Put it where the object is free, or remove it."};
+  }
+  return Done{};
+}
 
 Outcome checkStart(const Problem& problem, double requiredClearance) {
   if (problem.bounds.isEmpty()) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/study/study_json.h"
 
 namespace glissade {

@@ -1,6 +1,6 @@
 #include "engine/study/summary_json.h"
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/study/repeat_command.h"
 #include "engine/study/study_json.h"
 

@@ -1951,6 +1951,94 @@
 <context>
     <name>Diagnostics</name>
     <message>
+        <source>the milestone is inside of &apos;%1&apos;, which is forbidden</source>
+        <translation>le jalon est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
+    </message>
+    <message>
+        <source>the milestone is in collision with &apos;%1&apos;</source>
+        <translation>le jalon est en collision avec «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Put it where the object is free, or remove it.</source>
+        <translation>Placez-le là où l&apos;objet est libre, ou supprimez-le.</translation>
+    </message>
+    <message>
+        <source>the path that was found leads through &apos;%1&apos;, which was forbidden meanwhile</source>
+        <translation>le chemin trouvé passe par «&#xa0;%1&#xa0;», interdit entre-temps</translation>
+    </message>
+    <message>
+        <source>Start again.</source>
+        <translation>Relancez le calcul.</translation>
+    </message>
+    <message>
+        <source>the reference point is inside of &apos;%1&apos;, which is forbidden</source>
+        <translation>le point de référence est à l&apos;intérieur de «&#xa0;%1&#xa0;», qui est interdit</translation>
+    </message>
+    <message>
+        <source>Allow the place again, or move the %1 out of it.</source>
+        <translation>Autorisez de nouveau le lieu, ou déplacez-en l&apos;élément&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Allow one of these places again, or raise the samples a step.</source>
+        <translation>Autorisez de nouveau un de ces lieux, ou augmentez les échantillons par étape.</translation>
+    </message>
+    <message>
+        <source>forbids a place that is not there: its point lies in no place and near none</source>
+        <translation>interdit un lieu qui n&apos;existe pas&#xa0;: son point n&apos;est dans aucun lieu ni près d&apos;aucun</translation>
+    </message>
+    <message>
+        <source>Forbid the place where it is now, or remove this edit.</source>
+        <translation>Interdisez le lieu là où il est maintenant, ou supprimez cette modification.</translation>
+    </message>
+    <message>
+        <source>a forbidden place</source>
+        <translation>un lieu interdit</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a demanded motion in a direction that is forbidden to it</source>
+        <translation>«&#xa0;%1&#xa0;» a un mouvement exigé dans une direction qui lui est interdite</translation>
+    </message>
+    <message>
+        <source>Remove one of the two demands.</source>
+        <translation>Supprimez l&apos;une des deux exigences.</translation>
+    </message>
+    <message>
+        <source>the motion that &apos;%1&apos; keeps leaves in the direction that is to be forbidden</source>
+        <translation>le mouvement que «&#xa0;%1&#xa0;» garde sort dans la direction à interdire</translation>
+    </message>
+    <message>
+        <source>the motion leaves in a direction that is forbidden to &apos;%1&apos;</source>
+        <translation>le mouvement sort dans une direction interdite à «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is to leave before &apos;%2&apos;</source>
+        <translation>«&#xa0;%1&#xa0;» doit sortir avant «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Remove the earlier demand, or leave out the new one.</source>
+        <translation>Supprimez l&apos;exigence précédente, ou renoncez à la nouvelle.</translation>
+    </message>
+    <message>
+        <source>is not a box</source>
+        <translation>n&apos;est pas une boîte</translation>
+    </message>
+    <message>
+        <source>Give six coordinates: the least x, y and z, then the largest.</source>
+        <translation>Donnez six coordonnées&#xa0;: les plus petits x, y et z, puis les plus grands.</translation>
+    </message>
+    <message>
+        <source>is missing, so that &apos;check&apos; does not know where the forbidden places are</source>
+        <translation>manque, si bien que «&#xa0;check&#xa0;» ne sait pas où sont les lieux interdits</translation>
+    </message>
+    <message>
+        <source>is not where the forbidden places are</source>
+        <translation>n&apos;est pas là où sont les lieux interdits</translation>
+    </message>
+    <message>
+        <source>Write it with glissade-cli info --save-regions, or save the scenario in the window.</source>
+        <translation>Écrivez-le avec glissade-cli info --save-regions, ou enregistrez le scénario dans la fenêtre.</translation>
+    </message>
+    <message>
         <source>the bound of the swept volume needs more than 4 GiB</source>
         <translation>la borne du volume balayé demande plus de 4 Gio</translation>
     </message>
@@ -8853,6 +8941,10 @@
 <context>
     <name>glissade::PathPanel</name>
     <message>
+        <source>a forbidden place</source>
+        <translation>un lieu interdit</translation>
+    </message>
+    <message>
         <source>Speed</source>
         <translation>Vitesse</translation>
     </message>
@@ -9312,6 +9404,10 @@
 </context>
 <context>
     <name>glissade::RefusalController</name>
+    <message>
+        <source>The first leads through a forbidden place.</source>
+        <translation>La première traverse un lieu interdit.</translation>
+    </message>
     <message>
         <source>&apos;%1&apos;: overlap %2</source>
         <translation>«&#xa0;%1&#xa0;»&#xa0;: recouvrement %2</translation>
@@ -9945,6 +10041,10 @@
 <context>
     <name>glissade::SequenceEdits</name>
     <message>
+        <source>Two demands exclude each other</source>
+        <translation>Deux exigences s&apos;excluent</translation>
+    </message>
+    <message>
         <source>Cost of steps</source>
         <translation>Coût des étapes</translation>
     </message>
@@ -10019,6 +10119,18 @@
 </context>
 <context>
     <name>glissade::SequenceHand</name>
+    <message>
+        <source>The path leaves in a forbidden direction</source>
+        <translation>Le chemin sort dans une direction interdite</translation>
+    </message>
+    <message>
+        <source>Path of %1</source>
+        <translation>Chemin de %1</translation>
+    </message>
+    <message>
+        <source>The path that the computer found is the motion of %1.</source>
+        <translation>Le chemin trouvé par l&apos;ordinateur devient le mouvement de %1.</translation>
+    </message>
     <message>
         <source>The step cannot be moved by hand</source>
         <translation>L&apos;étape ne peut pas être faite à la main</translation>
@@ -10702,6 +10814,17 @@
     <message>
         <source>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Open a scenario (Ctrl+O), or make one of your parts (Ctrl+N). Or drop either here.&lt;/p&gt;&lt;p&gt;The folder &lt;i&gt;samples&lt;/i&gt; holds the papers&apos; environments.&lt;/p&gt;</source>
         <translation>&lt;h2&gt;Glissade&lt;/h2&gt;&lt;p&gt;Ouvrez un scénario (Ctrl+O), ou faites-en un de vos pièces (Ctrl+N). Ou déposez les uns ou les autres ici.&lt;/p&gt;&lt;p&gt;Le dossier &lt;i&gt;samples&lt;/i&gt; contient les environnements des articles.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>&amp;Keep the earlier demand</source>
+        <translation>&amp;Garder l&apos;exigence précédente</translation>
+    </message>
+    <message>
+        <source>&amp;Remove it and take the new one</source>
+        <translation>&amp;La supprimer et prendre la nouvelle</translation>
     </message>
 </context>
 </TS>

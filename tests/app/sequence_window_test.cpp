@@ -97,10 +97,12 @@ TEST_F(SequenceWindow, AStepIsMovedByHandAndItsPathComesBack) {
                                       "action sequence.by-hand\nexpect-sequence end none\naction sequence.leave-hand\n"
                                       "expect-sequence steps 1\nshow-step 1\naction sequence.by-hand\n"
                                       "action run.start\nwait solved 20000\n"
-                                      "expect-sequence end complete\nexpect-row 1 hand\nexport-sequence %1\n"
+                                      "expect-sequence end complete\nexport-sequence %1\n"
                                       "action edit.undo\nexpect-row 1 certified\n")
                            .arg(file("hand.json"))));
-  EXPECT_TRUE(content("hand.json").contains("\"method\": \"by hand\""));
+  // Nobody steered.
+  EXPECT_FALSE(content("hand.json").contains("\"method\": \"by hand\""));
+  EXPECT_TRUE(content("hand.json").contains("\"method\": \"contact-birrt\""));
   // Links of a URDF come as one.
   expectGood(
       runOnStand(QStringLiteral("plan-sequence all\nshow-step 7\naction sequence.by-hand\nexpect-log alone\n"

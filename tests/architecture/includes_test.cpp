@@ -55,6 +55,7 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
       {"base", {}},
       {"geometry", {"base"}},
       {"import", {"base", "geometry"}},
+      {"check", {"base", "geometry", "import"}},
       {"environment", {"base", "geometry"}},
       {"collision", {"base", "geometry", "environment"}},
       {"product", {"base", "geometry", "environment", "collision"}},
@@ -63,14 +64,41 @@ const std::map<std::string, std::set<std::string>>& allowedRooms() {
       {"operator", {"base", "geometry", "environment", "collision"}},
       {"sequence", {"base", "geometry", "environment", "collision", "product", "planning"}},
       {"scenario",
-       {"base", "geometry", "import", "environment", "collision", "product", "planning", "sequence", "operator",
-        "sweep"}},
+       {"base", "geometry", "import", "check", "environment", "collision", "product", "planning", "sequence",
+        "operator", "sweep"}},
       {"session", {"base", "geometry", "environment", "collision", "planning", "operator"}},
       {"study",
        {"base", "geometry", "import", "environment", "collision", "product", "planning", "sequence", "operator",
         "scenario", "session"}},
   };
   return allowed;
+}
+
+/// Headers of the engine that a file includes, and those that they include.
+void follow(const std::string& file, std::set<std::string>& seen) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*"(engine/[^"]+)") ");
+      std::ifstream stream(fs::path(test::sourceDirectory()) / file);
+  ASSERT_TRUE(stream.good()) << file;
+  std::string line;
+  std::smatch match;
+  while (std::getline(stream, line)) {
+    if (std::regex_search(line, match, pattern) && seen.insert(match[1]).second) follow(match[1], seen);
+  }
+}
+
+/// What judges plans shares nothing with what makes them, also not through the headers of other rooms.
+TEST(Architecture, TheJudgeReachesNothingOfThePlanners) {
+  const std::set<std::string> allowed{"check", "base", "geometry", "import"};
+  std::size_t files = 0;
+  std::set<std::string> reached;
+  for (const auto& entry : fs::directory_iterator(fs::path(test::sourceDirectory()) / "engine/check")) {
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+    ++files;
+    follow("engine/check/" + entry.path().filename().string(), reached);
+  }
+  EXPECT_GT(files, 20U);
+  EXPECT_GT(reached.size(), 30U);
+  for (const std::string& header : reached) EXPECT_TRUE(allowed.count(roomOf(header))) << header;
 }
 
 TEST(Architecture, EngineRoomsOnlyUseTheRoomsBelowThem) {

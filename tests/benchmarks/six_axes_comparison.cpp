@@ -5,8 +5,8 @@
 #include <ctime>
 #include <iostream>
 
+#include "engine/scenario/judged_product.h"
 #include "engine/scenario/product_file.h"
-#include "engine/sequence/plan_judge.h"
 #include "engine/sequence/sequence_run.h"
 #include "tests/benchmarks/six_axes.h"
 
@@ -65,10 +65,7 @@ Outcome ourCells(const AssembledProduct& product, const BodySet& staying) {
   const auto plan = planSequence(product, *fits, request, host);
   if (!plan) return plan.error();
   const double took = seconds() - begin;
-  const auto judgements = judgePlan(*plan, product, std::nullopt);
-  if (!judgements) return judgements.error();
-  const auto valid =
-      std::count_if(judgements->begin(), judgements->end(), [](const auto& each) { return each.valid(); });
+  const std::size_t valid = judgePlan(*plan, product, std::nullopt).validSteps();
   std::cout << plan->removed() << " | " << took << " | " << valid << " of " << plan->steps.size();
   return Done{};
 }

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/base/random_stream.h"
-#include "engine/collision/independent_check.h"
+#include "tests/engine/support/independent_check.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_text.h"
 #include "engine/scenario/scenario_io.h"

@@ -1,11 +1,14 @@
 // Writes the STEP files that tests read into a folder: usage: make_step_files FOLDER
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
 #include <Quantity_Color.hxx>
@@ -19,6 +22,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 #include <iostream>
 #include <string>
@@ -59,6 +63,24 @@ TopoDS_Shape twoSolids() {
   builder.Add(both, box(10, 10, 10));
   builder.Add(both, box(20, 20, 20).Moved(at(100, 0, 0)));
   return both;
+}
+
+TopoDS_Shape coneAt(const gp_Ax2& axes) { return BRepPrimAPI_MakeCone(axes, 12.0, 4.0, 30.0); }
+/// A solid for each kind of surface, none of them along the axes. The last one is an ellipsoid.
+TopoDS_Shape kindsOfFaces() {
+  const gp_Ax2 axes(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3));
+  gp_GTrsf stretched;
+  stretched.SetVectorialPart(gp_Mat(30, 0, 0, 0, 20, 0, 0, 0, 10));
+  stretched.SetTranslationPart(gp_XYZ(1, 2, 3));
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  builder.Add(all, BRepPrimAPI_MakeCylinder(axes, 10.0, 40.0).Shape());
+  builder.Add(all, coneAt(axes));
+  builder.Add(all, BRepPrimAPI_MakeSphere(axes, 15.0).Shape());
+  builder.Add(all, BRepPrimAPI_MakeTorus(axes, 20.0, 6.0).Shape());
+  builder.Add(all, BRepBuilderAPI_GTransform(BRepPrimAPI_MakeSphere(1.0).Shape(), stretched).Shape());
+  return all;
 }
 
 /// A document of products, written as one STEP file.
@@ -194,6 +216,8 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/two-solids.step", "two", twoSolids());
   writePart(folder + "/surface.step", "sheet", BRepBuilderAPI_MakeFace(gp_Pln(), 0.0, 100.0, 0.0, 50.0));
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
+  writePart(folder + "/cone.step", "cone", coneAt(gp_Ax2(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3))));
+  writePart(folder + "/faces.step", "faces", kindsOfFaces());
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
   writeSplit(folder);

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "engine/sequence/plan_judge.h"
+#include "engine/scenario/judged_product.h"
 #include "engine/sequence/sequence_run.h"
 
 namespace glissade {
@@ -170,13 +170,10 @@ void SequencePlanner::judge(const ProductPtr& product, const PlanPtr& plan, bool
   task_.start(
       "checking the sequence",
       [this, product, plan, stop = stop_.token()](const WorkWatch&) -> BackgroundTask::Delivery {
-        const auto judgements = judgePlan(*plan, *product, std::nullopt, stop);
-        if (!judgements) {
-          if (judgements.error().kind == ErrorKind::Interrupted) return [] {};
-          return [this, why = judgements.error()] { emit failed(why); };
-        }
+        const check::PlanVerdict verdict = judgePlan(*plan, *product, std::nullopt, stop);
+        if (stop.stopRequested()) return [] {};
         std::vector<bool> agreed;
-        for (const StepJudgement& judgement : *judgements) agreed.push_back(judgement.valid());
+        for (const check::StepVerdict& step : verdict.steps) agreed.push_back(step.valid());
         return [this, plan, agreed] { emit judged(plan, agreed); };
       },
       atOnce);

@@ -7,6 +7,12 @@ namespace glissade {
 /// Sentences of engine/scenario, study and sweep; see diagnostic_sentences.h.
 // NOLINTBEGIN(bugprone-suspicious-missing-comma): a long text is several literals.
 inline constexpr const char* kScenarioSentences[] = {
+    QT_TRANSLATE_NOOP("Diagnostics", "is not a box"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Give six coordinates: the least x, y and z, then the largest."),
+    QT_TRANSLATE_NOOP("Diagnostics", "is missing, so that 'check' does not know where the forbidden places are"),
+    QT_TRANSLATE_NOOP("Diagnostics", "is not where the forbidden places are"),
+    QT_TRANSLATE_NOOP("Diagnostics",
+                      "Write it with glissade-cli info --save-regions, or save the scenario in the window."),
     QT_TRANSLATE_NOOP("Diagnostics", "there is no such body"),
     QT_TRANSLATE_NOOP("Diagnostics", "Choose one of the scene panel."),
     QT_TRANSLATE_NOOP("Diagnostics", "this is not a position in space"),

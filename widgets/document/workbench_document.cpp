@@ -7,6 +7,7 @@
 
 #include "engine/base/file.h"
 #include "engine/scenario/asset_path.h"
+#include "engine/scenario/forbidden_places_of.h"
 #include "engine/scenario/run_record.h"
 #include "engine/scenario/scenario_io.h"
 #include "widgets/document/value_command.h"
@@ -316,6 +317,14 @@ Scenario WorkbenchDocument::contentFor(const std::string& file) const {
     if (value != scenario_->parameters[spec.id]) scenario.parameters[spec.id] = value;
   }
   if (unkept_) scenario.paths.push_back(std::make_shared<const KeptPath>(resultAsKept()));
+  scenario.forbiddenRegions.clear();  // they may have moved
+  return scenario;
+}
+
+Scenario WorkbenchDocument::savedContentFor(const std::string& file) const {
+  Scenario scenario = contentFor(file);
+  // Where an edit forbids a place that is not there, the file states no places, and who checks a path says so.
+  if (auto places = forbiddenPlacesOf(*scenario_, scenario)) scenario.forbiddenRegions = std::move(*places);
   return scenario;
 }
 

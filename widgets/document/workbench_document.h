@@ -116,9 +116,11 @@ class WorkbenchDocument final : public QObject {
   /// The path was written to a file of its own.
   void noteExported(const std::shared_ptr<const Path>& path);
 
-  /// What Save writes into this file: assets are named as seen from there. A path that is not kept yet is among the
+  /// What is written into this file: assets are named as seen from there. A path that is not kept yet is among the
   /// kept ones.
   Scenario contentFor(const std::string& file) const;
+  /// The same with where its forbidden places are. It takes as long as building the environment model.
+  Scenario savedContentFor(const std::string& file) const;
   /// `content` was written into the file, which is the document's from now on.
   void noteSaved(const std::string& file, const Scenario& content);
   /// What Save would write is not what the file holds. Seed and parameters do not count: they are tried out.

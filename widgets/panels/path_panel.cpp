@@ -88,8 +88,10 @@ QString refusalText(const PathExamination& refused, const WaySlider& slider, con
     why << PathPanel::tr("%1 of %2 edges are blocked, the first at %3 % by %4.")
                .arg(refused.blocked.size())
                .arg(std::max<std::size_t>(1, refused.path.points.size() - 1))
-               .arg(number(100.0 * shareOf(first, slider), 0),
-                    body < 0 ? PathPanel::tr("nothing near") : nameOf(body, scenario));
+               .arg(number(100.0 * shareOf(first, slider), 0), body == kForbiddenPlace
+                                                                   ? PathPanel::tr("a forbidden place")
+                                                               : body < 0 ? PathPanel::tr("nothing near")
+                                                                          : nameOf(body, scenario));
   }
   return QStringLiteral("<b>✗ %1</b><br>%2").arg(PathPanel::tr("This path does not hold here"), why.join("<br>"));
 }

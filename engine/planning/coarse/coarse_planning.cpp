@@ -40,6 +40,10 @@ Result<CoarsePlan> CoarsePlanning::plan(const LearntCosts& learnt) {
   return made;
 }
 
+void CoarsePlanning::forgetBlocked(CollisionQuery& query) {
+  std::erase_if(kept_, [&](const auto& each) { return query.collides(each.second); });
+}
+
 void CoarsePlanning::keepMilestonesOf(const CoarsePlan& run, CollisionQuery& query) {
   const SemanticEdits edits = run.basis.edits ? *run.basis.edits : SemanticEdits{};
   for (const TopologicalStep& step : run.steps) {

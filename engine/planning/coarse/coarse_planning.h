@@ -24,6 +24,8 @@ class CoarsePlanning {
   /// Keeps the milestone of a border for the coarse paths to come.
   void keep(int border, const Pose& milestone) { kept_[border] = milestone; }
   void forget(int border) { kept_.erase(border); }
+  /// Those that are not free any more, because a place was forbidden.
+  void forgetBlocked(CollisionQuery& query);
   bool keeps(int border) const { return kept_.count(border) > 0; }
   /// Keeps what a run has drawn, where that was not the user's milestone.
   void keepMilestonesOf(const CoarsePlan& run, CollisionQuery& query);

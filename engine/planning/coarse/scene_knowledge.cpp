@@ -36,13 +36,16 @@ StrategyRules rulesOf(const Problem& problem, std::string_view strategy) {
   return strategy == "own" && problem.scene.rules ? *problem.scene.rules : presetRules(strategy);
 }
 
+Result<EnvironmentModelPtr> buildEnvironmentOf(const Problem& problem, const StopToken& stop) {
+  return buildEnvironment(bodiesOf(problem), problem.bounds, problem.scene.environment, stop);
+}
+
 Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double requiredClearance, const StopToken& stop,
                                               const SceneKnowledgePtr& before) {
   auto knowledge = std::make_shared<SceneKnowledge>();
-  const std::vector<RigidBody> bodies = bodiesOf(problem);
   const EnvironmentOptions& options = problem.scene.environment;
-  auto environment = before ? updateEnvironment(*before->environment, bodies, problem.bounds, options, stop)
-                            : buildEnvironment(bodies, problem.bounds, options, stop);
+  auto environment = before ? updateEnvironment(*before->environment, bodiesOf(problem), problem.bounds, options, stop)
+                            : buildEnvironmentOf(problem, stop);
   if (!environment) return environment.error();
   knowledge->environment = std::move(*environment);
   knowledge->source = {options, problem.scene.edits, requiredClearance};
@@ -51,9 +54,10 @@ Result<SceneKnowledgePtr> buildSceneKnowledge(const Problem& problem, double req
   if (before) knowledge->source.options.cellSize = octree.frame().cellSize(octree.depth());
   const auto& places = knowledge->environment->map.places;
   const double slimmest = slimmestExtent(problem.world->object());
+  const CollisionWorldPtr world = problem.world->withForbidden(nullptr);  // how the object fits is no matter of edits
   for (std::size_t place = 0; place < places.size(); ++place) {
     if (stop.stopRequested()) break;
-    knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, problem.world,
+    knowledge->fits.push_back(places[place].passage ? fitThroughPassage(*knowledge->environment, place, world,
                                                                         problem.bounds, requiredClearance, stop)
                                                     : fitInRoom(places[place], slimmest));
   }

@@ -19,6 +19,9 @@ struct SceneKnowledge {
 };
 using SceneKnowledgePtr = std::shared_ptr<const SceneKnowledge>;
 
+/// The environment model alone, with the bodies' mobility as edits have it. Errors are those of buildEnvironment.
+Result<EnvironmentModelPtr> buildEnvironmentOf(const Problem& problem, const StopToken& stop = {});
+
 /// Builds the environment model and fits the object through every passage. Edits of the
 /// bodies' mobility are respected. `before` (may be null) is what was known before bodies were moved: what
 /// stays of its model is not built again (updateEnvironment()). Errors are those of buildEnvironment, or Interrupted.

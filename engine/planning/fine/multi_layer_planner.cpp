@@ -31,6 +31,11 @@ std::string noWay(const CoarsePlan& plan) {
   return reason;
 }
 
+/// Where forbidden places leave no coarse path, the search of the whole workspace has as much as a step.
+bool isSpent(const SubPlanner& whole, const ParameterValues& parameters) {
+  return whole.randomConfigurations() >= static_cast<std::uint64_t>(parameters[ParameterId::StepSamples]);
+}
+
 }  // namespace
 
 MultiLayerPlanner::MultiLayerPlanner(const Problem& problem, std::uint64_t seed, StrategyRules rules)
@@ -103,6 +108,10 @@ void MultiLayerPlanner::noticeEdits(PlannerHost& host) {
   if (!now || now == edits_) return;
   edits_ = std::move(now);
   if (coarse_ && coarse_->setEdits(edits_)) crossed_.clear();
+  if (coarse_) coarse_->forgetBlocked(*query_);
+  std::erase_if(crossed_, [&](const auto& each) {
+    return firstRefusedEdge(*query_, each.second.points, host.parameters(), host.stopToken()).has_value();
+  });
   if (phase_ != Phase::Prepare) phase_ = Phase::Coarse;
   local_.reset();
 }
@@ -301,6 +310,8 @@ void MultiLayerPlanner::searchWorkspace(PlannerHost& host) {
     step.points = path_->points;
     step.result = StepResult::Solved;
     publish();
+  } else if (!plan_.forbidden.empty() && isSpent(*whole_, host.parameters())) {
+    fail(noWay(plan_), "Allow one of these places again, or raise the samples a step.");
   } else if (turn_ > 0) {
     turn_ -= std::min(turn_, std::max<std::uint64_t>(spent, 1));
     if (turn_ == 0) phase_ = Phase::Coarse;

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "engine/base/number_text.h"
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/study/statistics.h"
 
 namespace glissade {

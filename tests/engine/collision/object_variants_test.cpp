@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/collision/collision_query.h"
-#include "engine/collision/independent_check.h"
+#include "tests/engine/support/independent_check.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/thinned_mesh.h"
 #include "engine/geometry/triangle_tree.h"

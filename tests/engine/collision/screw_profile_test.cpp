@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "engine/base/random_stream.h"
-#include "engine/collision/independent_check.h"
-#include "engine/collision/judged_helix.h"
+#include "engine/check/helix.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/screw_run.h"
 #include "samples/nut-and-bolt/shapes.h"
+#include "tests/engine/support/independent_check.h"
 
 namespace glissade {
 namespace {
@@ -29,8 +29,8 @@ RigidBody bodyOf(TriangleMesh mesh) {
   return body;
 }
 
-JudgedHelix helixOf(const ScrewAxis& screw, double advance) {
-  JudgedHelix helix;
+check::Helix helixOf(const ScrewAxis& screw, double advance) {
+  check::Helix helix;
   helix.point = screw.point_W;
   helix.axis = screw.axis_W;
   helix.lead = screw.pitch;
@@ -70,8 +70,8 @@ TEST(ScrewProfile, BoundsAreBelowTheDistancesOfRandomTriangles) {
     const auto query = CollisionWorld::build({fixed}, std::make_shared<const TriangleMesh>(moving))->makeQuery();
     double least = query->nearestObstacle(Pose::identity()).distance;
     const double bound = screwDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), screw, advance, least);
-    const double judged =
-        helixDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), helixOf(screw, advance), 0.5 * bound, least);
+    const double judged = check::helixDistance(trianglesOf(moving), trianglesOf(*fixed.mesh), helixOf(screw, advance),
+                                               0.5 * bound, least, {});
     for (int i = 0; i <= 400; ++i) {
       least = std::min(least, query->nearestObstacle(screwed(screw, Pose::identity(), advance * i / 400)).distance);
     }
@@ -148,7 +148,7 @@ TEST(ScrewRun, FindsTheScrewMotionOfAPath) {
   for (int i = 0; i <= 60; ++i) path.push_back(screwed(screw, start, 0.05 * i / 60));
   path.push_back(Pose::identity());
   const auto runs = screwRunsOf(path, 0.1);
-  const auto judged = helicesOf(path, nut_and_bolt::nut());
+  const auto judged = check::helicesOf(path, nut_and_bolt::nut());
   ASSERT_EQ(runs.size(), 1U);
   ASSERT_EQ(judged.size(), 1U);
   EXPECT_EQ(runs.front().first, 1U);

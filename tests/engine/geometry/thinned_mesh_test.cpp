@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/collision/judged_thinning.h"
+#include "engine/check/thinning.h"
 #include "engine/geometry/mesh_audit.h"
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/triangle_tree.h"
@@ -114,7 +114,7 @@ TEST(ThinnedMesh, TheJudgeThinsAlike) {
     const double allowance = 0.0005 * random.uniform();
     const auto thinned = ThinnableMesh::of(mesh)->thinned(allowance);
     ASSERT_TRUE(thinned);
-    const TriangleMesh judged = thinnedForJudging(mesh, allowance);
+    const TriangleMesh judged = check::thinned(mesh, std::vector<double>(mesh.triangles.size(), allowance));
     ASSERT_EQ(judged.triangles.size(), thinned->triangles.size());
     for (std::size_t f = 0; f < judged.triangles.size(); ++f) {
       for (std::size_t i = 0; i < 3; ++i) {

@@ -12,13 +12,16 @@
 #include "engine/geometry/primitives.h"
 #include "engine/import/import_protocol.h"
 #include "tests/engine/support/step_files.h"
+#include "tests/engine/support/step_instances.h"
 #include "tests/engine/support/temporary_folder.h"
 
 namespace glissade {
 namespace {
 
 namespace fs = std::filesystem;
+using test::partTwice;
 using test::replaced;
+using test::SecondPart;
 using test::stepFile;
 using test::stepText;
 using test::TemporaryFolder;
@@ -258,52 +261,23 @@ TEST_F(ComposedFiles, ManyMissingFilesAreCounted) {
   EXPECT_THAT(product->warnings.back().reason, HasSubstr("30 more files"));
 }
 
-/// The second of two instances of the box, as the file states it. Points are in millimetres.
-struct SecondBox {
-  std::string x = "1.,0.,0.";
-  std::string y = "0.,1.,0.";
-  std::string z = "0.,0.,1.";
-  std::string scale = "1.";
-  std::string mapped = "10.,20.,5.";  ///< point of the box that is put at (7, -3, 100)
-  std::string mappedX = "1.,0.,0.";
-  std::string mappedZ = "0.,0.,1.";
-};
-
-/// The box as it is, and the second one.
-std::string boxTwice(const SecondBox& second) {
-  std::string text = stepText("box.step");
-  const std::size_t solid = text.find("ADVANCED_BREP_SHAPE_REPRESENTATION");
-  const std::string shape =
-      text.substr(text.rfind('#', solid), text.find_first_of(" =", text.rfind('#', solid)) - text.rfind('#', solid));
-  const std::size_t list = text.find("(#", solid);
-  const std::string origin = text.substr(list + 1, text.find(',', list) - list - 1);
-  const std::size_t contextAt = text.find("),#", list) + 2;
-  const std::string context = text.substr(contextAt, text.find(')', contextAt) - contextAt);
-  const std::string added =
-      "#900001=REPRESENTATION_MAP(" + origin + "," + shape + ");\n#900002=CARTESIAN_POINT('',(0.,0.,0.));\n" +
-      "#900003=DIRECTION('',(" + second.x + "));\n#900004=DIRECTION('',(" + second.y + "));\n#900005=DIRECTION('',(" +
-      second.z + "));\n#900006=CARTESIAN_POINT('',(7.,-3.,100.));\n" +
-      "#900007=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900003,#900004,#900006," + second.scale +
-      ",#900005);\n#900008=MAPPED_ITEM('',#900019,#900007);\n#900009=DIRECTION('',(1.,0.,0.));\n" +
-      "#900013=DIRECTION('',(0.,1.,0.));\n#900014=DIRECTION('',(0.,0.,1.));\n" +
-      "#900010=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#900009,#900013,#900002,1.,#900014);\n" +
-      "#900011=MAPPED_ITEM('',#900001,#900010);\n#900012=SHAPE_REPRESENTATION('',(" + origin + ",#900011,#900008)," +
-      context + ");\n#900015=CARTESIAN_POINT('',(" + second.mapped + "));\n#900016=DIRECTION('',(" + second.mappedZ +
-      "));\n#900017=DIRECTION('',(" + second.mappedX +
-      "));\n#900018=AXIS2_PLACEMENT_3D('',#900015,#900016,#900017);\n" + "#900019=REPRESENTATION_MAP(#900018," + shape +
-      ");\nENDSEC;\nEND-ISO";
-  const std::size_t definition = text.find("SHAPE_DEFINITION_REPRESENTATION(");
-  const std::size_t used = text.find("," + shape + ")", definition);
-  text.replace(used, shape.size() + 2, ",#900012)");
-  return replaced(text, "ENDSEC;\nEND-ISO", added);
-}
-
 Box3 placedBox(const StepPart& part) { return boundingBox(*part.mesh, part.X_FP); }
 
+/// The triangles are in the planes of their faces, and look the same way.
+void expectPlanes(const TriangleMesh& mesh) {
+  ASSERT_EQ(mesh.faces.size(), 6U);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const SurfaceFace& face = mesh.faces[mesh.faceOf[t]];
+    EXPECT_EQ(face.kind, SurfaceFace::Kind::Plane);
+    EXPECT_TRUE(faceNormal(mesh, mesh.triangles[t]).isApprox(face.axis, 1e-12));
+    EXPECT_NEAR(face.axis.dot(mesh.vertices[mesh.triangles[t][0]] - face.point), 0.0, 1e-15);
+  }
+}
+
 /// `linear`: of the transformation that is to be read.
-void expectSecondBox(const SecondBox& second, const Eigen::Matrix3d& linear) {
+void expectSecondBox(const SecondPart& second, const Eigen::Matrix3d& linear) {
   const TemporaryFolder folder;
-  const auto product = importStep(folder.write("two.step", boxTwice(second)), 0.0);
+  const auto product = importStep(folder.write("two.step", partTwice(second, "box.step")), 0.0);
   ASSERT_TRUE(product.ok()) << toString(product.error());
   ASSERT_EQ(product->parts.size(), 2U);
   const Box3 first(Vector3(-0.05, -0.025, -0.01), Vector3(0.05, 0.025, 0.01));
@@ -316,6 +290,7 @@ void expectSecondBox(const SecondBox& second, const Eigen::Matrix3d& linear) {
   EXPECT_TRUE(placedBox(product->parts[1 - other]).isApprox(first, 1e-9));
   const Box3 read = placedBox(product->parts[other]);
   EXPECT_TRUE(read.isApprox(expected, 1e-9)) << read.min().transpose() << " to " << read.max().transpose();
+  expectPlanes(*product->parts[other].mesh);
   const MeshAudit worth = audit(*product->parts[other].mesh);
   EXPECT_TRUE(worth.closed() && worth.consistentlyOriented);
   EXPECT_NEAR(worth.volume, expected.volume(), 1e-9 * expected.volume()) << "below zero: inside out";
@@ -332,20 +307,20 @@ TEST(StepMirror, AnInstanceIsMirroredAndScaledAsTheFileSays) {
   const Vector3 y = Vector3::UnitY();
   const Vector3 z = Vector3::UnitZ();
   expectSecondBox({}, matrix(x, y, z));
-  SecondBox mirrored;
+  SecondPart mirrored;
   mirrored.y = "0.,-1.,0.";
   expectSecondBox(mirrored, matrix(x, -y, z));
-  SecondBox scaled;
+  SecondPart scaled;
   scaled.scale = "2.";
   expectSecondBox(scaled, 2.0 * matrix(x, y, z));
-  SecondBox turned;
+  SecondPart turned;
   turned.x = "0.,0.,-1.";
   turned.y = "-1.,0.,0.";
   turned.z = "0.,-1.,0.";
   turned.scale = "0.5";
   expectSecondBox(turned, 0.5 * matrix(-z, -x, -y));
   // The axes of the mapping are y, z and x of the box. They come to lie on x, -y and z.
-  SecondBox mapped;
+  SecondPart mapped;
   mapped.y = "0.,-1.,0.";
   mapped.mappedX = "0.,1.,0.";
   mapped.mappedZ = "1.,0.,0.";
@@ -359,17 +334,18 @@ TEST(StepMirror, WhatIsNoMirrorAndNoScaleIsRefusedWithItsEntity) {
     return product ? std::string("was read") : product.error().reason;
   };
   for (const char* scale : {"0.", "-1.", "1.E9"}) {
-    SecondBox impossible;
+    SecondPart impossible;
     impossible.scale = scale;
-    EXPECT_THAT(reasonOf(boxTwice(impossible)), HasSubstr("#900007 scales a part")) << scale;
+    EXPECT_THAT(reasonOf(partTwice(impossible, "box.step")), HasSubstr("#900007 scales a part")) << scale;
   }
-  SecondBox mirrored;
+  SecondPart mirrored;
   mirrored.y = "0.,-1.,0.";
   const std::string unused =
-      replaced(boxTwice(mirrored), "MAPPED_ITEM('',#900019,#900007)", "MAPPED_ITEM('',#900019,#900010)");
+      replaced(partTwice(mirrored, "box.step"), "MAPPED_ITEM('',#900019,#900007)", "MAPPED_ITEM('',#900019,#900010)");
   EXPECT_THAT(reasonOf(unused), HasSubstr("#900007 mirrors a part"));
-  EXPECT_THAT(reasonOf(replaced(boxTwice(mirrored), "REPRESENTATION_MAP(#900018", "REPRESENTATION_MAP(#900015")),
-              HasSubstr("#900007 mirrors a part"));
+  EXPECT_THAT(
+      reasonOf(replaced(partTwice(mirrored, "box.step"), "REPRESENTATION_MAP(#900018", "REPRESENTATION_MAP(#900015")),
+      HasSubstr("#900007 mirrors a part"));
 }
 
 }  // namespace

@@ -102,20 +102,24 @@ TEST(StepImport, ASheetIsAPartThatIsNotClosed) {
   EXPECT_EQ(sheet.mesh->triangles.size(), 2U);
 }
 
-TEST(StepImport, DeflectionIsAThousandthOfTheDiagonalWithinLimitsUnlessSomebodySays) {
+TEST(StepImport, DeflectionIsAtMostAThousandthOfTheDiagonalWithinLimitsUnlessSomebodySays) {
   EXPECT_EQ(usualDeflection(1e-3), 1e-5);
   EXPECT_EQ(usualDeflection(0.2), 2e-4);
   EXPECT_EQ(usualDeflection(100.0), 5e-4);
-  EXPECT_NEAR(onePart("plate.step").deflection, usualDeflection(Vector3(0.1, 0.06, 0.01).norm()), 1e-7);
-  EXPECT_EQ(onePart("ball.stp", 0.002).deflection, 0.002);
+  const double plate = onePart("plate.step").deflection;
+  EXPECT_LE(plate, usualDeflection(Vector3(0.1, 0.06, 0.01).norm()));
+  EXPECT_GT(plate, 0.0);
+  EXPECT_EQ(onePart("box.step").deflection, 0.0);
   std::size_t before = 0;
   for (const double deflection : {2e-3, 2e-4, 2e-5}) {
-    const TriangleMesh mesh = *onePart("ball.stp", deflection).mesh;
+    const StepPart ball = onePart("ball.stp", deflection);
+    const TriangleMesh& mesh = *ball.mesh;
+    EXPECT_LE(ball.deflection, 1.1 * deflection) << "OpenCASCADE does not keep it";
     EXPECT_GT(mesh.triangles.size(), before);
     before = mesh.triangles.size();
     for (const TriangleIndices& t : mesh.triangles) {
       const Vector3 centre = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
-      ASSERT_NEAR(centre.norm(), 0.025, deflection);
+      ASSERT_NEAR(centre.norm(), 0.025, ball.deflection);
     }
   }
 }

@@ -70,13 +70,15 @@ TEST(HandRun, ThePathOfTheObjectIsTheMotionOfTheBody) {
   const Pose X_BO{{0.02, 0.0, 0.01}, fromRollPitchYaw(0.3, 0.0, 0.0)};
   const Pose there{{0.3, 0.5, 0.0}, fromRollPitchYaw(0.0, 0.4, 1.0)};
   const DemandedMotion motion =
-      motionByHand(body, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}});
+      motionOfRun(body, {{body.X_WB * X_BO, Author::Computer}, {there * X_BO, Author::Operator}}, "contact-birrt");
   EXPECT_EQ(motion.bodies, std::vector<std::string>{"right"});
   EXPECT_EQ(motion.method, kByHand);
   EXPECT_EQ(motion.path.front().q, body.X_WB);
   EXPECT_LT((motion.path.back().q.position - there.position).norm(), 1e-12);
   EXPECT_LT(motion.path.back().q.orientation.angularDistance(there.orientation), 1e-7);
   EXPECT_EQ(motion.path.back().author, Author::Operator);
+  const std::vector<PathPoint> alone{{body.X_WB, Author::Computer}, {there, Author::Computer}};
+  EXPECT_EQ(motionOfRun(body, alone, "auto").method, "auto") << "no hand has moved it";
 }
 
 }  // namespace

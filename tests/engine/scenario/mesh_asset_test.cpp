@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
-#include "engine/collision/independent_check.h"
+#include "tests/engine/support/independent_check.h"
 #include "engine/geometry/primitives.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/broken_scenarios.h"
 

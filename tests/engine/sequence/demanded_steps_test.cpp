@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
+#include "engine/scenario/judged_product.h"
+#include "engine/sequence/demand_conflicts.h"
 #include "engine/sequence/demanding_trial.h"
-#include "engine/sequence/plan_judge.h"
 #include "engine/sequence/sequence_run.h"
 #include "engine/sequence/step_motion.h"
 #include "tests/engine/sequence/products.h"
@@ -70,16 +71,57 @@ TEST(DemandedSteps, TwoStepsNeverHaveOnePlace) {
 TEST(DemandedSteps, EditsAreTakenBackTogether) {
   const AssemblyPlan plan = planOfSteps({"a", "b", "c"});
   SequenceDemands demands = withStepLocked(0, true, plan, {});
-  demands = withOrder({{"b"}, {"a"}}, demands);
   demands = withOrder({{"a"}, {"b"}, {"c"}}, demands);
   EXPECT_EQ(demands.before, (std::vector<std::pair<std::string, std::string>>{{"a", "b"}, {"b", "c"}}));
   demands = withForbidden({"a"}, {0.0, 0.0, 2.0}, demands);
-  EXPECT_TRUE(demands.motions.empty()) << "the kept motion leads in the forbidden direction";
   EXPECT_EQ(demandsOn({"a"}, demands).forbidden.size(), 1U);
-  const DemandedMotion up{{"a"}, plan.steps[0].path, kByHand};
-  EXPECT_TRUE(withMotion(up, demands).forbidden.empty()) << "what a person does is not forbidden any more";
   demands = withoutDemandsOn({"b"}, withoutDemandsOn({"a"}, demands));
   EXPECT_EQ(demands, SequenceDemands());
+}
+
+TEST(DemandConflicts, NoDemandGoesBecauseAnotherOneComes) {
+  const AssemblyPlan plan = planOfSteps({"a", "b", "c"});
+  const SequenceDemands kept = withStepLocked(0, true, plan, {});
+  const SequenceDemands both = withForbidden({"a"}, {0.0, 0.0, 2.0}, kept);
+  EXPECT_EQ(both.motions, kept.motions);
+  DemandConflict conflict = conflictBetween(kept, both);
+  EXPECT_EQ(conflict.motions, kept.motions) << "the kept motion leads in the forbidden direction";
+  EXPECT_NE(inWords(conflict).reason.find("'a'"), std::string::npos);
+  EXPECT_TRUE(withoutEarlier(conflict, both).motions.empty());
+  EXPECT_EQ(withoutEarlier(conflict, both).forbidden, both.forbidden);
+  EXPECT_TRUE(conflictBetween(kept, withForbidden({"a"}, {1.0, 0.0, 0.0}, kept)).isNone());
+  EXPECT_TRUE(conflictBetween(kept, withForbidden({"b"}, {0.0, 0.0, 1.0}, kept)).isNone());
+
+  const SequenceDemands forbidden = withForbidden({"a"}, {0.0, 0.0, 1.0}, {});
+  const SequenceDemands moved = withMotion({{"a"}, plan.steps[0].path, kByHand}, forbidden);
+  EXPECT_EQ(moved.forbidden, forbidden.forbidden);
+  conflict = conflictBetween(forbidden, moved);
+  EXPECT_EQ(conflict.forbidden, forbidden.forbidden);
+  EXPECT_EQ(withoutEarlier(conflict, moved).motions, moved.motions);
+
+  const SequenceDemands first = withOrder({{"b"}, {"a"}}, {});
+  const SequenceDemands turned = withOrder({{"a"}, {"b"}}, first);
+  EXPECT_EQ(turned.before.size(), 2U);
+  EXPECT_EQ(conflictBetween(first, turned).before, first.before);
+  EXPECT_TRUE(conflictBetween(turned, turned).isNone()) << "what was there before is no new conflict";
+}
+
+TEST(DemandConflicts, ALockedStepTakesNoPlaceAway) {
+  SequenceDemands demands;
+  demands.places = {{{"stuck"}, 2}, {{"other"}, 3}};
+  demands = withStepLocked(1, true, planOfSteps({"a", "b"}), demands);
+  EXPECT_EQ(placesOf(demands), (Places{{"b", 2}, {"other", 3}, {"stuck", 4}}));
+}
+
+TEST(DemandConflicts, AMotionInAForbiddenDirectionIsNotPlanned) {
+  const AssembledProduct product = test::lockedDrawer();
+  SequenceDemands demands;
+  demands.motions = {{{"cap"}, planOfSteps({"cap"}).steps[0].path, kByHand}};
+  ASSERT_TRUE(resolved(demands, product).ok());
+  demands.forbidden = {{"cap", {0.0, 0.1, 1.0}}};
+  const auto refused = resolved(demands, product);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().reason.find("'cap'"), std::string::npos);
 }
 
 TEST(DemandedSteps, ADirectionIsForbiddenWithinThirtyDegrees) {
@@ -117,9 +159,8 @@ TEST(DemandedSteps, StepsComeAtTheirPlaces) {
     const AssemblyPlan plan = planned(product, "base", demands, strategy);
     EXPECT_EQ(test::orderOf(plan), (Names{"three", "two", "one"})) << strategy;
     EXPECT_EQ(plan.end, PlanEnd::Complete);
-    const auto judged = judgePlan(plan, product, std::nullopt);
-    ASSERT_TRUE(judged.ok());
-    for (const StepJudgement& each : *judged) EXPECT_TRUE(each.valid()) << each.againstDemand;
+    const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
+    for (const check::StepVerdict& each : judged.steps) EXPECT_TRUE(each.valid()) << each.againstDemand;
   }
 }
 
@@ -133,11 +174,11 @@ TEST(DemandedSteps, AForcedStepSaysWhatItDoesNotKeepAndTheJudgeDemandsThatItDoes
   ASSERT_EQ(plan.steps[0].violates.size(), 1U);
   EXPECT_EQ(plan.steps[0].violates[0].rule, StepViolation::Rule::Before);
   EXPECT_EQ(plan.steps[0].violates[0].bodies, Names{"one"});
-  EXPECT_TRUE((*judgePlan(plan, product, std::nullopt))[0].valid());
+  EXPECT_TRUE(judgePlan(plan, product, std::nullopt).steps[0].valid());
   plan.steps[0].violates.clear();
-  const auto judged = judgePlan(plan, product, std::nullopt);
-  EXPECT_FALSE((*judged)[0].valid());
-  EXPECT_NE((*judged)[0].againstDemand.find("'one'"), std::string::npos);
+  const check::PlanVerdict judged = judgePlan(plan, product, std::nullopt);
+  EXPECT_FALSE(judged.steps[0].valid());
+  EXPECT_NE(judged.steps[0].againstDemand.find("'one'"), std::string::npos);
 }
 
 TEST(DemandedSteps, WhatCannotBeProvedAtItsPlaceIsStuckWithItsBlockers) {
@@ -176,7 +217,7 @@ TEST(DemandedSteps, NothingLeavesInAForbiddenDirection) {
   }
   AssemblyPlan wrong = planned(product, "base", {});
   wrong.demands.forbidden = {{wrong.steps[0].body, exitDirection(wrong.steps[0].path)}};
-  EXPECT_FALSE((*judgePlan(wrong, product, std::nullopt))[0].valid());
+  EXPECT_FALSE(judgePlan(wrong, product, std::nullopt).steps[0].valid());
 }
 
 TEST(DemandedSteps, AMotionOfAPersonIsTheOnlyOne) {

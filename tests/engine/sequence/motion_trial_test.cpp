@@ -4,8 +4,8 @@
 
 #include "engine/base/random_stream.h"
 #include "engine/planning/path_certificate.h"
+#include "engine/scenario/judged_product.h"
 #include "engine/sequence/motion_world.h"
-#include "engine/sequence/plan_judge.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -125,14 +125,12 @@ TEST(MotionTrial, AGroupLeavesWhereNoneOfItsBodiesDoes) {
   EXPECT_EQ(plan.steps[1].bodies(), (std::vector<std::string>{"slot", "tongue"}));
   EXPECT_EQ(plan.removed(), 3U);
   EXPECT_GT(plan.steps[1].path.back().q.position.z(), plan.steps[1].path.front().q.position.z() + 0.5);
-  const auto judgements = judgePlan(plan, product, std::nullopt);
-  ASSERT_TRUE(judgements.ok());
-  for (const StepJudgement& judgement : *judgements) EXPECT_TRUE(judgement.valid()) << judgement.body;
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  for (const check::StepVerdict& step : verdict.steps) EXPECT_TRUE(step.valid()) << step.bodies.front();
   AssemblyPlan alone = plan;
   alone.steps[1].with.clear();
-  const auto refused = judgePlan(alone, product, std::nullopt);
-  ASSERT_TRUE(refused.ok());
-  EXPECT_FALSE((*refused)[1].valid()) << "the slot does not leave without the tongue";
+  const check::PlanVerdict refused = judgePlan(alone, product, std::nullopt);
+  EXPECT_FALSE(refused.steps[1].valid()) << "the slot does not leave without the tongue";
 }
 
 TEST(MotionTrial, WhatAPersonWantsTogetherLeavesAsOne) {

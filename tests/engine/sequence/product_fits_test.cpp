@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/sequence/plan_judge.h"
+#include "engine/check/verdict_report.h"
+#include "engine/scenario/judged_product.h"
 #include "tests/engine/product/ring.h"
 #include "tests/engine/sequence/products.h"
 
@@ -56,14 +57,14 @@ TEST(ProductFits, APlanWithFitsIsJudgedValidAndStatesThem) {
   ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "washer"}));
   EXPECT_EQ(plan.steps[0].allowances.size(), 2U);
   EXPECT_EQ(plan.steps[1].allowances.size(), 1U);
-  const auto judgements = judgePlan(plan, product, std::nullopt);
-  ASSERT_TRUE(judgements.ok());
-  for (const StepJudgement& judgement : *judgements) EXPECT_TRUE(judgement.valid()) << judgement.body;
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  for (const check::StepVerdict& step : verdict.steps) {
+    EXPECT_TRUE(step.valid()) << whyInvalid(step, judgedProduct(product));
+  }
   AssembledProduct strict = product;
   strict.fits.on = false;
-  const auto whole = judgePlan(plan, strict, std::nullopt);
-  ASSERT_TRUE(whole.ok());
-  EXPECT_FALSE((*whole)[0].valid()) << "the whole nut does not leave";
+  const check::PlanVerdict whole = judgePlan(plan, strict, std::nullopt);
+  EXPECT_FALSE(whole.steps[0].certified()) << "the whole nut does not leave";
 }
 
 /// A nut whose wall is thin against the overlap of its thread, or which the bolt is, or both are.
@@ -87,9 +88,8 @@ TEST(ProductFits, WhereABodyHasNoPlaceForAnAllowanceTheOtherOneIsTakenThinner) {
     ASSERT_EQ(test::orderOf(plan), std::vector<std::string>{"nut"});
     ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
     EXPECT_EQ(plan.steps[0].allowances[0].yields, row.nutIsThin);
-    const auto judgements = judgePlan(plan, product, std::nullopt);
-    ASSERT_TRUE(judgements.ok());
-    EXPECT_TRUE((*judgements)[0].valid());
+    const check::StepVerdict step = judgePlan(plan, product, std::nullopt).steps[0];
+    EXPECT_TRUE(step.valid()) << whyInvalid(step, judgedProduct(product));
   }
 }
 

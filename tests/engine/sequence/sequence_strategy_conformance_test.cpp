@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/sequence/plan_judge.h"
+#include "engine/check/verdict_report.h"
+#include "engine/scenario/judged_product.h"
 #include "tests/engine/sequence/products.h"
 
 namespace glissade {
@@ -23,10 +24,10 @@ TEST_P(SequenceStrategies, TakesADrawerApartInItsOnlyOrder) {
 TEST_P(SequenceStrategies, EveryStepIsCertifiedForWhatIsThere) {
   const AssembledProduct product = test::lockedDrawer();
   const AssemblyPlan plan = test::planOf(product, "cabinet", 1, GetParam());
-  const auto judgements = judgePlan(plan, product, std::nullopt);
-  ASSERT_TRUE(judgements.ok());
-  for (std::size_t i = 0; i < judgements->size(); ++i) {
-    EXPECT_TRUE((*judgements)[i].valid()) << plan.steps[i].body;
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  ASSERT_EQ(verdict.steps.size(), plan.steps.size());
+  for (std::size_t i = 0; i < verdict.steps.size(); ++i) {
+    EXPECT_TRUE(verdict.steps[i].valid()) << whyInvalid(verdict.steps[i], judgedProduct(product));
     EXPECT_LE(plan.steps[i].proof.afterSteps, i);
     EXPECT_GE(plan.steps[i].proof.provedClearance, plan.steps[i].proof.required);
   }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/collision/independent_check.h"
+#include "tests/engine/support/independent_check.h"
 #include "engine/geometry/primitives.h"
 #include "engine/planning/automatic/member.h"
 #include "engine/planning/path_certificate.h"

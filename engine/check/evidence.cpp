@@ -1,0 +1,155 @@
+#include "engine/check/evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "engine/base/tolerances.h"
+#include "engine/check/overlap.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
+constexpr double kClashOverlap = 1e-3;      ///< metres
+constexpr double kClashShare = 0.2;         ///< of the local thickness
+
+/// One side of a pair: what was found of each face.
+struct Side {
+  const PlacedBody& body;
+  Overlap overlap;
+  std::vector<bool> touches{};
+  std::vector<double> own{};     ///< deflection of the face near the other body
+  std::vector<double> others{};  ///< deflection of the other body near the face
+
+  Side(const PlacedBody& placed, Overlap found) : body(placed), overlap(std::move(found)) {
+    touches.assign(body.regions.count, false);
+    own.assign(body.regions.count, 0.0);
+    others.assign(body.regions.count, 0.0);
+  }
+
+  void touch(std::uint32_t triangle, double ownDeflection, double otherDeflection) {
+    const std::uint32_t region = body.regions.of[triangle];
+    touches[region] = true;
+    own[region] = std::max(own[region], ownDeflection);
+    others[region] = std::max(others[region], otherDeflection);
+  }
+};
+
+double largestOf(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+void findTouching(Side& one, Side& other, double spacing, const StopToken& stop) {
+  const double off = spacing + kTouchingSurfaces;
+  const double reach = off + largestOf(one.body.deflections) + largestOf(other.body.deflections);
+  one.body.tree.visitPairs(other.body.tree, reach, [&](std::uint32_t i, std::uint32_t k) {
+    const double ofOne = one.body.deflections[i];
+    const double ofOther = other.body.deflections[k];
+    const double near = ofOne + ofOther + off;
+    const Triangle& a = one.body.tree.triangles()[i];
+    const Triangle& b = other.body.tree.triangles()[k];
+    if (triangleDistance(a, b).squared <= near * near || trianglesMeet(a, b)) {
+      one.touch(i, ofOne, ofOther);
+      other.touch(k, ofOther, ofOne);
+    }
+    return !stop.stopRequested();
+  });
+}
+
+bool addsSagitta(const PairWord* word) {
+  return word != nullptr && (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
+}
+
+/// The sagittas of the faces that a person calls cylinders: of bodies whose files state no faces.
+double sagittaByPerson(const Side& side, const Side& other, std::uint32_t region) {
+  if (side.body.regions.sagitta[region] <= 0.0) return 0.0;
+  double most = 0.0;
+  for (std::uint32_t r = 0; r < other.body.regions.count; ++r) {
+    const bool inFit = other.touches[r] || other.overlap.depths[r] > 0.0;
+    if (inFit && other.body.mesh.faces.empty()) most = std::max(most, other.body.regions.sagitta[r]);
+  }
+  return most + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
+}
+
+AllowanceBound boundOf(const Side& side, const Side& other, double spacing, double margin, const PairWord* word) {
+  const FaceRegions& regions = side.body.regions;
+  AllowanceBound bound;
+  std::vector<double> sums(regions.count, 0.0);
+  for (std::uint32_t r = 0; r < regions.count; ++r) {
+    const double overlap = side.overlap.depths[r];
+    if (overlap <= 0.0 && !side.touches[r]) continue;
+    Evidence evidence{overlap, side.own[r] + side.others[r], spacing, margin, 0.0};
+    if (addsSagitta(word)) evidence.byPerson = sagittaByPerson(side, other, r);
+    if (word != nullptr && word->allowance) evidence = {0.0, 0.0, 0.0, 0.0, *word->allowance};
+    bound.inFit = true;
+    sums[r] = evidence.sum();
+    if (sums[r] <= bound.most) continue;
+    bound.most = sums[r];
+    bound.largest = evidence;
+  }
+  for (const std::uint32_t region : regions.of) bound.atMost.push_back(sums[region]);
+  return bound;
+}
+
+/// Why nothing is allowed for the pair; empty: nothing is wrong.
+std::string clashOf(const Side& one, const Side& other, const FitWords& fits, const PairWord* word) {
+  const double a = one.overlap.deepest;
+  const double b = other.overlap.deepest;
+  const double overlap = a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
+  const double thickness = std::max(one.overlap.thickness, other.overlap.thickness);
+  if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return {};
+  const bool said =
+      word != nullptr && (word->accepted || word->allowance || (!word->kind.empty() && word->kind != "clash"));
+  if (said || (fits.acceptedClash > 0.0 && overlap <= fits.acceptedClash)) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << "they overlap by " << overlap * 1e3 << " mm, which is a clash that nobody accepted";
+  return text.str();
+}
+
+}  // namespace
+
+double assembledMargin(double radius) {
+  constexpr double kLeastMargin = 1e-6;
+  constexpr double kClearances = 4.0;
+  return std::max(kLeastMargin, kClearances * tolerance::kRequiredClearance * radius);
+}
+
+PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
+                    const StopToken& stop) {
+  const double spacing = one.spacing + other.spacing;
+  Side a(one, overlapIn(one, other, stop));
+  Side b(other, overlapIn(other, one, stop));
+  findTouching(a, b, spacing, stop);
+  // A body that gives way has no reference point to turn about: its own size counts, or that of the one that moves.
+  const double sizeOfOther = std::max(one.radius, 0.5 * other.tree.box().diagonal().norm());
+  PairBounds bounds{boundOf(a, b, spacing, assembledMargin(one.radius), word),
+                    boundOf(b, a, spacing, assembledMargin(sizeOfOther), word)};
+  if (!bounds.one.inFit && !bounds.other.inFit) return bounds;
+  const std::string refused = clashOf(a, b, fits, word);
+  if (refused.empty()) return bounds;
+  for (AllowanceBound* bound : {&bounds.one, &bounds.other}) {
+    bound->refused = refused;
+    bound->most = 0.0;
+    std::fill(bound->atMost.begin(), bound->atMost.end(), 0.0);
+  }
+  return bounds;
+}
+
+AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b) {
+  AllowanceBound both = a.most >= b.most ? a : b;
+  for (std::size_t t = 0; t < both.atMost.size(); ++t) both.atMost[t] = std::max(a.atMost[t], b.atMost[t]);
+  both.inFit = a.inFit || b.inFit;
+  if (both.refused.empty()) both.refused = a.refused.empty() ? b.refused : a.refused;
+  return both;
+}
+
+const PairWord* FitWords::about(const std::string& a, const std::string& b) const {
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [&](const PairWord& word) {
+    return (word.a == a && word.b == b) || (word.a == b && word.b == a);
+  });
+  return found == pairs.end() ? nullptr : &*found;
+}
+
+}  // namespace glissade::check

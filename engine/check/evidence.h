@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/stop_token.h"
+#include "engine/check/placed_body.h"
+#include "engine/check/product.h"
+
+namespace glissade::check {
+
+/// What can be said for taking a body thinner at one face against another body, metres.
+struct Evidence {
+  double overlap = 0.0;     ///< how deep the other surface is below the face
+  double deflection = 0.0;  ///< that the triangles of both are off their surfaces there, as the files state it
+  double spacing = 0.0;     ///< of the coordinates of both
+  double margin = 0.0;      ///< that remains between them
+  double byPerson = 0.0;    ///< that a person allows
+
+  double sum() const { return overlap + deflection + spacing + margin + byPerson; }
+};
+
+/// How much thinner a body may be taken against another one where the product is assembled. Nothing is taken from what
+/// planners found.
+struct AllowanceBound {
+  Evidence largest;              ///< of the face with the largest sum
+  double most = 0.0;             ///< metres; 0: nothing is allowed
+  std::vector<double> atMost{};  ///< of each triangle of the body
+  std::string refused{};         ///< why nothing is allowed, as "overlap by 1.2 mm, which is a clash"; may be empty
+  bool inFit = false;            ///< they touch or overlap
+};
+
+/// Of both bodies of a pair.
+struct PairBounds {
+  AllowanceBound one;
+  AllowanceBound other;
+};
+
+/// Compares the pair, face by face (FaceRegions). A face is in the fit where the other surface is below it, or is not
+/// farther from it than files, coordinates and three micrometres may be off. Overlaps of more than a millimetre or a
+/// fifth of the local thickness are clashes, and nothing is allowed for them unless a person accepts them.
+PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
+                    const StopToken& stop);
+
+/// What remains between bodies that touch where the product is assembled: a micrometre, or four of the clearances that
+/// a path has to keep for a body of this radius, if that is more.
+double assembledMargin(double radius);
+
+/// The larger of two bounds, triangle by triangle: of a product that is assembled in two configurations.
+AllowanceBound united(const AllowanceBound& a, const AllowanceBound& b);
+
+}  // namespace glissade::check

@@ -1,0 +1,313 @@
+#include "engine/check/helix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/check/turn.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kCircle = 6.283185307179586;
+constexpr double kFullCircle = 1.01 * kCircle;
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+/// Rotations of an edge, radians, from which its axis can be read.
+constexpr double kSlightest = 1e-4;
+constexpr double kStrongest = 3.0;
+/// Axes and leads of the edges of a helix differ by less, as a share of the object's reach for lengths.
+constexpr double kDeviation = 1e-3;
+/// Half of the angle that a triangle may have, seen from the axis, for a profile.
+constexpr double kHalfAngle = 0.5;
+constexpr int kMostSplits = 12;
+constexpr double kCircleRounding = 1e-9;
+constexpr double kUpwards = 1.0 + 1e-9;
+
+struct Profile {
+  TurnedTriangle box{};  ///< distances from the axis, and heights
+  bool known = false;    ///< the rest
+  std::array<Eigen::Vector2d, 3> corners;
+  std::array<Eigen::Vector2d, 3> outwards;  ///< unit, of the sides; zero of a side without length
+  std::array<double, 3> border{};           ///< no corner is farther along them
+  double low = 0.0;                         ///< of the second number of the corners
+  double high = 0.0;
+  double error = 0.0;
+  double firstAngle = 0.0;  ///< radians about the axis, with the turns by which the second number is below the lead
+  double lastAngle = 0.0;
+};
+
+struct Lathe {
+  const Helix& helix;
+  Vector3 u;
+  Vector3 v;
+  double core = 0.0;     ///< nothing nearer to the axis has a profile
+  double stretch = 1.0;  ///< by which heights change faster than points move, at half of the core at most
+
+  void setCore(double bore) {
+    core = 0.5 * bore;
+    if (core > 0.0) stretch = std::sqrt(1.0 + std::pow(helix.lead / (kCircle * 0.5 * core), 2)) * kUpwards;
+  }
+  double period() const { return helix.lead / stretch; }
+
+  Profile profileOf(const Corners& triangle) const {
+    Profile profile;
+    profile.box = turned(triangle[0], triangle[1], triangle[2], helix.point, helix.axis);
+    if (core <= 0.0 || profile.box.nearest < core) return profile;
+    std::array<double, 3> angles{};
+    std::array<double, 3> radii{};
+    std::array<double, 3> heights{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 p = triangle[i] - helix.point;
+      radii[i] = std::hypot(p.dot(u), p.dot(v));
+      angles[i] = std::atan2(p.dot(v), p.dot(u));
+      heights[i] = p.dot(helix.axis);
+    }
+    for (std::size_t i = 1; i < 3; ++i) angles[i] = angles[0] + std::remainder(angles[i] - angles[0], kCircle);
+    const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
+    const double half = 0.5 * (*most - *least);
+    if (half > kHalfAngle) return profile;
+    const double middle = *least + half;
+    double nearest = kNoEnd;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double along = radii[i] * std::cos(angles[i] - middle);
+      nearest = std::min(nearest, along);
+      farthest = std::max(farthest, along);
+    }
+    // A point between corners has the mean of the tangents of their angles, weighted by these lengths, too.
+    const double root = std::sqrt(farthest / nearest);
+    const double angleOff = 2.0 * half * (root - 1.0) / (root + 1.0) + 2.0 * (std::tan(half) - half);
+    const double radiusOff = *std::max_element(radii.begin(), radii.end()) * (1.0 - std::cos(half));
+    // A chord is on the inner side of its ends' circle: half of it to either side of the middle.
+    profile.error = std::hypot(0.5 * radiusOff, angleOff * std::abs(period()) / kCircle) * kUpwards;
+    profile.known = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+      profile.corners[i] = {radii[i] - 0.5 * radiusOff, (heights[i] - helix.lead * angles[i] / kCircle) / stretch};
+    }
+    const double whole = std::floor(profile.corners[0].y() / period());
+    for (Eigen::Vector2d& corner : profile.corners) corner.y() -= whole * period();
+    profile.firstAngle = *least + whole * kCircle;
+    profile.lastAngle = *most + whole * kCircle;
+    addSides(profile);
+    return profile;
+  }
+
+  static void addSides(Profile& profile) {
+    const auto& [a, b, c] = profile.corners;
+    profile.low = std::min({a.y(), b.y(), c.y()});
+    profile.high = std::max({a.y(), b.y(), c.y()});
+    const double sense = (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() >= 0.0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector2d side = profile.corners[(i + 1) % 3] - profile.corners[i];
+      const double length = side.norm();
+      profile.outwards[i] = Eigen::Vector2d::Zero();
+      if (length > 0.0) profile.outwards[i] = sense / length * Eigen::Vector2d(side.y(), -side.x());
+      profile.border[i] = -kNoEnd;
+      for (const Eigen::Vector2d& corner : profile.corners) {
+        profile.border[i] = std::max(profile.border[i], profile.outwards[i].dot(corner));
+      }
+    }
+  }
+};
+
+/// How far the second is beyond a side of the first where it is moved by so much along the second number.
+double beyond(const Profile& one, const Profile& other, double by) {
+  double most = -kNoEnd;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& n = one.outwards[i];
+    const double least =
+        std::min({n.dot(other.corners[0]), n.dot(other.corners[1]), n.dot(other.corners[2])}) + n.y() * by;
+    most = std::max(most, least - one.border[i]);
+  }
+  return most;
+}
+
+class HelixPairs {
+ public:
+  /// Nothing is said of distances above `mostFar`, which is at most the core.
+  HelixPairs(const Lathe& lathe, double wanted, double mostFar)
+      : lathe_(lathe),
+        wanted_(wanted),
+        mostFar_(mostFar),
+        aside_(lathe.core > 0.0 ? 2.0 * std::asin(0.5 * mostFar / lathe.core) : 0.0) {}
+
+  /// At least `most`, where the pair's bound is.
+  double bound(const Profile& moving, const Profile& fixed, double most) const {
+    const double rise = lathe_.helix.advance;
+    const double radial =
+        std::max({0.0, moving.box.nearest - fixed.box.farthest, fixed.box.nearest - moving.box.farthest});
+    const double along = std::max({0.0, moving.box.low + std::min(0.0, rise) - fixed.box.high,
+                                   fixed.box.low - moving.box.high - std::max(0.0, rise)});
+    const double boxes = std::hypot(radial, along);
+    if (boxes >= most || !moving.known || !fixed.known) return boxes;
+    return std::max(boxes, inProfile(moving, fixed, most) - moving.error - fixed.error);
+  }
+
+  /// The same, where the triangle whose profile is known less well is divided until `wanted` is shown.
+  double closeBound(const Corners& moving, const Profile& one, const Corners& fixed, const Profile& other,
+                    int splits) const {
+    const double whole = bound(one, other, kNoEnd);
+    if (whole >= wanted_ || splits == 0) return whole;
+    double least = kNoEnd;
+    const bool splitsMoving = !one.known || (other.known && one.error >= other.error);
+    for (const Corners& part : quarters(splitsMoving ? moving : fixed)) {
+      const Profile profile = lathe_.profileOf(part);
+      least = std::min(least, splitsMoving ? closeBound(part, profile, fixed, other, splits - 1)
+                                           : closeBound(moving, one, part, profile, splits - 1));
+      if (least < wanted_) return least;
+    }
+    return least;
+  }
+
+ private:
+  /// When points come nearer to each other than `aside_` is wide, one has turned to the other's angle, after a number
+  /// of circles that the advance allows.
+  double inProfile(const Profile& moving, const Profile& fixed, double most) const {
+    const double period = lathe_.period();
+    const double slack = moving.error + fixed.error;
+    const double circles = lathe_.helix.advance / lathe_.helix.lead;
+    const double first = (moving.firstAngle - fixed.lastAngle - aside_) / kCircle + std::min(0.0, circles);
+    const double last = (moving.lastAngle - fixed.firstAngle + aside_) / kCircle + std::max(0.0, circles);
+    double least = std::min(most, mostFar_) + slack;
+    for (double turn = std::ceil(first - kCircleRounding); turn <= last + kCircleRounding; turn += 1.0) {
+      const double by = turn * period;
+      const double shift = std::max(moving.low + by - fixed.high, fixed.low - moving.high - by);
+      if (shift >= least) continue;
+      least = std::min(least, std::max({shift, beyond(moving, fixed, -by), beyond(fixed, moving, by)}));
+    }
+    return least;
+  }
+
+  static std::array<Corners, 4> quarters(const Corners& whole) {
+    const Vector3 ab = 0.5 * (whole[0] + whole[1]);
+    const Vector3 bc = 0.5 * (whole[1] + whole[2]);
+    const Vector3 ca = 0.5 * (whole[2] + whole[0]);
+    return {{{whole[0], ab, ca}, {ab, whole[1], bc}, {ca, bc, whole[2]}, {ab, bc, ca}}};
+  }
+
+  const Lathe& lathe_;
+  double wanted_;
+  double mostFar_;
+  double aside_;  ///< radians
+};
+
+double leastRadius(const std::vector<Corners>& triangles, const Helix& helix) {
+  double least = kNoEnd;
+  for (const auto& [a, b, c] : triangles) least = std::min(least, turned(a, b, c, helix.point, helix.axis).nearest);
+  return least;
+}
+
+std::vector<Profile> profilesOf(const std::vector<Corners>& triangles, const Lathe& lathe) {
+  std::vector<Profile> profiles;
+  for (const Corners& triangle : triangles) profiles.push_back(lathe.profileOf(triangle));
+  return profiles;
+}
+
+/// A rotation vector in the world; zero where its sense is not sure.
+Vector3 rotationOf(const Pose& from, const Pose& to) {
+  const Eigen::AngleAxisd rotation(to.orientation.toRotationMatrix() * from.orientation.toRotationMatrix().transpose());
+  const bool clear = rotation.angle() > kSlightest && rotation.angle() < kStrongest;
+  return clear ? Vector3(rotation.angle() * rotation.axis()) : Vector3::Zero();
+}
+
+/// On the axis of the rotation that takes one place to the other, but for the advance: the plane's centre of rotation.
+Vector3 centreOf(const Pose& from, const Pose& to, const Vector3& rotation) {
+  const Vector3 axis = rotation.normalized();
+  const Vector3 way = to.position - from.position;
+  const Vector3 across = way - way.dot(axis) * axis;
+  return 0.5 * (from.position + from.position + across) + 0.5 / std::tan(0.5 * rotation.norm()) * axis.cross(across);
+}
+
+/// The helix that starts with the edge, as far as the next edges go on with it; 0 edges where it is none.
+Helix helixFrom(const std::vector<Pose>& path, std::size_t first, double reach) {
+  Helix helix;
+  helix.first = helix.last = first;
+  Vector3 rotations = Vector3::Zero();
+  Vector3 centres = Vector3::Zero();
+  double circle = 0.0;
+  const Vector3 begin = rotationOf(path[first], path[first + 1]);
+  const Vector3 way = path[first + 1].position - path[first].position;
+  const double slope = way.dot(begin) / std::max(begin.squaredNorm(), kSlightest * kSlightest);
+  for (std::size_t edge = first; edge + 1 < path.size(); ++edge) {
+    const Vector3 rotation = rotationOf(path[edge], path[edge + 1]);
+    if (rotation.isZero()) break;
+    const Vector3 step = path[edge + 1].position - path[edge].position;
+    const bool sameAxis = (rotation.normalized() - begin.normalized()).norm() < kDeviation;
+    const bool sameLead = std::abs(step.dot(rotation) / rotation.squaredNorm() - slope) < kDeviation * reach;
+    if (!sameAxis || !sameLead) break;
+    rotations += rotation;
+    circle += rotation.norm();
+    centres += rotation.norm() * (centreOf(path[edge], path[edge + 1], rotation) - path[first].position);
+    helix.last = edge;
+  }
+  if (circle < kFullCircle) return helix;
+  helix.axis = rotations.normalized();
+  helix.point = path[first].position + centres / circle;
+  helix.advance = (path[helix.last + 1].position - path[first].position).dot(helix.axis);
+  helix.lead = helix.advance / circle * kCircle;
+  return helix;
+}
+
+/// No vertex is off the exact motion by more, between the configurations too.
+double offHelix(const Helix& helix, const std::vector<Pose>& path, double reach) {
+  const Pose& start = path[helix.first];
+  double atEnds = 0.0;
+  double bow = 0.0;
+  double turn = 0.0;
+  for (std::size_t edge = helix.first; edge <= helix.last; ++edge) {
+    const double angle = rotationOf(path[edge], path[edge + 1]).norm();
+    turn += angle;
+    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(turn, helix.axis).toRotationMatrix();
+    const Vector3 exact =
+        helix.point + rotation * (start.position - helix.point) + turn / kCircle * helix.lead * helix.axis;
+    const Pose& q = path[edge + 1];
+    const Eigen::Matrix3d tilt = q.orientation.toRotationMatrix() - rotation * start.orientation.toRotationMatrix();
+    const double off = (q.position - exact).norm() + tilt.norm() * reach;
+    atEnds = std::max(atEnds, off);
+    const double arm = (q.position - helix.point).cross(helix.axis).norm() + off;
+    bow = std::max(bow, arm * (1.0 - std::cos(0.5 * angle)));
+  }
+  // An edge turns evenly between its ends; what these are off in rotation is at most doubled.
+  return (2.0 * atEnds + bow) * kUpwards;
+}
+
+}  // namespace
+
+std::vector<Helix> helicesOf(const std::vector<Pose>& path, const TriangleMesh& object) {
+  double reach = 0.0;
+  for (const Vector3& vertex : object.vertices) reach = std::max(reach, vertex.norm());
+  std::vector<Helix> helices;
+  for (std::size_t edge = 0; edge + 1 < path.size();) {
+    Helix helix = helixFrom(path, edge, reach);
+    edge = helix.last + 1;
+    if (helix.lead == 0.0) continue;
+    helix.off = offHelix(helix, path, reach);
+    helices.push_back(helix);
+  }
+  return helices;
+}
+
+double helixDistance(const std::vector<Corners>& moving, const std::vector<Corners>& fixed, const Helix& helix,
+                     double wanted, double enough, const StopToken& stop) {
+  const Vector3 u = helix.axis.unitOrthogonal();
+  Lathe lathe{helix, u, helix.axis.cross(u)};
+  lathe.setCore(std::max(leastRadius(moving, helix), leastRadius(fixed, helix)));
+  const std::vector<Profile> profiles = profilesOf(moving, lathe);
+  const std::vector<Profile> others = profilesOf(fixed, lathe);
+  // A line between points that are nearer to each other than the core stays beyond half of it.
+  double least = lathe.core > 0.0 ? std::min(enough, lathe.core) : enough;
+  const HelixPairs pairs(lathe, wanted, least);
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    if (stop.stopRequested()) return 0.0;
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      double bound = pairs.bound(profiles[i], others[k], least);
+      if (bound >= least) continue;
+      if (bound < wanted) bound = pairs.closeBound(moving[i], profiles[i], fixed[k], others[k], kMostSplits);
+      least = std::min(least, bound);
+      if (least < wanted) return std::max(0.0, least);
+    }
+  }
+  return std::max(0.0, least);
+}
+
+}  // namespace glissade::check

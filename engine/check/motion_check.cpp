@@ -1,0 +1,376 @@
+#include "engine/check/motion_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "engine/check/motion_geometry.h"
+#include "engine/check/thread_motion.h"
+#include "engine/check/turn_run.h"
+
+namespace glissade::check {
+namespace {
+
+/// Distances that are asked for on a screw motion of many turns.
+constexpr std::size_t kDistancesOfHelix = 32;
+/// A turn in a thread is divided so often until its parts are proved edge by edge.
+constexpr std::size_t kPartsOfTurn = 16;
+/// Clearances are proved down to this share of the smallest distance met.
+constexpr double kCloseShare = 0.5;
+/// Distances asked for on one edge before it is given up as undecided.
+constexpr std::uint64_t kMostDistances = 400'000;
+/// An interval of time that was halved this often is as short as numbers allow.
+constexpr int kMostHalvings = 48;
+
+TriangleMesh inWorld(const TriangleMesh& whole, const Pose& X_WB, double scale) {
+  TriangleMesh mesh = whole;
+  const Eigen::Matrix3d rotation = X_WB.orientation.toRotationMatrix();
+  for (Vector3& vertex : mesh.vertices) vertex = scale * (rotation * vertex + X_WB.position);
+  return mesh;
+}
+
+Pose scaledPose(const Pose& pose, double scale) { return {scale * pose.position, pose.orientation}; }
+
+std::vector<Pose> scaledPath(const std::vector<Pose>& path, double scale) {
+  std::vector<Pose> scaled;
+  for (const Pose& q : path) scaled.push_back(scaledPose(q, scale));
+  return scaled;
+}
+
+fcl::Transform3d placed(const Pose& q) { return Course(q, q).at(0.0); }
+
+/// From the scaled geometry's lengths to metres.
+MotionVerdict inMetres(MotionVerdict edge, double scale) {
+  edge.demanded /= scale;
+  edge.minClearance /= scale;
+  edge.provedClearance /= scale;
+  edge.nearest.distance /= scale;
+  edge.nearest.onBody /= scale;
+  edge.nearest.onMoving /= scale;
+  return edge;
+}
+
+/// Takes the verdict on the next edge into that on its path.
+void addEdge(MotionVerdict& path, const MotionVerdict& edge, const Demand& demand) {
+  const bool first = path.edges.empty();
+  const std::size_t number = path.edges.size();
+  path.edges.push_back({edge.status, demand, edge.provedClearance, edge.minClearance, edge.at, edge.nearest});
+  path.distances += edge.distances;
+  path.demanded = std::max(path.demanded, demand.clearance);
+  path.provedClearance = first ? edge.provedClearance : std::min(path.provedClearance, edge.provedClearance);
+  const bool refused = edge.status != Status::Certified;
+  if (first || refused || edge.minClearance < path.minClearance) {
+    path.edge = number;
+    path.at = edge.at;
+    path.nearest = edge.nearest;
+    path.minClearance =
+        first || edge.status == Status::Violated ? edge.minClearance : std::min(path.minClearance, edge.minClearance);
+  }
+  path.status = edge.status;
+  path.againstThread = edge.againstThread;
+}
+
+struct Span {
+  double begin;
+  double end;
+  int halvings;
+};
+
+}  // namespace
+
+/// What is proved of an edge as a part of a turn in a thread, in the scaled geometry.
+struct MotionCheck::TurnProof {
+  std::vector<bool> open;  ///< groups that are to be proved as on other edges
+  double proved = std::numeric_limits<double>::infinity();
+  double minClearance = std::numeric_limits<double>::infinity();  ///< at some configurations of the turn
+  Nearest nearest{};
+};
+
+MotionCheck::ObstaclePtr MotionCheck::prepare(const TriangleMesh& mesh, const Pose& X_WB, double scale) {
+  return std::make_shared<const Obstacle>(inWorld(mesh, X_WB, scale));
+}
+
+double MotionCheck::scaleFor(const std::vector<const TriangleMesh*>& meshes, const std::vector<Body>& bodies) {
+  double farthest = 0.0;
+  for (const Body& body : bodies) farthest = std::max(farthest, body.X_WB.position.cwiseAbs().maxCoeff());
+  return fclScale(meshes, farthest);
+}
+
+MotionCheck::MotionCheck(const std::vector<Against>& obstacles, const TriangleMesh& object, double scale,
+                         const std::vector<Threaded>& threads) {
+  std::vector<bool> inThread(obstacles.size(), false);
+  for (const Threaded& each : threads) inThread[each.thread.other] = true;
+  geometry_ = geometryOf(obstacles, object, scale, inThread);
+  if (threads.empty()) return;
+  const auto wholeObject = std::make_shared<const TriangleMesh>(object);
+  std::vector<Against> whole = obstacles;
+  for (const Threaded& each : threads) whole[each.thread.other] = {each.whole, wholeObject, false};
+  whole_ = geometryOf(whole, object, scale, inThread);
+  threads_ = std::make_unique<const ThreadMotion>(threads, object);
+}
+
+/// Obstacles of threads are groups of their own: turns in them are proved without regard to the others.
+std::unique_ptr<const MotionCheck::Geometry> MotionCheck::geometryOf(const std::vector<Against>& obstacles,
+                                                                     const TriangleMesh& object, double scale,
+                                                                     const std::vector<bool>& inThread) {
+  auto geometry = std::make_unique<Geometry>();
+  geometry->scale = scale;
+  geometry->object = scaled(object, Vector3::Constant(scale));
+  std::vector<std::pair<MeshPtr, bool>> kinds;  // of the groups
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    geometry->hasFits = geometry->hasFits || obstacles[i].fits;
+    const std::pair<MeshPtr, bool> kind{obstacles[i].object, inThread[i]};
+    const auto known = std::find(kinds.begin(), kinds.end(), kind);
+    const auto group = static_cast<std::size_t>(known - kinds.begin());
+    if (known == kinds.end()) {
+      kinds.push_back(kind);
+      geometry->groups.push_back(std::make_unique<Group>(*obstacles[i].object, scale));
+    }
+    geometry->groups[group]->add(obstacles[i].obstacle, static_cast<int>(i));
+  }
+  for (const auto& group : geometry->groups) group->finish();
+  return geometry;
+}
+
+MotionCheck::~MotionCheck() = default;
+
+/// Screw motions of more than a turn are judged as one: all of their edges have the clearance that is shown for the
+/// whole, and the smallest distance that was met at some of its configurations. Where that does not show what is
+/// demanded, the edges are judged one by one.
+std::vector<std::optional<MotionVerdict>> MotionCheck::judgeHelices(const std::vector<Pose>& path,
+                                                                    const std::vector<Demand>& demands,
+                                                                    const StopToken& stop) const {
+  std::vector<std::optional<MotionVerdict>> known(demands.size());
+  if (threads_ || path.size() < 2) return known;  // threads have a rule of their own
+  const std::vector<Pose> scaled = scaledPath(path, geometry_->scale);
+  for (const Helix& helix : helicesOf(scaled, geometry_->object)) {
+    double demanded = 0.0;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) demanded = std::max(demanded, demands[i].clearance);
+    const MotionVerdict judged = judgeHelix(*geometry_, scaled, helix, geometry_->scale * demanded, stop);
+    if (judged.status != Status::Certified) continue;
+    for (std::size_t i = helix.first; i <= helix.last; ++i) {
+      known[i] = inMetres(judged, geometry_->scale);
+      known[i]->demanded = demands[i].clearance;
+    }
+  }
+  return known;
+}
+
+MotionVerdict MotionCheck::judgeHelix(const Geometry& geometry, const std::vector<Pose>& path, const Helix& helix,
+                                      double required, const StopToken& stop) {
+  MotionVerdict result;
+  result.minClearance = std::numeric_limits<double>::infinity();
+  const Pose& from = path[helix.first];
+  const Pose& to = path[helix.last + 1];
+  if (!geometry.resolves(from, to, required) || geometry.container(placed(from)) >= 0) return result;
+  const std::vector<bool> all(geometry.groups.size(), true);
+  const std::size_t count = helix.last - helix.first + 1;
+  const std::size_t step = std::max<std::size_t>(1, count / kDistancesOfHelix);
+  for (std::size_t i = 0; i <= count; i += step) {
+    if (stop.stopRequested()) return result;
+    ++result.distances;
+    const Nearest nearest = geometry.nearest(placed(path[helix.first + i]), all);
+    if (nearest.distance >= result.minClearance) continue;
+    result.minClearance = nearest.distance;
+    result.nearest = nearest;
+  }
+  double shown = result.minClearance;
+  for (const auto& group : geometry.groups) {
+    if (shown <= helix.off || stop.stopRequested()) return result;
+    shown = std::min(shown, group->helixDistance(placed(from), helix, required + helix.off, shown, stop));
+  }
+  result.provedClearance = shown - helix.off;
+  if (result.provedClearance < required) return result;
+  result.certified = 1.0;
+  result.status = Status::Certified;
+  return result;
+}
+
+/// Proves the edges of a turn as one, and what is not proved so in parts.
+void MotionCheck::proveTurns(const std::vector<Pose>& path, const std::vector<Demand>& demands, const Thread& thread,
+                             const Run& run, Proofs& proofs, const StopToken& stop) const {
+  if (stop.stopRequested()) return;
+  double reach = 0.0;
+  for (const Vector3& vertex : geometry_->object.vertices) reach = std::max(reach, vertex.norm());
+  const Vector3 point = geometry_->scale * thread.point;
+  const Rise rise = riseOf(path, run.first, run.last, point, thread.axis, reach);
+  double required = 0.0;
+  for (std::size_t i = run.first; i <= run.last; ++i) required = std::max(required, demands[i].clearance);
+  std::vector<bool> open = proofs[run.first]->open;
+  const double proved =
+      geometry_->proveTurn(placed(path[run.first]), point, thread.axis, rise, geometry_->scale * required, open, stop);
+  for (std::size_t i = run.first; i <= run.last; ++i) {
+    proofs[i]->open = open;
+    proofs[i]->proved = std::min(proofs[i]->proved, proved);
+  }
+  const bool done = std::none_of(open.begin(), open.end(), [](bool each) { return each; });
+  if (done || run.last - run.first < run.least || run.first == run.last) return;
+  const std::size_t middle = (run.first + run.last) / 2;
+  proveTurns(path, demands, thread, {run.first, middle, run.least}, proofs, stop);
+  proveTurns(path, demands, thread, {middle + 1, run.last, run.least}, proofs, stop);
+}
+
+/// Edges that turn in one thread, one after the other, are one motion.
+MotionCheck::Proofs MotionCheck::turnProofs(const std::vector<Pose>& path, const std::vector<Demand>& demands,
+                                            const std::vector<const Thread*>& turned, const StopToken& stop) const {
+  Proofs proofs(demands.size());
+  const std::vector<bool> all(geometry_->groups.size(), true);
+  for (std::size_t first = 0; first < turned.size() && path.size() > 1; ++first) {
+    if (turned[first] == nullptr) continue;
+    Run run{first, first, 0};
+    while (run.last + 1 < turned.size() && turned[run.last + 1] == turned[first]) ++run.last;
+    const std::size_t count = run.last - first + 1;
+    run.least = count / kPartsOfTurn;
+    for (std::size_t i = first; i <= run.last; ++i) proofs[i].emplace().open = all;
+    proveTurns(path, demands, *turned[first], run, proofs, stop);
+    TurnProof met;
+    for (std::size_t i = 0; i <= count; i += std::max<std::size_t>(1, count / kDistancesOfHelix)) {
+      if (stop.stopRequested()) return proofs;
+      const Nearest nearest = geometry_->nearest(placed(path[first + i]), all);
+      if (nearest.distance >= met.minClearance) continue;
+      met.minClearance = nearest.distance;
+      met.nearest = nearest;
+    }
+    for (std::size_t i = first; i <= run.last; ++i) {
+      proofs[i]->minClearance = met.minClearance;
+      proofs[i]->nearest = met.nearest;
+    }
+    first = run.last;
+  }
+  return proofs;
+}
+
+MotionVerdict MotionCheck::check(const std::vector<Pose>& path, const std::vector<Demand>& demands,
+                                 const WorkWatch& watch) const {
+  const StopToken& stop = watch.stop;
+  MotionVerdict result;
+  const auto helices = judgeHelices(path, demands, stop);
+  const auto threaded = threads_ ? threads_->judge(path, stop) : std::vector<ThreadMotion::Edge>();
+  std::vector<const Thread*> turned;
+  for (const ThreadMotion::Edge& edge : threaded) {
+    turned.push_back(edge.forbiddenBy < 0 && edge.thread != nullptr && edge.thread->mayTurn ? edge.thread : nullptr);
+  }
+  const std::vector<Pose> scaled = scaledPath(path, geometry_->scale);
+  const Proofs proofs = turnProofs(scaled, demands, turned, stop);
+  for (std::size_t i = 0; i < demands.size(); ++i) {
+    const Pose& to = scaled[std::min(i + 1, path.size() - 1)];
+    const bool free = i < threaded.size() && !threaded[i].engaged;
+    const Geometry& geometry = free ? *whole_ : *geometry_;
+    MotionVerdict edge;
+    if (helices[i]) {
+      edge = *helices[i];
+    } else if (i < threaded.size() && threaded[i].forbiddenBy >= 0) {
+      edge.status = Status::Violated;
+      edge.againstThread = true;
+      edge.nearest.body = threaded[i].forbiddenBy;
+    } else {
+      const TurnProof* proof = proofs[i] ? &*proofs[i] : nullptr;
+      edge = inMetres(checkEdge(geometry, scaled[i], to, geometry.scale * demands[i].clearance, proof, stop),
+                      geometry.scale);
+    }
+    addEdge(result, edge, demands[i]);
+    watch.report(static_cast<double>(i + 1) / static_cast<double>(demands.size()));
+    if (result.status != Status::Certified) break;
+  }
+  return result;
+}
+
+std::string MotionCheck::whyUndecided(const Pose& from, const Pose& to, double requiredClearance) const {
+  const double scale = geometry_->scale;
+  const Pose begin = scaledPose(from, scale);
+  const Pose end = scaledPose(to, scale);
+  if (Course(begin, end).isHalfACircle()) {
+    return "the edge turns by half a circle, and rounding decides which way; insert a configuration between its ends";
+  }
+  if (!geometry_->resolves(begin, end, scale * requiredClearance)) {
+    return "the rounding of coordinates of this size is not small against the required clearance; move the scene to "
+           "the origin, or require more clearance";
+  }
+  return "the clearance is so close to the required one that " + std::to_string(kMostDistances) +
+         " distances do not prove it; require less clearance, or divide the edge";
+}
+
+/// In the scaled geometry. An interval of time is proved by the distance at its middle less what any vertex can move
+/// until its ends; what is not proved is halved, the earlier half first. Bodies that fit leave gaps of micrometres:
+/// there a straight way is proved by what the object sweeps, too.
+MotionVerdict MotionCheck::checkEdge(const Geometry& geometry, const Pose& from, const Pose& to, double required,
+                                     const TurnProof* turned, const StopToken& stop) {
+  const Course course(from, to);
+  const double speed = course.speed(geometry.object);
+  MotionVerdict result;
+  result.demanded = required;
+  result.minClearance = result.provedClearance = std::numeric_limits<double>::infinity();
+  if (const int body = geometry.container(course.at(0.0)); body >= 0) {
+    result.status = Status::Violated;
+    result.minClearance = result.provedClearance = 0.0;
+    result.nearest.body = body;
+    return result;
+  }
+  const double turn = course.turn(geometry.object);
+  const bool sweeps = geometry.hasFits && turn <= distances::kErrorShare * required;
+  if (course.isHalfACircle() || !geometry.resolves(from, to, required)) return result;
+  std::vector<bool> asked(geometry.groups.size(), true);
+  if (turned != nullptr) {
+    asked = turned->open;
+    result.provedClearance = turned->proved;
+    result.minClearance = turned->minClearance;
+    result.nearest = turned->nearest;
+    if (std::none_of(asked.begin(), asked.end(), [](bool open) { return open; })) {
+      result.certified = 1.0;
+      result.status = Status::Certified;
+      return result;
+    }
+  }
+  const auto meet = [&](double t) {
+    const Nearest nearest = geometry.nearest(course.at(t), asked);
+    if (nearest.distance < result.minClearance) {
+      result.minClearance = nearest.distance;
+      result.at = t;
+      result.nearest = nearest;
+    }
+    if (nearest.distance < required) result.status = Status::Violated;
+    return nearest.distance;
+  };
+  if (sweeps) {
+    meet(0.0);
+    meet(1.0);
+    if (result.status == Status::Violated) return result;
+  }
+  std::vector<Span> open{{0.0, 1.0, 0}};
+  while (!open.empty()) {
+    const Span span = open.back();
+    open.pop_back();
+    if (stop.stopRequested() || ++result.distances > kMostDistances) return result;
+    const double middle = 0.5 * (span.begin + span.end);
+    const double distance = meet(middle);
+    if (result.status == Status::Violated) return result;
+    const double length = span.end - span.begin;
+    double proved = distance - 0.5 * speed * length;
+    bool closely = proved >= std::max(required, kCloseShare * result.minClearance);
+    if (!closely && sweeps) {
+      // What is swept comes as near as the object does on its way, but for its turn.
+      const double enough = std::max(2.0 * required, result.minClearance);
+      const double swept = geometry.sweptDistance(course.at(span.begin), length * course.way(), enough, asked);
+      proved = swept - turn;
+      closely = proved >= required;
+      if (closely && swept < result.minClearance) {
+        result.minClearance = swept;
+        result.at = middle;
+      }
+    }
+    if (closely) {
+      result.provedClearance = std::min(result.provedClearance, proved);
+      result.certified = span.end;
+    } else if (span.halvings == kMostHalvings) {
+      return result;
+    } else {
+      open.push_back({middle, span.end, span.halvings + 1});
+      open.push_back({span.begin, middle, span.halvings + 1});
+    }
+  }
+  result.status = Status::Certified;
+  return result;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,296 @@
+#pragma once
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/math/bv/OBBRSS.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "engine/check/course.h"
+#include "engine/check/helix.h"
+#include "engine/check/motion_check.h"
+#include "engine/check/ray_containment.h"
+#include "engine/check/sweep.h"
+#include "engine/check/turn.h"
+#include "engine/geometry/fcl_scale.h"
+
+/// Private data of MotionCheck: included by its implementation only.
+namespace glissade::check {
+namespace distances {
+
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+/// FCL's distances between triangles are good to this share of them, and to this share of the largest
+/// coordinate that enters: some 16 roundings.
+inline constexpr double kRelativeError = 1e-9;
+inline constexpr double kCoordinateError = 4e-15;
+/// Where that comes to more than this share of the clearance, it is undecided.
+inline constexpr double kErrorShare = 0.05;
+
+inline void addTriangles(Model& model, const TriangleMesh& mesh) {
+  std::vector<fcl::Vector3d> points(mesh.vertices.begin(), mesh.vertices.end());
+  std::vector<fcl::Triangle> triangles;
+  for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
+  model.addSubModel(points, triangles);
+}
+
+}  // namespace distances
+
+struct MotionCheck::Obstacle {
+  RaySolid solid;
+  distances::Model surface;
+  Box3 box;  ///< scaled, world frame
+  double farthest;
+
+  explicit Obstacle(const TriangleMesh& placed)
+      : solid(placed), box(boundingBox(placed)), farthest(largestCoordinate(placed)) {
+    surface.beginModel();
+    distances::addTriangles(surface, placed);
+    surface.endModel();
+  }
+};
+
+/// Obstacles that the object is taken equally thin against. All lengths are multiplied by `scale`, those of the poses
+/// that are asked for too.
+struct MotionCheck::Group {
+  TriangleMesh object;
+  RaySolid objectSolid;
+  distances::Model objectSurface;
+  Vector3 middle;  ///< of the object
+  double radius;   ///< about it
+  std::vector<ObstaclePtr> obstacles;
+  std::vector<int> numbers;  ///< of the obstacles
+  double coordinates;        ///< the largest of the obstacles and of the object in its own frame, together
+
+  Group(const TriangleMesh& mesh, double scale)
+      : object(scaled(mesh, Vector3::Constant(scale))),
+        objectSolid(object),
+        middle(boundingBox(object).center()),
+        radius(0.0),
+        coordinates(largestCoordinate(object)) {
+    objectSurface.beginModel();
+    distances::addTriangles(objectSurface, object);
+    objectSurface.endModel();
+    for (const Vector3& vertex : object.vertices) radius = std::max(radius, (vertex - middle).norm());
+  }
+
+  void add(const ObstaclePtr& obstacle, int number) {
+    farthest_ = std::max(farthest_, obstacle->farthest);
+    obstacles.push_back(obstacle);
+    numbers.push_back(number);
+  }
+
+  void finish() { coordinates += farthest_; }
+
+  /// Of distances where the object is placed here.
+  double errorAt(const Vector3& position) const {
+    return distances::kCoordinateError * (coordinates + position.cwiseAbs().maxCoeff());
+  }
+
+  /// No point of the object is nearer to the obstacle; rounding is left to errorAt().
+  double leastDistance(const Obstacle& obstacle, const fcl::Transform3d& X_WB) const {
+    return obstacle.box.exteriorDistance(Vector3(X_WB * middle)) * (1.0 - distances::kRelativeError) -
+           radius * (1.0 + distances::kRelativeError);
+  }
+
+  /// Of those that are nearer than `enough`; farther where there is none.
+  Nearest nearest(const fcl::Transform3d& X_WB, double enough) const {
+    Nearest found;
+    found.distance = std::numeric_limits<double>::infinity();
+    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
+    const double error = errorAt(X_WB.translation());
+    double least = enough;
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const Obstacle& obstacle = *obstacles[i];
+      if (leastDistance(obstacle, X_WB) > least + error) continue;
+      fcl::CollisionResultd touch;
+      if (fcl::collide(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::CollisionRequestd(), touch) > 0) {
+        found.distance = 0.0;
+        found.body = numbers[i];
+        return found;
+      }
+      fcl::DistanceResultd gap;
+      fcl::distance(&obstacle.surface, fixed, &objectSurface, X_WB, fcl::DistanceRequestd(true), gap);
+      const double distance = std::max(0.0, gap.min_distance * (1.0 - distances::kRelativeError) - error);
+      if (distance >= found.distance) continue;
+      found.distance = distance;
+      found.body = numbers[i];
+      found.onBody = gap.nearest_points[0];
+      found.onMoving = gap.nearest_points[1];
+      least = std::min(least, distance);
+    }
+    return found;
+  }
+
+  /// Lower bound on the distance on a whole straight way from there, along which the object does not turn. What
+  /// touches no prism's boundary is inside the prism, or nowhere. Obstacles whose boxes are farther than `enough` are
+  /// not looked at more closely.
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough) const {
+    TriangleMesh placed = object;
+    for (Vector3& vertex : placed.vertices) vertex = X_WB * vertex;
+    Box3 box = boundingBox(placed);
+    box.extend(Box3(box.min() + way, box.max() + way));
+    const double error = std::max(errorAt(X_WB.translation()), errorAt(X_WB.translation() + way));
+    double least = std::numeric_limits<double>::infinity();
+    std::unique_ptr<distances::Model> swept;
+    for (const ObstaclePtr& obstacle : obstacles) {
+      const double apart =
+          std::max(0.0, obstacle->box.exteriorDistance(box) * (1.0 - distances::kRelativeError) - error);
+      if (apart > enough) {
+        least = std::min(least, apart);
+        continue;
+      }
+      if (!swept) {
+        swept = std::make_unique<distances::Model>();
+        swept->beginModel();
+        distances::addTriangles(*swept, sweptBy(placed, way));
+        swept->endModel();
+      }
+      least = std::min(least, sweptDistance(*obstacle, *swept, placed, way, error));
+      if (least == 0.0) return 0.0;
+    }
+    return least;
+  }
+
+  static double sweptDistance(const Obstacle& obstacle, const distances::Model& swept, const TriangleMesh& placed,
+                              const Vector3& way, double error) {
+    const fcl::Transform3d fixed = fcl::Transform3d::Identity();
+    fcl::CollisionResultd touch;
+    if (fcl::collide(&obstacle.surface, fixed, &swept, fixed, fcl::CollisionRequestd(), touch) > 0) return 0.0;
+    for (const Vector3& point : obstacle.solid.partPoints()) {
+      for (const auto& [a, b, c] : placed.triangles) {
+        if (passesOver(placed.vertices[a], placed.vertices[b], placed.vertices[c], way, point)) return 0.0;
+      }
+    }
+    fcl::DistanceResultd gap;
+    fcl::distance(&obstacle.surface, fixed, &swept, fixed, fcl::DistanceRequestd(), gap);
+    return std::max(0.0, gap.min_distance * (1.0 - distances::kRelativeError) - error);
+  }
+
+  /// Lower bound on the distance while the object turns about the axis from there by any angle and rises along it.
+  double turnedDistance(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, const Rise& rise,
+                        const StopToken& stop) const {
+    std::vector<TurnedTriangle> moving;
+    for (const auto& [a, b, c] : object.triangles) {
+      moving.push_back(
+          turned(X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c], point, axis));
+    }
+    std::vector<TurnedTriangle> fixed;
+    for (const Corners& corners : fixedCorners()) {
+      fixed.push_back(turned(corners[0], corners[1], corners[2], point, axis));
+    }
+    const double error = std::max(errorAt(X_WB.translation() + rise.least * axis), errorAt(X_WB.translation())) +
+                         errorAt(X_WB.translation() + rise.most * axis);
+    const double least = check::turnedDistance(moving, fixed, rise, stop);
+    return std::max(0.0, least * (1.0 - distances::kRelativeError) - error);
+  }
+
+  /// Lower bound on the distance on all of a screw motion from there, whatever its turns; at most `enough`.
+  double helixDistance(const fcl::Transform3d& X_WB, const Helix& helix, double wanted, double enough,
+                       const StopToken& stop) const {
+    std::vector<Corners> moving;
+    for (const auto& [a, b, c] : object.triangles) {
+      moving.push_back({X_WB * object.vertices[a], X_WB * object.vertices[b], X_WB * object.vertices[c]});
+    }
+    const double error = errorAt(X_WB.translation()) + errorAt(X_WB.translation() + helix.advance * helix.axis);
+    const double least = check::helixDistance(moving, fixedCorners(), helix, wanted + 2.0 * error, enough, stop);
+    return std::max(0.0, least * (1.0 - distances::kRelativeError) - error);
+  }
+
+  /// The body that the object is inside of, or around; -1 where there is none.
+  int container(const fcl::Transform3d& X_WB) const {
+    const fcl::Transform3d X_BW = X_WB.inverse();
+    for (std::size_t i = 0; i < obstacles.size(); ++i) {
+      const RaySolid& obstacle = obstacles[i]->solid;
+      for (const Vector3& p : objectSolid.partPoints()) {
+        if (obstacle.contains(X_WB * p)) return numbers[i];
+      }
+      for (const Vector3& p : obstacle.partPoints()) {
+        if (objectSolid.contains(X_BW * p)) return numbers[i];
+      }
+    }
+    return -1;
+  }
+
+ private:
+  std::vector<Corners> fixedCorners() const {
+    std::vector<Corners> corners;
+    for (const ObstaclePtr& obstacle : obstacles) {
+      const distances::Model& surface = obstacle->surface;
+      for (int i = 0; i < surface.num_tris; ++i) {
+        const fcl::Triangle& triangle = surface.tri_indices[i];
+        corners.push_back(
+            {surface.vertices[triangle[0]], surface.vertices[triangle[1]], surface.vertices[triangle[2]]});
+      }
+    }
+    return corners;
+  }
+
+  double farthest_ = 0.0;
+};
+
+/// The groups, all in the same scale.
+struct MotionCheck::Geometry {
+  double scale = 1.0;
+  bool hasFits = false;
+  TriangleMesh object;  ///< as it is: no vertex of a thinned one is faster
+  std::vector<std::unique_ptr<Group>> groups;
+
+  double errorAt(const Vector3& position) const {
+    double error = 0.0;
+    for (const auto& group : groups) error = std::max(error, group->errorAt(position));
+    return error;
+  }
+  /// Whether distances along the straight motion are exact enough to be compared with this clearance.
+  bool resolves(const Pose& from, const Pose& to, double clearance) const {
+    return std::max(errorAt(from.position), errorAt(to.position)) <= distances::kErrorShare * clearance;
+  }
+
+  /// Of those of the groups that are asked.
+  Nearest nearest(const fcl::Transform3d& X_WB, const std::vector<bool>& asked) const {
+    Nearest nearest;
+    nearest.distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!asked[i]) continue;
+      const Nearest found = groups[i]->nearest(X_WB, nearest.distance);
+      if (found.distance < nearest.distance) nearest = found;
+    }
+    return nearest;
+  }
+
+  double sweptDistance(const fcl::Transform3d& X_WB, const Vector3& way, double enough,
+                       const std::vector<bool>& asked) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (asked[i]) least = std::min(least, groups[i]->sweptDistance(X_WB, way, enough));
+    }
+    return least;
+  }
+
+  /// Proves what it can of a turn about the axis, whatever its angles are: those of the groups are no longer asked that
+  /// keep the clearance. Returns the least that was proved.
+  double proveTurn(const fcl::Transform3d& X_WB, const Vector3& point, const Vector3& axis, const Rise& rise,
+                   double required, std::vector<bool>& asked, const StopToken& stop) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!asked[i]) continue;
+      const double proved = groups[i]->turnedDistance(X_WB, point, axis, rise, stop);
+      asked[i] = proved < required;
+      if (!asked[i]) least = std::min(least, proved);
+    }
+    return least;
+  }
+
+  int container(const fcl::Transform3d& X_WB) const {
+    for (const auto& group : groups) {
+      if (const int body = group->container(X_WB); body >= 0) return body;
+    }
+    return -1;
+  }
+};
+
+}  // namespace glissade::check

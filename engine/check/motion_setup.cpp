@@ -1,0 +1,80 @@
+#include "engine/check/motion_setup.h"
+
+#include <algorithm>
+
+#include "engine/check/thinning.h"
+
+namespace glissade::check {
+namespace {
+
+MeshPtr taken(const MeshPtr& mesh, const std::vector<double>& allowances) {
+  return allowances.empty() ? mesh : std::make_shared<const TriangleMesh>(thinned(*mesh, allowances));
+}
+
+}  // namespace
+
+JudgedMotion judgeMotion(const MotionQuestion& question, const WorkWatch& watch) {
+  const auto inPathFrame = [&](const MeshPtr& mesh) {
+    return std::make_shared<const TriangleMesh>(transformed(*mesh, question.X_PB));
+  };
+  const MeshPtr whole = inPathFrame(question.moving.mesh);
+  std::vector<MeshPtr> objects;  // for each pair
+  std::vector<MeshPtr> others;
+  std::vector<const TriangleMesh*> meshes{whole.get()};
+  std::vector<Body> bodies{question.moving};
+  for (const MotionPair& pair : question.pairs) {
+    objects.push_back(pair.fit.moving.empty() ? whole : inPathFrame(taken(question.moving.mesh, pair.fit.moving)));
+    others.push_back(taken(pair.other->mesh, pair.fit.other));
+    for (const MeshPtr& mesh : {objects.back(), others.back()}) meshes.push_back(mesh.get());
+    bodies.push_back(*pair.other);
+  }
+  const double scale = MotionCheck::scaleFor(meshes, bodies);
+  std::vector<MotionCheck::Against> against;
+  std::vector<MotionCheck::Threaded> threads;
+  for (std::size_t i = 0; i < question.pairs.size(); ++i) {
+    if (watch.stop.stopRequested()) return {{}, "the check was stopped"};
+    const MotionPair& pair = question.pairs[i];
+    against.push_back({MotionCheck::prepare(*others[i], pair.other->X_WB, scale), objects[i], pair.fit.isThinned()});
+    if (!pair.fit.thread) continue;
+    Thread thread = *pair.fit.thread;
+    thread.other = i;
+    thread.assembled = thread.assembled * inverse(question.X_PB);
+    threads.push_back(
+        {thread, pair.other->mesh, pair.other->X_WB, MotionCheck::prepare(*pair.other->mesh, pair.other->X_WB, scale)});
+  }
+  const MotionCheck check(against, *whole, scale, threads);
+  JudgedMotion judged{check.check(question.path, question.demands, watch), ""};
+  MotionVerdict& verdict = judged.verdict;
+  const std::size_t edge = verdict.edge;
+  if (verdict.status == Status::Undecided) {
+    const std::size_t end = std::min(edge + 1, question.path.size() - 1);
+    judged.why = watch.stop.stopRequested()
+                     ? "the check was stopped"
+                     : check.whyUndecided(question.path[edge], question.path[end], question.demands[edge].clearance);
+  }
+  const auto named = [&](int& body) {
+    if (body >= 0) body = static_cast<int>(question.pairs[static_cast<std::size_t>(body)].body);
+  };
+  named(verdict.nearest.body);
+  for (EdgeVerdict& each : verdict.edges) named(each.nearest.body);
+  return judged;
+}
+
+std::vector<Pose> configurationsOf(const std::vector<Point>& points) {
+  std::vector<Pose> path;
+  for (const Point& point : points) path.push_back({point.q.position, point.q.orientation.normalized()});
+  return path;
+}
+
+std::vector<Demand> demandsOf(const std::vector<Point>& points, double required, double contactGap) {
+  constexpr double kGapShare = 0.5;
+  std::vector<Demand> demands;
+  const std::size_t edges = std::max<std::size_t>(1, points.size() - 1);
+  for (std::size_t i = 0; i < edges; ++i) {
+    const bool sliding = points[i].contact || points[std::min(i + 1, points.size() - 1)].contact;
+    demands.push_back({sliding ? std::min(required, kGapShare * contactGap) : required, sliding});
+  }
+  return demands;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,229 @@
+#include "engine/check/pair_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "engine/check/thinning.h"
+#include "engine/check/thread_axis.h"
+#include "engine/check/verdict_words.h"
+
+namespace glissade::check {
+namespace {
+
+/// By which two careful estimates of the same bound may differ, as a share of it, and metres.
+constexpr double kEstimate = 0.02;
+constexpr double kEstimateAtLeast = 2e-7;
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+std::vector<double> limited(const std::vector<double>& atMost, double stated) {
+  std::vector<double> allowances = atMost;
+  for (double& each : allowances) each = std::min(each, stated);
+  return largest(allowances) > 0.0 ? allowances : std::vector<double>();
+}
+
+/// Taken so, no point of the one is nearer to the other than the gap.
+bool areApart(const TriangleMesh& one, const TriangleMesh& other, double gap) {
+  bool apart = true;
+  const TriangleTree a(one);
+  const TriangleTree b(other);
+  a.visitPairs(b, gap, [&](std::uint32_t i, std::uint32_t k) {
+    const Triangle& first = a.triangles()[i];
+    const Triangle& second = b.triangles()[k];
+    apart = !trianglesMeet(first, second) && triangleDistance(first, second).squared >= gap * gap;
+    return apart;
+  });
+  return apart;
+}
+
+class PairFitter {
+ public:
+  PairFitter(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop)
+      : question_(question),
+        fits_(fits),
+        bodies_(bodies),
+        stop_(stop),
+        word_(fits.about(question.moving.id, question.other.id)) {}
+
+  PairFit take() {
+    const bool marked = fits_.on && word_ != nullptr && word_->isThread();
+    const std::vector<StatedAllowance> stated = ofPair();
+    if (stated.empty() && question_.stated && !marked) return {};
+    if (!fits_.on) {
+      for (const StatedAllowance& each : stated) refuseOff(each);
+      return std::move(fit_);
+    }
+    findBounds();
+    if (!question_.stated) {
+      applyOwn();
+    } else {
+      for (const StatedAllowance& each : stated) apply(each);
+    }
+    if (marked) takeThread(stated);
+    return std::move(fit_);
+  }
+
+ private:
+  const PlacedBody& other() { return bodies_.at(question_.other, question_.other.X_WB); }
+
+  std::vector<StatedAllowance> ofPair() const {
+    std::vector<StatedAllowance> own;
+    if (!question_.stated) return own;
+    for (const StatedAllowance& each : *question_.stated) {
+      const std::string& moving = each.moving.empty() ? question_.first : each.moving;
+      if (moving == question_.moving.id && each.body == question_.other.id) own.push_back(each);
+    }
+    return own;
+  }
+
+  void findBounds() {
+    bool first = true;
+    for (const Pose& end : question_.assembled) {
+      const PairBounds found = boundsOf(bodies_.at(question_.moving, end), other(), fits_, word_, stop_);
+      bounds_.one = first ? found.one : united(bounds_.one, found.one);
+      bounds_.other = first ? found.other : united(bounds_.other, found.other);
+      first = false;
+    }
+  }
+
+  AppliedAllowance& add(bool yields, double applied) {
+    const AllowanceBound& bound = yields ? bounds_.other : bounds_.one;
+    AppliedAllowance allowance;
+    allowance.moving = question_.moving.id;
+    allowance.other = question_.other.id;
+    allowance.thinner = yields ? question_.other.name : question_.moving.name;
+    allowance.against = yields ? question_.moving.name : question_.other.name;
+    allowance.yields = yields;
+    allowance.applied = applied;
+    allowance.most = bound.most;
+    allowance.evidence = bound.largest;
+    fit_.applied.push_back(std::move(allowance));
+    return fit_.applied.back();
+  }
+
+  void refuseOff(const StatedAllowance& stated) {
+    if (stated.allowance <= 0.0) return;
+    AppliedAllowance& allowance = add(stated.yields, 0.0);
+    allowance.stated = stated.allowance;
+    fit_.refusals.push_back(allowanceRefused(allowance, "fits are off: every pair has to keep its clearance"));
+  }
+
+  void apply(const StatedAllowance& stated) {
+    const AllowanceBound& bound = stated.yields ? bounds_.other : bounds_.one;
+    std::vector<double>& taken = stated.yields ? fit_.other : fit_.moving;
+    taken = limited(bound.atMost, stated.allowance);
+    AppliedAllowance& allowance = add(stated.yields, largest(taken));
+    allowance.stated = stated.allowance;
+    const double enough = bound.most + std::max(kEstimateAtLeast, kEstimate * bound.most);
+    if (stated.allowance <= (bound.most > 0.0 ? enough : 0.0)) return;
+    const bool apart = bound.refused.empty() && !bound.inFit;
+    fit_.refusals.push_back(allowanceRefused(allowance, apart ? "they are apart" : bound.refused));
+  }
+
+  void applyOwn() {
+    if (!bounds_.one.refused.empty()) {
+      AppliedAllowance& allowance = add(false, 0.0);
+      fit_.refusals.push_back(allowanceRefused(allowance, bounds_.one.refused));
+    }
+    if (bounds_.one.most <= 0.0 && bounds_.other.most <= 0.0) return;
+    const std::vector<double> one = limited(bounds_.one.atMost, bounds_.one.most);
+    const std::vector<double> other = limited(bounds_.other.atMost, bounds_.other.most);
+    for (const auto& [moving, yielding] : {std::pair(true, false), std::pair(false, true), std::pair(true, true)}) {
+      fit_.moving = moving ? one : std::vector<double>();
+      fit_.other = yielding ? other : std::vector<double>();
+      if (isFree()) break;
+    }
+    if (!fit_.moving.empty()) add(false, largest(fit_.moving));
+    if (!fit_.other.empty()) add(true, largest(fit_.other));
+  }
+
+  /// Taken so, the pair is free where it is assembled.
+  bool isFree() {
+    const TriangleMesh own =
+        fit_.moving.empty() ? *question_.moving.mesh : thinned(*question_.moving.mesh, fit_.moving);
+    TriangleMesh others = fit_.other.empty() ? *question_.other.mesh : thinned(*question_.other.mesh, fit_.other);
+    others = transformed(others, question_.other.X_WB);
+    const double gap = 0.5 * assembledMargin(radiusAboutOrigin(*question_.moving.mesh));
+    return std::all_of(question_.assembled.begin(), question_.assembled.end(),
+                       [&](const Pose& end) { return areApart(transformed(own, end), others, gap); });
+  }
+
+  void takeThread(const std::vector<StatedAllowance>& stated) {
+    std::optional<StatedThread> said;
+    std::optional<double> pitch;
+    for (const StatedAllowance& each : stated) {
+      if (each.thread) said = each.thread;
+      if (each.thread) pitch = each.thread->pitch;
+      if (!pitch) pitch = each.pitch;
+    }
+    Result<Thread> found(Diagnostic{});
+    Pose assembled;
+    for (const Pose& end : question_.assembled) {
+      found = threadAxis(bodies_.at(question_.moving, end), other(), said);
+      assembled = end;
+      if (found) break;
+    }
+    if (!found) {
+      fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) + ": " + found.error().reason);
+      return;
+    }
+    Thread thread = *found;
+    thread.assembled = assembled;
+    thread.mayTurn = word_->turned.empty() || word_->turned == question_.moving.id;
+    if (word_->pitch && pitch && std::abs(*word_->pitch - *pitch) > 1e-9) {
+      fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) +
+                              ": the file's pitch is not the one that a person gives for the thread");
+    }
+    thread.pitch = word_->pitch ? *word_->pitch : pitch.value_or(pitchOfPath(thread));
+    if (const std::string wrong = wrongPitch(thread); !wrong.empty()) {
+      fit_.refusals.push_back(pairInWords(question_.moving.name, question_.other.name) + ": " + wrong);
+    }
+    for (AppliedAllowance& allowance : fit_.applied) allowance.thread = thread;
+    fit_.thread = thread;
+  }
+
+  /// As the path has it where it begins or ends in the thread; that of no turn is a tenth of the diameter, so that the
+  /// path is refused for not turning.
+  double pitchOfPath(const Thread& thread) const {
+    std::vector<Pose> path = question_.path;
+    const double far = (path.front().position - thread.assembled.position).norm();
+    if ((path.back().position - thread.assembled.position).norm() < far) std::reverse(path.begin(), path.end());
+    double turn = 0.0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Quaternion step = path[i].orientation * path[i - 1].orientation.conjugate();
+      turn += std::remainder(2.0 * std::atan2(step.vec().dot(thread.axis), step.w()), 2.0 * std::numbers::pi);
+      const double advance = (path[i].position - path.front().position).dot(thread.axis);
+      if (std::abs(turn) >= 0.5 * std::numbers::pi) return advance / turn * 2.0 * std::numbers::pi;
+    }
+    return 0.2 * std::max(thread.radiusMoving, thread.radiusOther);
+  }
+
+  const PairQuestion& question_;
+  const FitWords& fits_;
+  PlacedBodies& bodies_;
+  const StopToken& stop_;
+  const PairWord* word_;
+  PairBounds bounds_;
+  PairFit fit_;
+};
+
+}  // namespace
+
+const PlacedBody& PlacedBodies::at(const Body& body, const Pose& X_WB) {
+  const std::lock_guard lock(mutex_);
+  for (const Entry& entry : entries_) {
+    if (entry.mesh == body.mesh.get() && entry.X_WB == X_WB) return *entry.placed;
+  }
+  entries_.push_back({body.mesh.get(), X_WB, std::make_unique<const PlacedBody>(body, X_WB)});
+  return *entries_.back().placed;
+}
+
+PairFit fitOf(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop) {
+  return PairFitter(question, fits, bodies, stop).take();
+}
+
+}  // namespace glissade::check

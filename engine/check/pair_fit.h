@@ -1,0 +1,70 @@
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/check/evidence.h"
+#include "engine/check/path.h"
+#include "engine/check/thread.h"
+
+namespace glissade::check {
+
+/// An allowance as it was applied in a judgement.
+struct AppliedAllowance {
+  std::string moving;  ///< ids
+  std::string other;
+  std::string thinner;  ///< names, for people: of the body that is taken thinner
+  std::string against;
+  bool yields = false;             ///< the other one is taken thinner
+  std::optional<double> stated{};  ///< metres, by the file
+  double applied = 0.0;            ///< metres, of the face that moves farthest
+  double most = 0.0;               ///< metres that the meshes and the person give
+  Evidence evidence{};             ///< for that
+  std::optional<Thread> thread{};
+};
+
+/// How the two bodies of a pair are taken while the one moves past the other.
+struct PairFit {
+  std::vector<double> moving{};  ///< allowance of each triangle of the moving one; empty: it is whole
+  std::vector<double> other{};
+  std::optional<Thread> thread{};  ///< its `other` is left to the caller
+  std::vector<AppliedAllowance> applied{};
+  std::vector<std::string> refusals{};  ///< for people; empty: nothing is wrong
+
+  bool isThinned() const { return !moving.empty() || !other.empty(); }
+};
+
+/// What is asked about a pair.
+struct PairQuestion {
+  const Body& moving;
+  const Body& other;
+  std::vector<Pose> assembled;                                ///< configurations of the moving one
+  const std::optional<std::vector<StatedAllowance>>& stated;  ///< of the path or the step
+  std::string first;                                          ///< id of who moves where an allowance names nobody
+  std::vector<Pose> path;                                     ///< of the moving body
+};
+
+/// Bodies placed once, for any number of pairs and threads.
+class PlacedBodies {
+ public:
+  const PlacedBody& at(const Body& body, const Pose& X_WB);
+
+ private:
+  struct Entry {
+    const TriangleMesh* mesh;
+    Pose X_WB;
+    std::unique_ptr<const PlacedBody> placed;
+  };
+  std::mutex mutex_;
+  std::vector<Entry> entries_;
+};
+
+/// Takes the pair as the file says, as far as the meshes and the person's words bear it. Where the file states nothing
+/// because its format cannot, what these bear is applied: to the moving body where it has room for that, else to the
+/// other one, else to both.
+PairFit fitOf(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop);
+
+}  // namespace glissade::check

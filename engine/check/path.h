@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geometry/pose.h"
+
+namespace glissade::check {
+
+/// A thread as a file states it, world frame, where the product is assembled.
+struct StatedThread {
+  Vector3 point = Vector3::Zero();
+  Vector3 direction = Vector3::UnitZ();
+  double pitch = 0.0;
+  double radiusMoving = 0.0;
+  double radiusOther = 0.0;
+};
+
+/// An allowance as a file states it.
+struct StatedAllowance {
+  std::string moving;      ///< id; empty: the object, or the first body of the step
+  std::string body;        ///< id of the other one
+  double allowance = 0.0;  ///< metres
+  bool yields = false;     ///< the other one is taken thinner, not the moving one
+  std::optional<double> pitch{};
+  std::optional<StatedThread> thread{};
+};
+
+struct Point {
+  Pose q;
+  bool contact = false;  ///< a contact configuration
+};
+
+/// A path file.
+struct Path {
+  std::vector<Point> points;                                 ///< at least one
+  std::optional<std::vector<StatedAllowance>> allowances{};  ///< nothing: the format states none
+};
+
+}  // namespace glissade::check

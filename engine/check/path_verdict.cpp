@@ -1,0 +1,153 @@
+#include "engine/check/path_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geometry/se3_metric.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kRoundingOfRadius = 1e-6;  ///< share of the object's radius
+constexpr double kNearEnds = 1e-5;          ///< metres: what is farther has no allowance
+
+Box3 obstaclesBox(const Question& question) {
+  Box3 box;
+  for (std::size_t i = 0; i + 1 < question.product.bodies.size(); ++i) {
+    const Body& body = question.product.bodies[i];
+    box.extend(boundingBox(*body.mesh, body.X_WB));
+  }
+  return box;
+}
+
+void judgeEnds(const Question& question, const std::vector<Pose>& path, PathVerdict& verdict) {
+  const Se3Metric metric(radiusAboutOrigin(*question.object().mesh));
+  const double same = kRoundingOfRadius * metric.radius();
+  verdict.beginsAtStart = metric.distance(path.front(), question.object().X_WB) <= same;
+  if (question.goal) {
+    verdict.endsAtGoal = metric.distance(path.back(), *question.goal) <= same;
+    return;
+  }
+  const Box3 box = obstaclesBox(question);
+  verdict.endsAtGoal =
+      box.isEmpty() || box.exteriorDistance(path.back().position) >= metric.radius() * (1.0 - kRoundingOfRadius);
+}
+
+/// Edges are straight, and so stay inside where both of their ends do.
+std::optional<std::size_t> firstOutside(const Question& question, const std::vector<Pose>& path) {
+  Box3 bounds = question.workspace;
+  bounds.extend(question.object().X_WB.position);
+  if (question.goal) bounds.extend(question.goal->position);
+  const Vector3 margin = Vector3::Constant(kRoundingOfRadius * radiusAboutOrigin(*question.object().mesh));
+  const Box3 allowed(bounds.min() - margin, bounds.max() + margin);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!allowed.contains(path[i].position)) return i;
+  }
+  return std::nullopt;
+}
+
+/// The part of the segment in each open slab of the box is an interval; they have a point in common, or none.
+bool entersInterior(const Vector3& from, const Vector3& to, const Box3& box) {
+  double first = 0.0;
+  double last = 1.0;
+  bool open = false;  // the interval is longer than a point, or its point is no end of it
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double way = to[axis] - from[axis];
+    if (way == 0.0) {
+      if (from[axis] <= box.min()[axis] || from[axis] >= box.max()[axis]) return false;
+      continue;
+    }
+    const double one = (box.min()[axis] - from[axis]) / way;
+    const double other = (box.max()[axis] - from[axis]) / way;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+    open = true;
+  }
+  return open ? first < last : true;
+}
+
+double largestOfOthers(const std::vector<Body>& bodies, double (*valueOf)(const Body&)) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 1 < bodies.size(); ++i) largest = std::max(largest, valueOf(bodies[i]));
+  return largest;
+}
+
+/// An allowance for bodies that do not meet is about nothing.
+void checkNames(const Question& question, const std::vector<StatedAllowance>& stated, PathVerdict& verdict) {
+  const auto& bodies = question.product.bodies;
+  for (const StatedAllowance& each : stated) {
+    const bool known = std::any_of(bodies.begin(), bodies.end() - 1, [&](const Body& b) { return b.id == each.body; });
+    if (known && (each.moving.empty() || each.moving == question.object().id)) continue;
+    verdict.refusals.push_back("the file states an allowance of '" + each.moving + "' against '" + each.body +
+                               "', which are not the object and another body");
+  }
+}
+
+}  // namespace
+
+double deflectionOf(const Body& body) {
+  double largest = body.mesh->faces.empty() ? body.deflection : 0.0;
+  for (const SurfaceFace& face : body.mesh->faces) largest = std::max(largest, face.deflection);
+  return largest;
+}
+
+std::optional<ForbiddenEdge> firstForbidden(const std::vector<Pose>& path,
+                                            const std::vector<ForbiddenRegion>& regions) {
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, path.size() - 1); ++i) {
+    const Vector3& to = path[std::min(i + 1, path.size() - 1)].position;
+    for (const ForbiddenRegion& region : regions) {
+      const bool enters = std::any_of(region.boxes.begin(), region.boxes.end(),
+                                      [&](const Box3& box) { return entersInterior(path[i].position, to, box); });
+      if (enters) return ForbiddenEdge{i, region.place};
+    }
+  }
+  return std::nullopt;
+}
+
+PathVerdict judgePath(const Question& question, const Path& path, const WorkWatch& watch) {
+  PathVerdict verdict;
+  verdict.configurations = path.points.size();
+  const std::vector<Pose> configurations = configurationsOf(path.points);
+  const std::vector<Body>& bodies = question.product.bodies;
+  verdict.deviation = deflectionOf(bodies.back()) + largestOfOthers(bodies, deflectionOf);
+  verdict.spacing = bodies.back().spacing + largestOfOthers(bodies, [](const Body& body) { return body.spacing; });
+  judgeEnds(question, configurations, verdict);
+  verdict.outside = firstOutside(question, configurations);
+  verdict.forbidden = firstForbidden(configurations, question.forbidden);
+  if (verdict.outside) {
+    verdict.motion.verdict.edge = *verdict.outside == 0 ? 0 : *verdict.outside - 1;
+    verdict.motion.why = "configuration " + std::to_string(*verdict.outside) +
+                         " is outside the scenario's workspace; the path was not examined further";
+    return verdict;
+  }
+  if (path.allowances) checkNames(question, *path.allowances, verdict);
+  MotionQuestion motion{bodies.back(),
+                        Pose::identity(),
+                        configurations,
+                        demandsOf(path.points, question.requiredClearance, question.contactGap),
+                        {}};
+  std::vector<Pose> ends{question.object().X_WB};
+  if (question.goal) ends.push_back(*question.goal);
+  PlacedBodies placed;
+  Box3 ofEnds;
+  for (const Pose& end : ends) ofEnds.extend(boundingBox(*question.object().mesh, end));
+  for (std::size_t i = 0; i + 1 < bodies.size(); ++i) {
+    if (watch.stop.stopRequested()) break;
+    MotionPair pair{i, &bodies[i], {}};
+    const bool stated = path.allowances.has_value();
+    if (stated || question.product.fits.on) {
+      const Box3 box = boundingBox(*bodies[i].mesh, bodies[i].X_WB);
+      const bool near = ofEnds.exteriorDistance(box) <= verdict.deviation + verdict.spacing + kNearEnds;
+      const PairQuestion asked{bodies.back(), bodies[i], ends, path.allowances, bodies.back().id, configurations};
+      const bool marked = question.product.fits.about(bodies.back().id, bodies[i].id) != nullptr;
+      if (stated || near || marked) pair.fit = fitOf(asked, question.product.fits, placed, watch.stop);
+    }
+    verdict.allowances.insert(verdict.allowances.end(), pair.fit.applied.begin(), pair.fit.applied.end());
+    verdict.refusals.insert(verdict.refusals.end(), pair.fit.refusals.begin(), pair.fit.refusals.end());
+    motion.pairs.push_back(std::move(pair));
+  }
+  verdict.motion = judgeMotion(motion, watch);
+  return verdict;
+}
+
+}  // namespace glissade::check

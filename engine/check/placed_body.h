@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/check/body.h"
+#include "engine/check/face_regions.h"
+#include "engine/geometry/solid_interior.h"
+#include "engine/geometry/triangle_tree.h"
+
+namespace glissade::check {
+
+/// A body where the product is assembled, prepared for being compared with others. Immutable, shared by threads.
+struct PlacedBody {
+  PlacedBody(const Body& body, const Pose& X_WB);
+
+  TriangleMesh mesh;  ///< world frame
+  TriangleTree tree;
+  FaceRegions regions;
+  std::optional<SolidInterior> interior;  ///< nothing where the surface is not closed
+  std::vector<Vector3> normals;           ///< unit, outwards; zero of a triangle without area
+  std::vector<double> deflections;        ///< of each triangle, metres
+  double spacing = 0.0;
+  double radius = 0.0;  ///< about the frame of the mesh, metres
+
+  bool contains(const Vector3& p) const { return interior && interior->contains(p); }
+};
+
+}  // namespace glissade::check

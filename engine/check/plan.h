@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/check/path.h"
+#include "engine/check/product.h"
+
+namespace glissade::check {
+
+/// A rule that a step says it does not keep, and the bodies that it is about.
+struct StatedViolation {
+  std::string rule;
+  std::vector<std::string> bodies;  ///< ids
+};
+
+/// A step as a plan states it.
+struct Step {
+  std::vector<std::string> bodies;  ///< ids of those that leave
+  std::vector<Point> path;
+  std::vector<std::size_t> after;  ///< steps that have to be carried out before, from 1
+  std::vector<StatedAllowance> allowances;
+  std::vector<StatedViolation> violates;
+  bool certified = true;  ///< what the step says of itself
+};
+
+/// An assembly plan as its file states it. Nothing is taken for true.
+struct Plan {
+  std::vector<std::string> bodies;   ///< ids
+  std::vector<std::string> staying;  ///< ids
+  std::vector<Step> steps;
+  std::string end;  ///< "complete", "stuck", "time_limit" or "interrupted"
+  Demands demands{};
+  double deflection = 0.0;  ///< metres; 0: not stated
+  std::optional<std::uint64_t> parts{};
+  std::optional<std::uint64_t> removed{};
+  std::optional<bool> certified{};
+};
+
+}  // namespace glissade::check

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <set>
+
+#include "engine/check/plan_verdict.h"
+
+namespace glissade::check {
+namespace {
+
+/// The plan and the product have the same bodies, each once.
+void compareBodies(const Product& product, const Plan& plan, std::vector<std::string>& wrong) {
+  std::set<std::string> ofProduct;
+  for (const Body& body : product.bodies) ofProduct.insert(body.id);
+  std::set<std::string> listed;
+  for (const std::string& id : plan.bodies) {
+    if (!listed.insert(id).second) wrong.push_back("the plan lists '" + id + "' twice");
+    if (ofProduct.count(id) == 0) wrong.push_back("the plan lists '" + id + "', which is not a body of the product");
+  }
+  for (const std::string& id : ofProduct) {
+    if (listed.count(id) == 0) wrong.push_back("the product has '" + id + "', which the plan does not list");
+  }
+  std::set<std::string> staying;
+  for (const std::string& id : plan.staying) {
+    if (listed.count(id) == 0) wrong.push_back("'" + id + "' is said to stay and is none of the plan's bodies");
+    if (!staying.insert(id).second) wrong.push_back("'" + id + "' is said to stay twice");
+  }
+}
+
+void compareNumber(const char* what, const std::optional<std::uint64_t>& claimed, std::size_t found,
+                   std::vector<std::string>& wrong) {
+  if (!claimed || *claimed == found) return;
+  wrong.push_back(std::string("the plan states \"") + what + "\": " + std::to_string(*claimed) + ", and there are " +
+                  std::to_string(found));
+}
+
+}  // namespace
+
+std::vector<std::string> wrongClaims(const Product& product, const Plan& plan) {
+  std::vector<std::string> wrong;
+  compareBodies(product, plan, wrong);
+  const std::size_t parts = plan.bodies.size() - std::min(plan.bodies.size(), plan.staying.size());
+  std::size_t removed = 0;
+  for (const Step& step : plan.steps) removed += step.bodies.size();
+  compareNumber("parts", plan.parts, parts, wrong);
+  compareNumber("removed", plan.removed, removed, wrong);
+  if (plan.certified && !*plan.certified) wrong.emplace_back("the plan states that it is not certified");
+  if (plan.end == "complete" && parts == 0) {
+    wrong.emplace_back("the plan is called complete, and all of its bodies stay: nothing is taken apart");
+  } else if (plan.end == "complete" && removed < parts) {
+    wrong.push_back("the plan is called complete, and " + std::to_string(parts - removed) + " of " +
+                    std::to_string(parts) + " parts have no step");
+  }
+  return wrong;
+}
+
+}  // namespace glissade::check

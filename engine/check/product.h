@@ -1,0 +1,78 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/base/diagnostic.h"
+#include "engine/check/body.h"
+
+namespace glissade::check {
+
+/// What a person says about a pair of bodies, named by id.
+struct PairWord {
+  std::string a;
+  std::string b;
+  std::string kind{};                 ///< as the file has it; empty: not said
+  std::optional<double> allowance{};  ///< metres, >= 0; 0: clearance is required
+  bool accepted = false;              ///< the pair's clash
+  std::optional<double> pitch{};      ///< of a thread, metres; below 0: left-handed
+  std::string turned{};               ///< of a thread: id of the body that is turned; empty: not said
+
+  bool isThread() const { return kind == "thread"; }
+};
+
+struct FitWords {
+  bool on = false;             ///< false: clearance is required of every pair
+  double acceptedClash = 0.0;  ///< metres: clashes up to this overlap are accepted
+  std::vector<PairWord> pairs{};
+
+  /// In either order; null: nothing is said.
+  const PairWord* about(const std::string& a, const std::string& b) const;
+};
+
+/// Where a person forbids the object's reference point to be, world frame.
+struct ForbiddenRegion {
+  std::string place;
+  std::vector<Box3> boxes;
+};
+
+/// What a person demands of the steps of a plan; bodies by id, or by the end of ids behind a "/".
+struct Demands {
+  struct Place {
+    std::vector<std::string> bodies;
+    std::size_t place = 1;  ///< from 1
+  };
+  struct Motion {
+    std::vector<std::string> bodies;
+    std::vector<Pose> path;
+  };
+  std::vector<std::vector<std::string>> together;
+  std::vector<std::pair<std::string, std::string>> before;  ///< the first leaves before the second
+  std::vector<Place> places;
+  std::vector<Motion> motions;
+  std::vector<std::pair<std::string, Vector3>> forbidden;  ///< a body and a direction
+};
+
+/// The bodies of a product where it is assembled, and what a person says of them.
+struct Product {
+  std::vector<Body> bodies;
+  FitWords fits;
+  Demands demands{};
+  Warnings warnings{};  ///< of reading it
+};
+
+/// What a path is asked for.
+struct Question {
+  Product product;             ///< the object is the last body, at the start
+  std::optional<Pose> goal{};  ///< nothing: anywhere clear of the others' bounding box
+  Box3 workspace;              ///< of the object's reference point
+  std::vector<ForbiddenRegion> forbidden{};
+  double requiredClearance = 0.0;  ///< metres
+  double contactGap = 0.0;         ///< metres
+
+  const Body& object() const { return product.bodies.back(); }
+};
+
+}  // namespace glissade::check

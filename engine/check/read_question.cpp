@@ -1,0 +1,275 @@
+#include "engine/check/read_question.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "engine/base/file.h"
+#include "engine/base/limits.h"
+#include "engine/check/scenario_json.h"
+#include "engine/geometry/mesh_edges.h"
+#include "engine/import/geometry_loader.h"
+#include "engine/import/json_checksum.h"
+#include "engine/import/mesh_import.h"
+#include "engine/import/omplapp_config.h"
+#include "engine/import/step_deflection.h"
+#include "engine/import/step_import.h"
+#include "engine/import/step_parts.h"
+
+namespace glissade::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+Pose unitRotation(const Pose& pose) { return {pose.position, pose.orientation.normalized()}; }
+
+bool isUrdf(const std::string& file) { return endingOf(file) == "urdf"; }
+
+/// "product.step:pump" is an assembly in a STEP file, unless a file is called so.
+std::pair<std::string, std::string> splitPart(const std::string& text) {
+  std::error_code none;
+  for (std::size_t at = text.find(':'); at != std::string::npos; at = text.find(':', at + 1)) {
+    if (isStepFile(text.substr(0, at)) && !fs::exists(text, none)) return {text.substr(0, at), text.substr(at + 1)};
+  }
+  return {text, ""};
+}
+
+Diagnostic stopped(const std::string& file) {
+  return {ErrorKind::Interrupted, file, "", "was not read to its end", "Start again."};
+}
+
+/// Being inside a body whose surface is open is not seen.
+void warnIfOpen(const Body& body, const std::string& file, std::map<MeshPtr, bool>& known, Warnings& warnings) {
+  const auto [at, isNew] = known.try_emplace(body.mesh, false);
+  if (isNew) at->second = edgeFactsOf(welded(*body.mesh)).open == 0;
+  if (at->second) return;
+  warnings.push_back({ErrorKind::MalformedInput, file, "body '" + body.name + "'", "is not a closed surface",
+                      "Being inside it is not seen as a collision; close its surface, or let planar holes be "
+                      "closed (--close-holes)."});
+}
+
+void addParts(const StatedScenario::StatedBody& stated, const LoadedGeometry& geometry, std::vector<Body>& bodies) {
+  for (const GeometryPart& part : geometry.parts) {
+    Body body;
+    body.id = partId(stated.id, part);
+    body.name = part.name.empty() ? stated.name : part.name;
+    body.mesh = part.mesh;
+    body.X_WB = unitRotation(stated.pose) * part.X_BP;
+    body.spacing = part.coordinateSpacing;
+    body.deflection = part.deflection;
+    bodies.push_back(std::move(body));
+  }
+}
+
+Body objectOf(const StatedScenario& scenario, const LoadedGeometry& geometry) {
+  Body object{scenario.object.id, scenario.object.name, nullptr, unitRotation(scenario.object.pose)};
+  const Vector3 reference = scenario.centreOnVertexMean ? geometry.vertexMean : scenario.referencePoint;
+  object.mesh = std::make_shared<const TriangleMesh>(wholeMesh(geometry, reference));
+  for (const GeometryPart& part : geometry.parts) {
+    object.spacing = std::max(object.spacing, part.coordinateSpacing);
+    object.deflection = std::max(object.deflection, part.deflection);
+  }
+  return object;
+}
+
+Outcome checkPairs(const Product& product, const std::string& file) {
+  for (std::size_t i = 0; i < product.fits.pairs.size(); ++i) {
+    for (const std::string& id : {product.fits.pairs[i].a, product.fits.pairs[i].b}) {
+      const bool known =
+          std::any_of(product.bodies.begin(), product.bodies.end(), [&](const Body& body) { return body.id == id; });
+      if (known) continue;
+      return Diagnostic{ErrorKind::MalformedInput, file, "/fits/pairs/" + std::to_string(i),
+                        "names the body '" + id + "', which is not there", "See 'glissade-cli fits' for the names."};
+    }
+  }
+  return Done{};
+}
+
+StatedScenario statedBy(const OmplAppConfig& config) {
+  StatedScenario scenario;
+  scenario.assets.push_back({"robot", config.robot, "", 1.0, UpAxis::Z});
+  scenario.object = {"robot", "robot", MeshGeometry{"robot"}, config.start};
+  scenario.centreOnVertexMean = true;
+  if (!config.world.empty()) {
+    scenario.assets.push_back({"world", config.world, "", 1.0, UpAxis::Z});
+    scenario.bodies.push_back({"world", "world", MeshGeometry{"world"}, Pose::identity()});
+  }
+  scenario.goal = config.goal;
+  scenario.workspace = config.volume;
+  return scenario;
+}
+
+Result<StatedScenario> statedIn(const std::string& file, Warnings& warnings) {
+  if (fs::path(file).extension() == ".cfg") {
+    const auto config = readOmplAppConfig(file);
+    if (!config) return config.error();
+    return statedBy(*config);
+  }
+  if (isStepFile(file) || isUrdf(file) || isMeshFile(file)) {
+    return Diagnostic{ErrorKind::Usage, file, "", "is a part file, and a scenario is needed",
+                      "Make a scenario of it: glissade-cli new OUT.json --moves FILE:PART --static FILE."};
+  }
+  const auto text = readFile(file, limits::kMostScenarioBytes);
+  if (!text) return text.error();
+  auto document = parseJson(*text, file);
+  if (!document) return document.error();
+  if (takeChecksum(*document) == ChecksumState::Wrong) {
+    warnings.push_back(wrongChecksum(file, "Check the scenario, then save it again or remove the checksum."));
+  }
+  try {
+    return readStatedScenario(JsonCursor(*document, file, ""));
+  } catch (const JsonError& error) {
+    return error.diagnostic;
+  }
+}
+
+Outcome takeParameters(const StatedScenario& scenario, const std::string& file, Question& question) {
+  ParameterValues values(radiusAboutOrigin(*question.object().mesh));
+  for (const auto& [id, value] : scenario.parameters) {
+    const Outcome outcome = values.set(id, value);
+    if (outcome) continue;
+    Diagnostic why = outcome.error();
+    why.kind = ErrorKind::MalformedInput;
+    why.file = file;
+    why.location = "/parameters/" + why.location;
+    return why;
+  }
+  question.requiredClearance = values[ParameterId::RequiredClearance];
+  question.contactGap = values[ParameterId::ContactGap];
+  return Done{};
+}
+
+void choose(const FitChoice& choice, FitWords& fits) {
+  if (choice.acceptedClash) {
+    fits.acceptedClash = *choice.acceptedClash;
+    fits.on = true;
+  }
+  if (choice.on) fits.on = *choice.on;
+}
+
+/// Each about the middle of its box; meshes that were shared still are.
+void centre(std::vector<Body>& bodies) {
+  std::map<MeshPtr, std::pair<Vector3, MeshPtr>> known;
+  for (Body& body : bodies) {
+    auto& [middle, mesh] = known[body.mesh];
+    if (!mesh) {
+      middle = boundingBox(*body.mesh).center();
+      mesh = std::make_shared<const TriangleMesh>(transformed(*body.mesh, Pose::translation(-middle)));
+    }
+    body.X_WB.position = body.X_WB * middle;
+    body.mesh = mesh;
+  }
+}
+
+Result<std::vector<Body>> partsOf(const Asset& asset, const std::string& part, const std::string& file,
+                                  Warnings& warnings, const StopToken& stop) {
+  const std::vector<Asset> assets{asset};
+  GeometryLoader loader(assets, ".", file, {}, stop);
+  const Geometry geometry =
+      isUrdf(asset.path) ? Geometry(UrdfGeometry{asset.id}) : Geometry(StepGeometry{asset.id, part});
+  const auto loaded = loader.load(geometry);
+  if (!loaded) return loaded.error();
+  warnings = loader.warnings();
+  warnOfMissingFaces(**loaded, "", file, warnings);
+  std::vector<Body> bodies;
+  addParts({"", file, geometry, Pose::identity()}, **loaded, bodies);
+  for (Body& body : bodies) {
+    if (body.id.empty()) body.id = file;
+  }
+  return bodies;
+}
+
+/// What a plan states may be finer than what is usual for a part, never coarser.
+/// False where that was coarser for a part.
+bool takeFiner(std::vector<Body>& usual, const std::vector<Body>& stated, double deflection) {
+  bool all = true;
+  for (std::size_t i = 0; i < usual.size() && usual.size() == stated.size(); ++i) {
+    const double diagonal = boundingBox(*usual[i].mesh).diagonal().norm();
+    const bool isFine = deflection <= usualDeflection(diagonal);
+    if (isFine) usual[i] = stated[i];
+    all = all && isFine;
+  }
+  return all;
+}
+
+Result<Product> productOfParts(const std::string& text, double deflection, const StopToken& stop) {
+  const auto [file, part] = splitPart(text);
+  const Asset asset{"product", fs::absolute(file).lexically_normal().generic_string(), "", 1.0, UpAxis::Z};
+  Product product;
+  auto usual = partsOf(asset, part, text, product.warnings, stop);
+  if (!usual) return usual.error();
+  product.bodies = std::move(*usual);
+  if (deflection > 0.0 && !isUrdf(file)) {
+    Asset finer = asset;
+    finer.deflection = std::clamp(deflection, limits::kSmallestSize, usualDeflection(1e9));
+    Warnings same;
+    const auto stated = partsOf(finer, part, text, same, stop);
+    if (!stated) return stated.error();
+    if (!takeFiner(product.bodies, *stated, deflection)) {
+      product.warnings.push_back({ErrorKind::MalformedInput, text, "",
+                                  "is judged with the usual deflection of its parts",
+                                  "The plan states a coarser one."});
+    }
+  }
+  product.fits.on = true;
+  return product;
+}
+
+}  // namespace
+
+Result<Question> readQuestion(const std::string& file, const FitChoice& fits, const StopToken& stop) {
+  Question question;
+  Product& product = question.product;
+  auto stated = statedIn(file, product.warnings);
+  if (!stated) return stated.error();
+  const StatedScenario& scenario = *stated;
+  GeometryLoader loader(scenario.assets, folderOf(file), file, {}, stop);
+  for (const StatedScenario::StatedBody& body : scenario.bodies) {
+    const auto geometry = loader.load(body.geometry);
+    if (!geometry) return geometry.error();
+    warnOfMissingFaces(**geometry, body.id, file, loader.warnings());
+    addParts(body, **geometry, product.bodies);
+  }
+  const auto geometry = loader.load(scenario.object.geometry);
+  if (!geometry) return geometry.error();
+  if (stop.stopRequested()) return stopped(file);
+  warnOfMissingFaces(**geometry, scenario.object.id, file, loader.warnings());
+  product.bodies.push_back(objectOf(scenario, **geometry));
+  product.warnings.insert(product.warnings.end(), loader.warnings().begin(), loader.warnings().end());
+  std::map<MeshPtr, bool> closed;
+  for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
+  product.fits = scenario.fits;
+  choose(fits, product.fits);
+  product.demands = scenario.demands;
+  if (const Outcome known = checkPairs(product, file); !known) return known.error();
+  if (scenario.goal) question.goal = unitRotation(*scenario.goal);
+  question.workspace = scenario.workspace;
+  question.forbidden = scenario.forbidden;
+  if (const Outcome taken = takeParameters(scenario, file, question); !taken) return taken.error();
+  return question;
+}
+
+Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits, const StopToken& stop) {
+  const std::string path = splitPart(file).first;
+  const bool isPart = isStepFile(path) || isUrdf(path);
+  Product product;
+  if (isPart) {
+    auto read = productOfParts(file, deflection, stop);
+    if (!read) return read.error();
+    product = std::move(*read);
+    choose(fits, product.fits);
+  } else {
+    auto question = readQuestion(file, fits, stop);
+    if (!question) return question.error();
+    product = std::move(question->product);
+  }
+  if (product.bodies.size() < 2) {
+    return Diagnostic{ErrorKind::MalformedInput, file, "", "holds one body: there is nothing to take apart",
+                      "Give a product of several parts."};
+  }
+  centre(product.bodies);
+  return product;
+}
+
+}  // namespace glissade::check

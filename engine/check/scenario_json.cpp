@@ -1,0 +1,182 @@
+#include "engine/check/scenario_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "engine/base/limits.h"
+#include "engine/check/stated_json.h"
+
+namespace glissade::check {
+namespace {
+
+/// Metres a turn: what is above is no pitch of anything. Diameters limit it further (thread_axis.h).
+constexpr double kLeastStatedPitch = 1e-5;
+constexpr double kMostStatedPitch = 1.0;
+
+Asset readAsset(const JsonCursor& at) {
+  Asset asset;
+  asset.id = at.at("id").nonEmptyText();
+  asset.path = at.at("path").exactText();
+  if (const auto hash = at.find("sha256")) asset.sha256 = hash->text();
+  if (const auto unit = at.find("unit")) asset.unit = unit->length();
+  if (const auto up = at.find("up_axis")) {
+    if (up->text() != "y" && up->text() != "z") up->fail("is neither \"y\" nor \"z\"");
+    asset.up = up->text() == "y" ? UpAxis::Y : UpAxis::Z;
+  }
+  if (const auto deflection = at.find("deflection")) asset.deflection = deflection->length();
+  if (const auto close = at.find("close_holes")) asset.closeHoles = close->boolean();
+  return asset;
+}
+
+Geometry readShape(const JsonCursor& at, const std::set<std::string>& assets) {
+  if (at.json().size() != 1) at.fail("does not name exactly one shape");
+  const auto asset = [&](const JsonCursor& name) {
+    if (assets.count(name.text()) == 0) name.fail("names the asset '" + name.text() + "', which is not in /assets");
+    return name.text();
+  };
+  if (const auto mesh = at.find("mesh")) return MeshGeometry{asset(*mesh)};
+  if (const auto urdf = at.find("urdf")) return UrdfGeometry{asset(*urdf)};
+  if (const auto step = at.find("step")) {
+    return StepGeometry{asset(step->at("asset")), step->has("part") ? step->at("part").nonEmptyText() : ""};
+  }
+  if (const auto box = at.find("box")) {
+    if (!limits::isSize(box->vector().minCoeff())) box->fail("has a size that is not above zero, or below 1e-12 m");
+    return BoxGeometry{box->vector()};
+  }
+  if (const auto cylinder = at.find("cylinder")) {
+    return CylinderGeometry{cylinder->at("radius").length(), cylinder->at("length").length()};
+  }
+  return SphereGeometry{at.at("sphere").at("radius").length()};
+}
+
+StatedScenario::StatedBody readStatedBody(const JsonCursor& at, const std::set<std::string>& assets) {
+  StatedScenario::StatedBody body;
+  body.id = at.at("id").nonEmptyText();
+  body.name = at.has("name") ? at.at("name").text() : body.id;
+  body.geometry = readShape(at.at("geometry"), assets);
+  if (const auto pose = at.find("pose")) body.pose = pose->pose();
+  return body;
+}
+
+PairWord readPair(const JsonCursor& at) {
+  at.allowOnly({"a", "b", "kind", "allowance", "accepted", "pitch_m", "turned"});
+  PairWord word{at.at("a").nonEmptyText(), at.at("b").nonEmptyText()};
+  if (word.a == word.b) at.at("b").fail("is the same body as 'a'");
+  if (const auto kind = at.find("kind")) {
+    constexpr std::array<const char*, 7> kKinds{"planar",  "cylindrical", "thread", "press",
+                                                "overlap", "contact",     "clash"};
+    word.kind = kind->text();
+    if (std::find(kKinds.begin(), kKinds.end(), word.kind) == kKinds.end()) kind->fail("is not a kind of fit");
+  }
+  if (const auto allowance = at.find("allowance")) {
+    word.allowance = allowance->coordinate();
+    if (*word.allowance < 0.0) allowance->fail("is below zero", "Give metres, 0 or more.");
+  }
+  if (const auto accepted = at.find("accepted")) word.accepted = accepted->boolean();
+  if (const auto pitch = at.find("pitch_m")) {
+    word.pitch = pitch->number();
+    const double size = std::abs(*word.pitch);
+    if (!(size >= kLeastStatedPitch && size <= kMostStatedPitch)) {
+      pitch->fail("is not a pitch", "Give metres a turn, from 0.00001 to 1; below zero for a left-handed thread.");
+    }
+  }
+  if (const auto turned = at.find("turned")) {
+    word.turned = turned->text();
+    if (word.turned != word.a && word.turned != word.b) turned->fail("is neither of the two bodies");
+  }
+  return word;
+}
+
+FitWords readFitWords(const JsonCursor& at) {
+  FitWords fits;
+  const std::string mode = at.at("mode").text();
+  if (mode != "on" && mode != "off") at.at("mode").fail("is neither \"on\" nor \"off\"");
+  fits.on = mode == "on";
+  if (const auto clash = at.find("accept_clashes")) {
+    fits.acceptedClash = clash->coordinate();
+    if (fits.acceptedClash < 0.0) clash->fail("is below zero", "Give metres, 0 or more.");
+  }
+  const auto pairs = at.find("pairs");
+  for (std::size_t i = 0; pairs && i < pairs->sizeUpTo(limits::kMostBodies); ++i) {
+    const PairWord word = readPair(pairs->element(i));
+    if (fits.about(word.a, word.b) != nullptr) {
+      pairs->element(i).fail("is about a pair that was there before", "Remove one.");
+    }
+    fits.pairs.push_back(word);
+  }
+  return fits;
+}
+
+ForbiddenRegion readForbidden(const JsonCursor& at) {
+  ForbiddenRegion region;
+  region.place = at.at("place").text();
+  const JsonCursor boxes = at.at("boxes");
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const JsonCursor box = boxes.element(i);
+    if (box.size() != 6) box.fail("is not six numbers");
+    const auto corner = [&](std::size_t first) {
+      return Vector3(box.element(first).coordinate(), box.element(first + 1).coordinate(),
+                     box.element(first + 2).coordinate());
+    };
+    region.boxes.emplace_back(corner(0), corner(3));
+    if (region.boxes.back().isEmpty()) box.fail("has a minimum above its maximum");
+  }
+  return region;
+}
+
+void readFormat(const JsonCursor& root) {
+  if (root.at("format").text() != "glissade-scenario") root.at("format").fail("is not \"glissade-scenario\"");
+  if (root.at("version").wholeNumber() != 1) root.at("version").fail("is not 1", "Use a newer Glissade.");
+}
+
+}  // namespace
+
+StatedScenario readStatedScenario(const JsonCursor& root) {
+  readFormat(root);
+  StatedScenario scenario;
+  std::set<std::string> assets;
+  const auto assetList = root.find("assets");
+  for (std::size_t i = 0; assetList && i < assetList->sizeUpTo(limits::kMostBodies); ++i) {
+    scenario.assets.push_back(readAsset(assetList->element(i)));
+    assets.insert(scenario.assets.back().id);
+  }
+  std::set<std::string> ids;
+  const auto addId = [&](const std::string& id, const JsonCursor& at) {
+    if (id.find('/') != std::string::npos) at.at("id").fail("holds a '/'", "Leave it out.");
+    if (!ids.insert(id).second) at.at("id").fail("has the id '" + id + "' a second time");
+  };
+  const JsonCursor bodies = root.at("bodies");
+  for (std::size_t i = 0; i < bodies.sizeUpTo(limits::kMostBodies); ++i) {
+    scenario.bodies.push_back(readStatedBody(bodies.element(i), assets));
+    addId(scenario.bodies.back().id, bodies.element(i));
+  }
+  const JsonCursor object = root.at("object");
+  scenario.object = readStatedBody(object, assets);
+  addId(scenario.object.id, object);
+  if (const auto centre = object.find("centre_on_vertex_mean")) scenario.centreOnVertexMean = centre->boolean();
+  if (const auto point = object.find("reference_point")) scenario.referencePoint = point->vector();
+  scenario.object.pose = root.at("start").pose();
+  const JsonCursor goal = root.at("goal");
+  if (!goal.isString()) scenario.goal = goal.pose();
+  if (goal.isString() && goal.text() != "out") goal.fail("is neither a configuration nor \"out\"");
+  const JsonCursor workspace = root.at("workspace");
+  scenario.workspace = Box3(workspace.at("min").vector(), workspace.at("max").vector());
+  if (const auto parameters = root.find("parameters")) {
+    for (const auto& item : parameters->json().items()) {
+      const auto id = parameterByKey(item.key());
+      if (!id) parameters->at(item.key()).fail("is not a parameter");
+      scenario.parameters[*id] = parameters->at(item.key()).number();
+    }
+  }
+  if (const auto fits = root.find("fits")) scenario.fits = readFitWords(*fits);
+  if (const auto demands = root.find("sequence")) scenario.demands = readDemands(*demands);
+  const auto forbidden = root.find("forbidden_regions");
+  for (std::size_t i = 0; forbidden && i < forbidden->sizeUpTo(limits::kMostBodies); ++i) {
+    scenario.forbidden.push_back(readForbidden(forbidden->element(i)));
+  }
+  return scenario;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,97 @@
+#include "engine/check/stated_json.h"
+
+#include "engine/base/limits.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr std::size_t kMostPoints = 5'000'000;
+
+double metres(const JsonCursor& at) {
+  const double value = at.coordinate();
+  if (value < 0.0) at.fail("is below zero");
+  return value;
+}
+
+StatedThread readThread(const JsonCursor& at) {
+  StatedThread thread;
+  thread.point = at.at("point_m").vector();
+  thread.direction = at.at("direction").vector();
+  if (!(thread.direction.norm() > 0.0)) at.at("direction").fail("has no direction");
+  thread.pitch = at.at("pitch_m").coordinate();
+  thread.radiusMoving = at.at("radius_moving_m").length();
+  thread.radiusOther = at.at("radius_other_m").length();
+  return thread;
+}
+
+std::vector<std::string> readTexts(const JsonCursor& at) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) texts.push_back(at.element(i).nonEmptyText());
+  return texts;
+}
+
+}  // namespace
+
+std::vector<StatedAllowance> readAllowances(const JsonCursor& at) {
+  std::vector<StatedAllowance> allowances;
+  for (std::size_t i = 0; i < at.sizeUpTo(limits::kMostBodies); ++i) {
+    const JsonCursor each = at.element(i);
+    StatedAllowance allowance;
+    if (const auto moving = each.find("moving")) allowance.moving = moving->text();
+    if (const auto object = each.find("object")) allowance.moving = object->text();  // paths of earlier versions
+    allowance.body = each.at("body").nonEmptyText();
+    allowance.allowance = metres(each.at("allowance_m"));
+    if (const auto yields = each.find("yields")) allowance.yields = yields->boolean();
+    if (const auto pitch = each.find("pitch_m")) allowance.pitch = pitch->coordinate();
+    if (const auto thread = each.find("thread")) allowance.thread = readThread(*thread);
+    allowances.push_back(std::move(allowance));
+  }
+  return allowances;
+}
+
+std::vector<Point> readPoints(const JsonCursor& at) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < at.sizeUpTo(kMostPoints); ++i) {
+    const JsonCursor point = at.element(i);
+    const JsonCursor::Json pose{{"position", point.at("position").json()},
+                                {"orientation", point.at("orientation").json()}};
+    const std::string author = point.at("author").text();
+    if (author != "computer" && author != "operator" && author != "contact") {
+      point.at("author").fail("is not computer, operator or contact");
+    }
+    points.push_back({JsonCursor(pose, at.file(), point.pointer()).pose(), author == "contact"});
+  }
+  if (points.empty()) at.fail("is empty", "Give a path.");
+  return points;
+}
+
+Demands readDemands(const JsonCursor& at) {
+  Demands demands;
+  const auto each = [&](const char* key, const auto& take) {
+    const auto list = at.find(key);
+    for (std::size_t i = 0; list && i < list->sizeUpTo(limits::kMostBodies); ++i) take(list->element(i));
+  };
+  each("together", [&](const JsonCursor& names) { demands.together.push_back(readTexts(names)); });
+  each("before", [&](const JsonCursor& names) {
+    const std::vector<std::string> pair = readTexts(names);
+    if (pair.size() != 2) names.fail("is not two names");
+    demands.before.emplace_back(pair[0], pair[1]);
+  });
+  each("places", [&](const JsonCursor& place) {
+    demands.places.push_back(
+        {readTexts(place.at("bodies")), static_cast<std::size_t>(place.at("place").wholeNumber())});
+  });
+  each("motions", [&](const JsonCursor& motion) {
+    Demands::Motion demanded{readTexts(motion.at("bodies")), {}};
+    for (const Point& point : readPoints(motion.at("path"))) demanded.path.push_back(point.q);
+    demands.motions.push_back(std::move(demanded));
+  });
+  each("forbidden", [&](const JsonCursor& direction) {
+    const Vector3 way = direction.at("direction").vector();
+    if (!(way.norm() > 0.0)) direction.at("direction").fail("has no direction");
+    demands.forbidden.emplace_back(direction.at("body").nonEmptyText(), way);
+  });
+  return demands;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/check/path.h"
+#include "engine/check/product.h"
+#include "engine/import/json_reader.h"
+
+namespace glissade::check {
+
+// Values that paths, plans and scenarios have in common. Reading throws JsonError.
+
+std::vector<StatedAllowance> readAllowances(const JsonCursor& at);
+std::vector<Point> readPoints(const JsonCursor& at);
+/// The section "sequence" of a scenario or a plan, as far as steps have to keep it.
+Demands readDemands(const JsonCursor& at);
+
+}  // namespace glissade::check

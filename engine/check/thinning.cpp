@@ -1,0 +1,322 @@
+#include "engine/check/thinning.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <tuple>
+#include <vector>
+
+#include "engine/check/ray_containment.h"
+
+namespace glissade::check {
+namespace {
+
+constexpr double kThicknessShare = 0.2;
+constexpr double kLongestMove = 2.0;
+constexpr double kDamping = 1e-6;
+constexpr double kFlatShare = 2e-6;
+constexpr double kSameFace = 1e-9;
+constexpr int kRounds = 9;
+
+using Corners = std::array<Vector3, 3>;
+
+/// Where the segment from `from` to `to` crosses the triangle, as a share of it; infinity where it does not.
+double crossing(const Vector3& from, const Vector3& to, const Corners& triangle) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Vector3 way = to - from;
+  const Vector3 u = triangle[1] - triangle[0];
+  const Vector3 v = triangle[2] - triangle[0];
+  const Vector3 cross = way.cross(v);
+  const double determinant = u.dot(cross);
+  if (determinant == 0.0) return kNone;
+  const Vector3 offset = from - triangle[0];
+  const double a = offset.dot(cross) / determinant;
+  const Vector3 other = offset.cross(u);
+  const double b = way.dot(other) / determinant;
+  if (!(a >= 0.0) || !(b >= 0.0) || !(a + b <= 1.0)) return kNone;
+  return v.dot(other) / determinant;
+}
+
+bool crosses(const Corners& one, const Corners& other) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double t = crossing(one[i], one[(i + 1) % 3], other);
+    if (t >= 0.0 && t <= 1.0) return true;
+    const double s = crossing(other[i], other[(i + 1) % 3], one);
+    if (s >= 0.0 && s <= 1.0) return true;
+  }
+  return false;
+}
+
+Box3 boxAround(const Corners& corners) {
+  Box3 box(corners[0]);
+  box.extend(corners[1]);
+  box.extend(corners[2]);
+  return box;
+}
+
+/// Boxes by where they are along the longest axis of all of them, so that only those near a box are looked at.
+class BoxRow {
+ public:
+  explicit BoxRow(const std::vector<Box3>& boxes) : boxes_(boxes) {
+    Box3 all;
+    for (const Box3& box : boxes) all.extend(box);
+    if (all.isEmpty()) return;
+    all.sizes().maxCoeff(&axis_);
+    low_ = all.min()[axis_];
+    const double length = all.sizes()[axis_];
+    perLength_ = length > 0.0 ? kBins / length : 0.0;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t bin = binOf(boxes[i].min()); bin <= binOf(boxes[i].max()); ++bin) bins_[bin].push_back(i);
+    }
+  }
+
+  /// Calls `take` with each box that meets this one, once, until it returns false.
+  template <class Take>
+  void visit(const Box3& box, const Take& take) const {
+    const std::size_t first = binOf(box.min());
+    for (std::size_t bin = first; bin <= binOf(box.max()); ++bin) {
+      for (const std::uint32_t i : bins_[bin]) {
+        const bool before = bin > first && binOf(boxes_[i].min()) < bin;
+        if (!before && box.intersects(boxes_[i]) && !take(i)) return;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBins = 512;
+
+  std::size_t binOf(const Vector3& at) const {
+    const double bin = (at[axis_] - low_) * perLength_;
+    return bin > 0.0 ? std::min(static_cast<std::size_t>(bin), kBins - 1) : 0;
+  }
+
+  const std::vector<Box3>& boxes_;
+  Eigen::Index axis_ = 0;
+  double low_ = 0.0;
+  double perLength_ = 0.0;
+  std::array<std::vector<std::uint32_t>, kBins> bins_;
+};
+
+/// A body's triangles over vertices that are each there once, and what each face and vertex may move by.
+class ThinBody {
+ public:
+  ThinBody(const TriangleMesh& mesh, const std::vector<double>& allowances) {
+    std::map<std::tuple<double, double, double>, std::uint32_t> numbers;
+    std::vector<std::uint32_t> numberOf;
+    for (const Vector3& vertex : mesh.vertices) {
+      const auto next = static_cast<std::uint32_t>(points_.size());
+      const auto [at, isNew] = numbers.try_emplace({vertex.x(), vertex.y(), vertex.z()}, next);
+      if (isNew) points_.push_back(vertex);
+      numberOf.push_back(at->second);
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      const TriangleIndices triangle{numberOf[a], numberOf[b], numberOf[c]};
+      if (std::set<std::uint32_t>(triangle.begin(), triangle.end()).size() != 3) continue;
+      triangles_.push_back(triangle);
+      allowances_.push_back(allowances[t]);
+    }
+    for (const TriangleIndices& triangle : triangles_) {
+      faces_.push_back(cornersOf(triangle, points_));
+      boxes_.push_back(boxAround(faces_.back()));
+      box_.extend(boxes_.back());
+    }
+  }
+
+  bool isClosed() const {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
+    for (const TriangleIndices& t : triangles_) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        ++uses[{t[i], t[(i + 1) % 3]}];
+        --uses[{t[(i + 1) % 3], t[i]}];
+      }
+    }
+    return std::all_of(uses.begin(), uses.end(), [](const auto& edge) { return edge.second == 0; });
+  }
+
+  /// The body thinned; the body where it has no place for that.
+  TriangleMesh thinned() {
+    findNormals();
+    findRooms();
+    std::vector<Vector3> moves = movesOf();
+    for (int round = 0; round < kRounds; ++round) {
+      TriangleMesh result{points_, triangles_};
+      for (std::size_t i = 0; i < moves.size(); ++i) result.vertices[i] += moves[i];
+      const std::set<std::uint32_t> bad = crossingCorners(result);
+      if (bad.empty()) return isWithin(result) ? result : TriangleMesh{points_, triangles_};
+      for (const std::uint32_t i : bad) moves[i] /= 2.0;
+    }
+    return {points_, triangles_};
+  }
+
+ private:
+  /// Faces at a vertex, with their angles there.
+  using Angles = std::vector<std::pair<std::size_t, double>>;
+
+  static Corners cornersOf(const TriangleIndices& t, const std::vector<Vector3>& points) {
+    return {points[t[0]], points[t[1]], points[t[2]]};
+  }
+
+  void findNormals() {
+    double volume = 0.0;
+    for (const auto& [a, b, c] : faces_) {
+      volume += (a - box_.center()).dot((b - box_.center()).cross(c - box_.center()));
+    }
+    const double flat = kFlatShare * box_.diagonal().norm();
+    for (const auto& [a, b, c] : faces_) {
+      const Vector3 doubled = (b - a).cross(c - a);
+      const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+      const bool hasNormal = doubled.norm() > flat * longest;
+      normals_.push_back(hasNormal ? Vector3(doubled / doubled.norm() * (volume < 0.0 ? -1.0 : 1.0))
+                                   : Vector3(Vector3::Zero()));
+    }
+  }
+
+  /// A face looks inwards from four of its points, as far as could make a difference.
+  void findRooms() {
+    const double reach = *std::max_element(allowances_.begin(), allowances_.end()) / kThicknessShare;
+    const double same = kSameFace * box_.diagonal().norm();
+    const BoxRow row(boxes_);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const Corners& face = faces_[f];
+      const Vector3 middle = (face[0] + face[1] + face[2]) / 3.0;
+      double thickness = reach;
+      for (const Vector3& from : {middle, Vector3(0.5 * (middle + face[0])), Vector3(0.5 * (middle + face[1])),
+                                  Vector3(0.5 * (middle + face[2]))}) {
+        const Vector3 to = from - reach * normals_[f];
+        Box3 box(from);
+        box.extend(to);
+        row.visit(box, [&](std::uint32_t other) {
+          const double hit = reach * crossing(from, to, faces_[other]);
+          if (hit > same) thickness = std::min(thickness, hit);
+          return true;
+        });
+      }
+      rooms_.push_back(kThicknessShare * thickness);
+    }
+  }
+
+  std::vector<Vector3> movesOf() const {
+    std::vector<Angles> around(points_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (normals_[f].isZero(0.0)) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector3 one = (faces_[f][(i + 1) % 3] - faces_[f][i]).normalized();
+        const Vector3 other = (faces_[f][(i + 2) % 3] - faces_[f][i]).normalized();
+        around[triangles_[f][i]].emplace_back(f, std::atan2(one.cross(other).norm(), one.dot(other)));
+      }
+    }
+    std::vector<Vector3> moves;
+    moves.reserve(around.size());
+    for (const auto& faces : around) moves.push_back(moveOf(faces));
+    return moves;
+  }
+
+  Vector3 moveOf(const Angles& faces) const {
+    double allowance = 0.0;
+    for (const auto& [f, angle] : faces) allowance = std::max(allowance, allowances_[f]);
+    if (allowance == 0.0) return Vector3::Zero();
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    Vector3 mean = Vector3::Zero();
+    Vector3 right = Vector3::Zero();
+    double angles = 0.0;
+    for (const auto& [f, angle] : faces) {
+      sum += angle * normals_[f] * normals_[f].transpose();
+      right += angle * std::min(allowances_[f], rooms_[f]) * normals_[f];
+      mean += angle * normals_[f];
+      angles += angle;
+    }
+    const Eigen::Matrix3d damped = sum + kDamping * angles * Eigen::Matrix3d::Identity();
+    const Vector3 move = -damped.colPivHouseholderQr().solve(right);
+    if (const double share = shareOf(move, faces, allowance); share >= 0.0) return share * move;
+    const Vector3 plain = mean.norm() > 0.0 ? Vector3(-allowance * mean / mean.norm()) : Vector3(Vector3::Zero());
+    return std::max(0.0, shareOf(plain, faces, allowance)) * plain;
+  }
+
+  /// Below zero where a face would move outwards.
+  double shareOf(const Vector3& move, const Angles& faces, double allowance) const {
+    double share = std::min(1.0, kLongestMove * allowance / std::max(move.norm(), 1e-300));
+    for (const auto& [f, angle] : faces) {
+      const double inwards = -normals_[f].dot(move);
+      if (inwards < 0.0) return -1.0;
+      if (inwards > 0.0) share = std::min(share, std::min(allowance, rooms_[f]) / inwards);
+    }
+    return share;
+  }
+
+  /// Vertices that hang together have the same number.
+  std::vector<std::uint32_t> pieces() const {
+    std::vector<std::uint32_t> piece(points_.size());
+    for (std::uint32_t i = 0; i < piece.size(); ++i) piece[i] = i;
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (const auto& [a, b, c] : triangles_) {
+        const std::uint32_t least = std::min({piece[a], piece[b], piece[c]});
+        for (const std::uint32_t i : {a, b, c}) {
+          changed = changed || piece[i] != least;
+          piece[i] = least;
+        }
+      }
+    }
+    return piece;
+  }
+
+  std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
+    const std::vector<std::uint32_t> piece = pieces();
+    std::set<std::uint32_t> bad;
+    const BoxRow row(boxes_);
+    for (const TriangleIndices& moved : thin.triangles) {
+      const Corners corners = cornersOf(moved, thin.vertices);
+      const Box3 box = boxAround(corners);
+      row.visit(box, [&](std::uint32_t f) {
+        if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
+        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f])) return true;
+        bad.insert(moved.begin(), moved.end());
+        return false;
+      });
+    }
+    return bad;
+  }
+
+  bool meetAtStillCorner(const TriangleIndices& moved, const TriangleIndices& face, const TriangleMesh& thin) const {
+    return std::any_of(face.begin(), face.end(), [&](std::uint32_t i) {
+      return std::find(moved.begin(), moved.end(), i) != moved.end() && thin.vertices[i] == points_[i];
+    });
+  }
+
+  /// Of surfaces that do not cross: a point of each connected one decides.
+  bool isWithin(const TriangleMesh& thin) const {
+    const std::vector<std::uint32_t> piece = pieces();
+    const RaySolid body(TriangleMesh{points_, triangles_});
+    std::set<std::uint32_t> known;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      if (thin.vertices[i] == points_[i] || !known.insert(piece[i]).second) continue;
+      if (!body.contains(thin.vertices[i])) return false;
+    }
+    return true;
+  }
+
+  std::vector<Vector3> points_;
+  std::vector<TriangleIndices> triangles_;
+  std::vector<double> allowances_;  ///< of each triangle
+  std::vector<Corners> faces_;
+  std::vector<Box3> boxes_;
+  Box3 box_;
+  std::vector<Vector3> normals_;  ///< outwards; zero of a face with next to no area
+  std::vector<double> rooms_;
+};
+
+}  // namespace
+
+TriangleMesh thinned(const TriangleMesh& mesh, const std::vector<double>& allowances) {
+  const bool nothing = std::none_of(allowances.begin(), allowances.end(), [](double each) { return each > 0.0; });
+  if (nothing) return mesh;
+  ThinBody body(mesh, allowances);
+  return body.isClosed() ? body.thinned() : mesh;
+}
+
+}  // namespace glissade::check

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "engine/check/path_verdict.h"
+#include "engine/check/plan_verdict.h"
+
+namespace glissade::check {
+
+// What people and programs read of a verdict. `edges`: with every edge of the path.
+
+std::string reportText(const PathVerdict& verdict, const Question& question, bool edges);
+nlohmann::ordered_json reportJson(const PathVerdict& verdict, const Question& question, bool edges);
+
+std::string reportText(const PlanVerdict& verdict, const Product& product);
+nlohmann::ordered_json reportJson(const PlanVerdict& verdict, const Product& product);
+
+/// Why a step is not valid, in words; empty where it is.
+std::string whyInvalid(const StepVerdict& step, const Product& product);
+
+}  // namespace glissade::check

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/base/result.h"
+#include "engine/environment/attribute.h"
+#include "engine/environment/topological_map.h"
+
+namespace glissade {
+
+/// A place that a person forbids. The object's reference point may not enter the open interior of a box; it may touch
+/// it. World frame. The boxes overlap, so that what is inside of the place is inside of a box.
+struct ForbiddenPlace {
+  std::string name;
+  std::vector<Box3> boxes;
+};
+using ForbiddenPlaces = std::vector<ForbiddenPlace>;
+
+bool operator==(const ForbiddenPlace& a, const ForbiddenPlace& b);
+
+/// An edit says that a place is forbidden.
+bool forbidsPlaces(const SemanticEdits& edits);
+
+/// The places that are forbidden, in the order of the map, with the cells that belong to them (Place::cells). A cell
+/// belongs to one place; that borders overlap is a matter of milestones. The same map and edits give the same boxes.
+/// Errors, MalformedInput with a JSON pointer into a scenario: an edit forbids a place that is not there.
+Result<ForbiddenPlaces> forbiddenPlacesOf(const TopologicalMap& map, const SemanticEdits& edits);
+
+/// Few boxes that together cover these cells (ascending) and nothing else. Cells that share a face, an edge or a corner
+/// all round are inside of one box.
+std::vector<Box3> boxesOfCells(const CellGrid& grid, const std::vector<std::size_t>& cells);
+
+}  // namespace glissade

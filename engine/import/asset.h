@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/base/diagnostic.h"
+#include "engine/geometry/triangle_mesh.h"
+
+namespace glissade {
+
+enum class UpAxis { Y, Z };
+
+/// A file that geometry comes from.
+struct Asset {
+  std::string id;
+  std::string path;  ///< relative to the scenario's folder or absolute, '/' separated; assetFile() finds it
+  /// Of the content that was loaded, or when the scenario was saved; empty: unknown. Where a STEP file names others for
+  /// its parts, of their contents, too.
+  std::string sha256;
+  double unit = 1.0;  ///< metres per unit of the file (the chosen interpretation)
+  UpAxis up = UpAxis::Z;
+  double deflection = 0.0;  ///< metres that triangles may be off a STEP surface; 0: by the size of each part
+  bool closeHoles = false;  ///< of a mesh: planar holes are closed
+};
+
+struct MeshGeometry {
+  std::string asset;
+};
+/// All links (fixed joints) of a URDF file: bodies "<body id>/<link>", or the one compound object.
+struct UrdfGeometry {
+  std::string asset;
+};
+/// A part of a STEP file where its assembly has it, an assembly in it ("pump" has "pump/rotor"), or (empty)
+/// all of it: bodies "<body id>/<part>" where it is several, or the one compound object.
+struct StepGeometry {
+  std::string asset;
+  std::string part;
+};
+struct BoxGeometry {
+  Vector3 size;
+};
+struct CylinderGeometry {
+  double radius;
+  double length;
+};
+struct SphereGeometry {
+  double radius;
+};
+using Geometry = std::variant<MeshGeometry, UrdfGeometry, StepGeometry, BoxGeometry, CylinderGeometry, SphereGeometry>;
+
+/// One rigid part of what a geometry names, as read.
+struct GeometryPart {
+  std::string name;  ///< of the URDF link or STEP part; empty where there is only one part
+  MeshPtr mesh;      ///< in the part's frame P
+  Pose X_BP;
+  std::optional<std::array<double, 3>> colour;  ///< sRGB
+  double deflection = 0.0;                      ///< metres that the mesh is off a STEP surface, about; else 0
+  std::size_t facesWithoutMesh = 0;             ///< of STEP, that are missing because they could not be tessellated
+  bool isClosed = false;                        ///< known to be a closed surface; else it is to be found out
+  double coordinateSpacing = 0.0;  ///< metres that the mesh may be off the file: want of digits, closed T-junctions
+};
+struct LoadedGeometry {
+  std::vector<GeometryPart> parts;
+  Vector3 vertexMean = Vector3::Zero();  ///< of a mesh file's vertices, as imported, in the body's frame
+  /// Of the bytes that it was read from, and of the files that a STEP file names; empty for primitives.
+  std::string sha256;
+  Warnings warnings;  ///< what was lost, left out or added in reading it
+};
+using LoadedGeometryPtr = std::shared_ptr<const LoadedGeometry>;
+/// By what was asked for: a file and how it is interpreted, or a primitive's sizes.
+using GeometryCache = std::map<std::string, LoadedGeometryPtr>;
+
+}  // namespace glissade

@@ -1,0 +1,306 @@
+#include "engine/import/geometry_loader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/file.h"
+#include "engine/base/number_text.h"
+#include "engine/base/overloaded.h"
+#include "engine/geometry/mesh_edges.h"
+#include "engine/geometry/primitives.h"
+#include "engine/geometry/t_junctions.h"
+#include "engine/import/asset_path.h"
+#include "engine/import/hole_closing.h"
+#include "engine/import/import_limits.h"
+#include "engine/import/mesh_import.h"
+#include "engine/import/step_import.h"
+#include "engine/import/step_parts.h"
+#include "engine/import/urdf_import.h"
+
+namespace glissade {
+namespace {
+
+LoadedGeometry single(TriangleMesh mesh) {
+  LoadedGeometry geometry;
+  geometry.parts.push_back({"", std::make_shared<const TriangleMesh>(std::move(mesh)), Pose::identity(), std::nullopt});
+  return geometry;
+}
+
+}  // namespace
+
+const std::string* assetOf(const Geometry& geometry) {
+  return std::visit(
+      [](const auto& of) -> const std::string* {
+        if constexpr (requires { of.asset; }) {
+          return &of.asset;
+        } else {
+          return nullptr;
+        }
+      },
+      geometry);
+}
+
+namespace {
+
+const Asset& assetById(const std::string& id, const std::vector<Asset>& assets) {
+  return *std::find_if(assets.begin(), assets.end(), [&](const Asset& a) { return a.id == id; });
+}
+
+/// A triangle with two equal corners bounds nothing; people may want to know that their file has such.
+void warnOfRemovedTriangles(std::size_t count, const std::string& file, Warnings& warnings) {
+  if (count == 0) return;
+  warnings.push_back({ErrorKind::MalformedInput, file, "",
+                      "has " + std::to_string(count) + " triangles with two equal corners, which were left out",
+                      "They have no area, so that no surface is missing."});
+}
+
+/// People may want to know that their surface was changed, and by how little.
+void warnOfTJunctions(const ClosedAtTJunctions& closed, const std::string& file, Warnings& warnings) {
+  warnings.push_back(
+      {ErrorKind::MalformedInput, file, "",
+       "was closed along " + std::to_string(closed.edges) +
+           " edges on which vertices of neighbouring faces lie (T-junctions)",
+       "The surface has moved by at most " + toText(std::ceil(1e8 * closed.moved) / 1e2) + " micrometres."});
+}
+
+/// With its planar holes closed, and said.
+TriangleMesh withoutHoles(const TriangleMesh& mesh, const std::string& file, Warnings& warnings) {
+  ClosedHoles closed = withPlanarHolesClosed(mesh);
+  if (closed.closed + closed.left == 0) return mesh;
+  warnings.push_back({ErrorKind::MalformedInput, file, "",
+                      "had " + std::to_string(closed.closed) + " planar holes, which were closed as asked for; " +
+                          std::to_string(closed.left) + " holes are left open",
+                      "Look at them: what is behind a closed hole is solid."});
+  return std::move(closed.mesh);
+}
+
+/// Of the file's bytes; where it names others for its parts, of all their hashes and names.
+std::string hashOf(const FileContent& content, const StepProduct& product) {
+  std::string hash = sha256(content.bytes);
+  if (product.partFiles.empty()) return hash;
+  for (const StepPartFile& file : product.partFiles) hash += "\n" + file.sha256 + " " + file.name;
+  return sha256(hash);
+}
+
+}  // namespace
+
+std::string geometryKey(const Geometry& geometry, const std::vector<Asset>& assets, const std::string& folder) {
+  const auto ofAsset = [&](const std::string& kind, const std::string& id) {
+    const Asset& asset = assetById(id, assets);
+    return kind + (asset.closeHoles ? " closed " : " ") + toText(asset.unit) + (asset.up == UpAxis::Y ? " y " : " z ") +
+           withoutLinks(assetFile(asset, folder));
+  };
+  return std::visit(Overloaded{[&](const MeshGeometry& mesh) { return ofAsset("mesh", mesh.asset); },
+                               [&](const UrdfGeometry& urdf) { return ofAsset("urdf", urdf.asset); },
+                               [&](const StepGeometry& step) {
+                                 const double deflection = assetById(step.asset, assets).deflection;
+                                 return ofAsset("step " + toText(deflection), step.asset) +
+                                        (step.part.empty() ? "" : " : " + step.part);
+                               },
+                               [](const BoxGeometry& box) {
+                                 return "box " + toText(box.size.x()) + " " + toText(box.size.y()) + " " +
+                                        toText(box.size.z());
+                               },
+                               [](const CylinderGeometry& cylinder) {
+                                 return "cylinder " + toText(cylinder.radius) + " " + toText(cylinder.length);
+                               },
+                               [](const SphereGeometry& sphere) { return "sphere " + toText(sphere.radius); }},
+                    geometry);
+}
+
+GeometryLoader::GeometryLoader(const std::vector<Asset>& assets, std::string folder, std::string file,
+                               GeometryCache known, StopToken stop)
+    : assets_(assets),
+      folder_(std::move(folder)),
+      file_(std::move(file)),
+      known_(std::move(known)),
+      stop_(std::move(stop)) {}
+
+Result<LoadedGeometryPtr> GeometryLoader::load(const Geometry& geometry) {
+  const std::string key = geometryKey(geometry, assets_, folder_);
+  LoadedGeometryPtr& loaded = loaded_[key];
+  if (const auto known = known_.find(key); !loaded && known != known_.end()) loaded = known->second;
+  if (!loaded) {
+    auto read = this->read(geometry);
+    if (!read) return read.error();
+    loaded = std::make_shared<const LoadedGeometry>(std::move(*read));
+  }
+  if (const std::string* asset = assetOf(geometry)) hashes_[*asset] = loaded->sha256;
+  takeWarnings(*loaded);
+  return loaded;
+}
+
+/// Each once, also where it was read before and several bodies have it.
+void GeometryLoader::takeWarnings(const LoadedGeometry& geometry) {
+  for (const Diagnostic& warning : geometry.warnings) {
+    const bool known = std::any_of(warnings_.begin(), warnings_.end(), [&](const Diagnostic& other) {
+      return other.file == warning.file && other.location == warning.location && other.reason == warning.reason;
+    });
+    if (!known) warnings_.push_back(warning);
+  }
+}
+
+void GeometryLoader::noteHashes(std::vector<Asset>& assets) const {
+  for (Asset& asset : assets) {
+    const auto found = hashes_.find(asset.id);
+    if (found != hashes_.end()) asset.sha256 = found->second;
+  }
+}
+
+Result<LoadedGeometry> GeometryLoader::read(const Geometry& geometry) {
+  using Read = Result<LoadedGeometry>;
+  return std::visit(
+      Overloaded{[this](const MeshGeometry& mesh) -> Read { return readMesh(assetById(mesh.asset, assets_)); },
+                 [this](const UrdfGeometry& urdf) -> Read { return readUrdf(assetById(urdf.asset, assets_)); },
+                 [this](const StepGeometry& step) -> Read {
+                   return step.part.empty() ? readStep(assetById(step.asset, assets_)) : partOf(step);
+                 },
+                 [](const BoxGeometry& box) -> Read { return single(makeBox(box.size)); },
+                 [](const CylinderGeometry& cylinder) -> Read {
+                   return single(makeCylinder(cylinder.radius, cylinder.length));
+                 },
+                 [](const SphereGeometry& sphere) -> Read { return single(makeSphere(sphere.radius)); }},
+      geometry);
+}
+
+/// Reads the file of an asset, once.
+Result<FileContent> GeometryLoader::readAsset(const Asset& asset) {
+  auto content = readContent(assetFile(asset, folder_), mostFileBytes());
+  if (content) noteHash(asset, content->file, sha256(content->bytes));
+  return content;
+}
+
+/// Warns where what was read is not what the scenario was saved with.
+void GeometryLoader::noteHash(const Asset& asset, const std::string& file, const std::string& hash) {
+  hashes_[asset.id] = hash;
+  if (asset.sha256.empty() || hash == asset.sha256) return;
+  warnings_.push_back({ErrorKind::MalformedInput, file, "", "has changed since the scenario was saved",
+                       "Check the scenario and save it again."});
+}
+
+Result<LoadedGeometry> GeometryLoader::readMesh(const Asset& asset) {
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  auto imported = importMesh(*content, stop_);
+  if (!imported) return imported.error();
+  const std::size_t triangles = imported->mesh.triangles.size();
+  TriangleMesh mesh = welded(interpreted(std::move(imported->mesh), asset.unit, asset.up));
+  if (mesh.empty()) {
+    return Diagnostic{ErrorKind::MalformedInput, content->file, "", "holds no triangle with three corners",
+                      "Export the part again."};
+  }
+  Warnings warnings = imported->warnings;
+  warnOfRemovedTriangles(triangles - mesh.triangles.size(), content->file, warnings);
+  double moved = 0.0;
+  const bool isClosed = edgeFactsOf(mesh).consistentlyOriented;
+  if (auto closed = isClosed ? std::nullopt : closedAtTJunctions(mesh)) {
+    warnOfTJunctions(*closed, content->file, warnings);
+    mesh = std::move(closed->mesh);
+    moved = closed->moved;
+  }
+  if (asset.closeHoles) mesh = withoutHoles(mesh, content->file, warnings);
+  LoadedGeometry geometry = single(std::move(mesh));
+  geometry.warnings = std::move(warnings);
+  GeometryPart& part = geometry.parts.front();
+  part.isClosed = isClosed;
+  part.coordinateSpacing = asset.unit * imported->coordinateSpacing + moved;
+  TriangleMesh point;
+  point.vertices = {imported->vertexMean};
+  geometry.vertexMean = interpreted(point, asset.unit, asset.up).vertices.front();
+  geometry.sha256 = hashes_[asset.id];
+  return geometry;
+}
+
+Result<LoadedGeometry> GeometryLoader::readUrdf(const Asset& asset) {
+  if (const Outcome sound = checkOwnUnit(asset, "URDF"); !sound) return sound.error();
+  const auto content = readAsset(asset);
+  if (!content) return content.error();
+  auto links = importUrdf(*content, folderOf(content->file), stop_);
+  if (!links) return links.error();
+  LoadedGeometry geometry;
+  geometry.sha256 = hashes_[asset.id];
+  for (UrdfLink& link : *links) {
+    geometry.parts.push_back(
+        {link.name, std::make_shared<const TriangleMesh>(std::move(link.mesh)), link.X_RL, link.colour});
+    geometry.parts.back().coordinateSpacing = link.coordinateSpacing;
+  }
+  return geometry;
+}
+
+Result<LoadedGeometry> GeometryLoader::readStep(const Asset& asset) {
+  if (const Outcome sound = checkOwnUnit(asset, "STEP"); !sound) return sound.error();
+  const auto content = readContent(assetFile(asset, folder_), mostFileBytes());
+  if (!content) return content.error();
+  const auto product = importStep(*content, asset.deflection, stop_);
+  if (!product) return product.error();
+  noteHash(asset, content->file, hashOf(*content, *product));
+  const std::vector<StepPart>& parts = product->parts;
+  LoadedGeometry geometry;
+  geometry.warnings = product->warnings;
+  geometry.sha256 = hashes_[asset.id];
+  for (const StepPart& part : parts) {
+    const std::string name = parts.size() == 1 ? "" : part.path;
+    geometry.parts.push_back({name, part.mesh, part.X_FP, part.colour, part.deflection, part.facesWithoutMesh});
+  }
+  return geometry;
+}
+
+/// Of the file as a whole, which is read once.
+Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
+  const auto whole = load(StepGeometry{step.asset, ""});
+  if (!whole) return whole.error();
+  LoadedGeometry geometry;
+  geometry.sha256 = (*whole)->sha256;
+  geometry.warnings = (*whole)->warnings;
+  for (const GeometryPart& part : (*whole)->parts) {
+    if (!isWithin(part.name, step.part)) continue;
+    geometry.parts.push_back(part);
+    geometry.parts.back().name = nameWithin(part.name, step.part);
+  }
+  if (!geometry.parts.empty()) return geometry;
+  return noSuchPart(assetFile(assetById(step.asset, assets_), folder_), step.part, namesOf(**whole));
+}
+
+Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind) const {
+  if (asset.unit == 1.0 && asset.up == UpAxis::Z) return Done{};
+  return Diagnostic{ErrorKind::MalformedInput, file_, "asset '" + asset.id + "'",
+                    "has a unit or an up-axis, but a " + kind + " file says itself what its numbers mean, and is z up",
+                    "Leave out 'unit' and 'up_axis'."};
+}
+
+std::string partId(const std::string& bodyId, const GeometryPart& part) {
+  if (bodyId.empty() || part.name.empty()) return bodyId + part.name;
+  return bodyId + "/" + part.name;
+}
+
+void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
+                        Warnings& warnings) {
+  for (const GeometryPart& part : geometry.parts) {
+    if (part.facesWithoutMesh == 0) continue;
+    warnings.push_back({ErrorKind::MalformedInput, file, "body '" + partId(bodyId, part) + "'",
+                        "is not closed: faces or boundaries that could not be made: " +
+                            std::to_string(part.facesWithoutMesh) + "; proofs take what is missing as free space",
+                        "Do not trust paths near it; export it again, or as a mesh."});
+  }
+}
+
+TriangleMesh wholeMesh(const LoadedGeometry& geometry, const Vector3& reference) {
+  TriangleMesh mesh;
+  for (const GeometryPart& part : geometry.parts) append(mesh, transformed(*part.mesh, part.X_BP));
+  return reference.isZero(0.0) ? mesh : transformed(mesh, Pose::translation(-reference));
+}
+
+Box3 boxOf(const LoadedGeometry& geometry) {
+  Box3 box;
+  for (const GeometryPart& part : geometry.parts) box.extend(boundingBox(*part.mesh, part.X_BP));
+  return box;
+}
+
+TriangleMesh interpreted(TriangleMesh mesh, double unit, UpAxis up) {
+  const Pose upright{Vector3::Zero(),
+                     up == UpAxis::Y ? fromRollPitchYaw(std::acos(0.0), 0.0, 0.0) : Quaternion::Identity()};
+  for (Vector3& vertex : mesh.vertices) vertex = upright * Vector3(unit * vertex);
+  return mesh;
+}
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#include "engine/import/json_checksum.h"
+
+#include "engine/base/file.h"
+
+namespace glissade {
+namespace {
+
+using Json = JsonCursor::Json;
+
+constexpr const char* kKey = "checksum";
+
+/// Of an object without the member.
+std::string checksumOf(const Json& object) { return "sha256:" + sha256(jsonText(object)); }
+
+}  // namespace
+
+void addChecksum(Json& object) { object[kKey] = checksumOf(object); }
+
+ChecksumState takeChecksum(Json& document) {
+  if (!document.is_object() || !document.contains(kKey)) return ChecksumState::Missing;
+  const Json stated = document[kKey];
+  document.erase(kKey);
+  return stated == checksumOf(document) ? ChecksumState::Right : ChecksumState::Wrong;
+}
+
+Diagnostic wrongChecksum(const std::string& file, const std::string& advice) {
+  return {ErrorKind::MalformedInput, file, "/checksum",
+          "does not fit the content: the file was edited outside of Glissade, or it is damaged", advice};
+}
+
+}  // namespace glissade

@@ -1,0 +1,134 @@
+#include "engine/scenario/judged_product.h"
+
+#include "engine/product/contact_report.h"
+
+namespace glissade {
+namespace {
+
+check::FitWords judgedFits(const FitSettings& fits) {
+  check::FitWords words{fits.on, fits.acceptedClash, {}};
+  for (const FitEdit& edit : fits.pairs) {
+    check::PairWord word{edit.a, edit.b};
+    if (edit.kind) word.kind = kindName(*edit.kind);
+    word.allowance = edit.allowance;
+    word.accepted = edit.accepted;
+    word.pitch = edit.pitch;
+    word.turned = edit.turned;
+    words.pairs.push_back(std::move(word));
+  }
+  return words;
+}
+
+std::vector<check::Point> judgedPoints(const std::vector<PathPoint>& points) {
+  std::vector<check::Point> judged;
+  for (const PathPoint& point : points) judged.push_back({point.q, point.author == Author::Contact});
+  return judged;
+}
+
+check::Demands judgedDemands(const SequenceDemands& demands) {
+  check::Demands judged{demands.together, demands.before, {}, {}, {}};
+  for (const DemandedPlace& each : demands.places) judged.places.push_back({each.bodies, each.place});
+  for (const DemandedMotion& each : demands.motions) {
+    judged.motions.push_back({each.bodies, configurationsOf(each.path)});
+  }
+  for (const ForbiddenDirection& each : demands.forbidden) judged.forbidden.emplace_back(each.body, each.direction);
+  return judged;
+}
+
+const char* nameOf(StepViolation::Rule rule) {
+  switch (rule) {
+    case StepViolation::Rule::Before: return "before";
+    case StepViolation::Rule::Fastener: return "fastener";
+    case StepViolation::Rule::Standing: return "standing";
+    case StepViolation::Rule::Place: return "place";
+  }
+  return "";
+}
+
+check::Step judgedStep(const AssemblyStep& step) {
+  check::Step judged{step.bodies(), judgedPoints(step.path), step.after, {}, {}, true};
+  for (const StepAllowance& each : step.allowances) {
+    check::StatedAllowance allowance{each.moving, each.body, each.allowance, each.yields};
+    if (each.pitch != 0.0) allowance.pitch = each.pitch;
+    judged.allowances.push_back(std::move(allowance));
+  }
+  for (const StepViolation& each : step.violates) judged.violates.push_back({nameOf(each.rule), each.bodies});
+  return judged;
+}
+
+const char* nameOf(PlanEnd end) {
+  switch (end) {
+    case PlanEnd::Complete: return "complete";
+    case PlanEnd::Stuck: return "stuck";
+    case PlanEnd::TimeLimit: return "time_limit";
+    case PlanEnd::Interrupted: return "interrupted";
+  }
+  return "";
+}
+
+double valueOf(const std::map<std::string, double>& values, const std::string& id) {
+  const auto known = values.find(id);
+  return known == values.end() ? 0.0 : known->second;
+}
+
+}  // namespace
+
+std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
+  std::vector<check::Body> judged;
+  for (const RigidBody& body : bodies) judged.push_back({body.id, body.name, body.mesh, body.X_WB});
+  return judged;
+}
+
+check::Product judgedProduct(const AssembledProduct& product) {
+  check::Product judged{judgedBodies(product.bodies), judgedFits(product.fits)};
+  for (std::size_t i = 0; i < judged.bodies.size() && i < product.deflections.size(); ++i) {
+    judged.bodies[i].deflection = product.deflections[i];
+  }
+  return judged;
+}
+
+check::Plan judgedPlan(const AssemblyPlan& plan) {
+  check::Plan judged;
+  judged.bodies = plan.bodies;
+  judged.staying = plan.staying;
+  for (const AssemblyStep& step : plan.steps) judged.steps.push_back(judgedStep(step));
+  judged.end = nameOf(plan.end);
+  judged.demands = judgedDemands(plan.demands);
+  judged.deflection = plan.deflection;
+  return judged;
+}
+
+check::Question judgedQuestion(const LoadedScenario& scenario) {
+  check::Question question;
+  question.product.bodies = judgedBodies(scenario.obstacles);
+  question.product.bodies.push_back(judgedBodies({scenario.object}).front());
+  question.product.bodies.back().X_WB = scenario.problem.start;
+  for (check::Body& body : question.product.bodies) {
+    body.deflection = valueOf(scenario.deflections, body.id);
+    body.spacing = valueOf(scenario.coordinateSpacings, body.id);
+  }
+  question.product.fits = judgedFits(scenario.scenario.fits);
+  question.product.demands = judgedDemands(scenario.scenario.sequence);
+  if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.goal = *goal;
+  question.workspace = scenario.problem.bounds;
+  question.requiredClearance = scenario.parameters[ParameterId::RequiredClearance];
+  question.contactGap = scenario.parameters[ParameterId::ContactGap];
+  return question;
+}
+
+check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
+  check::Path path{judgedPoints(points), std::vector<check::StatedAllowance>()};
+  for (const Fit& fit : scenario.fits.allowed) {
+    check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
+    if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
+    path.allowances->push_back(std::move(allowance));
+  }
+  return path;
+}
+
+check::PlanVerdict judgePlan(const AssemblyPlan& plan, const AssembledProduct& product, std::optional<double> required,
+                             const StopToken& stop) {
+  return check::judgePlan(judgedProduct(product), judgedPlan(plan), required, WorkWatch(stop));
+}
+
+}  // namespace glissade

@@ -1,0 +1,132 @@
+#include "engine/check/evidence.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/random_stream.h"
+#include "engine/check/overlap.h"
+#include "tests/engine/check/check_bodies.h"
+
+namespace glissade::check {
+namespace {
+
+PlacedBody placed(const Body& body) { return PlacedBody(body, body.X_WB); }
+
+/// The largest distance from the surface of points of the other surface that are inside, by dense samples.
+double sampledDepth(const PlacedBody& body, const PlacedBody& other, int steps) {
+  double deepest = 0.0;
+  for (const Triangle& t : other.tree.triangles()) {
+    for (int i = 0; i <= steps; ++i) {
+      for (int k = 0; i + k <= steps; ++k) {
+        const Vector3 p = t[0] + (t[1] - t[0]) * i / steps + (t[2] - t[0]) * k / steps;
+        if (body.contains(p)) deepest = std::max(deepest, body.tree.nearest(p, 1e9).distance);
+      }
+    }
+  }
+  return deepest;
+}
+
+TEST(FaceRegions, APrismOfTwelveSidesIsOneFaceAndOneOfEightIsEight) {
+  EXPECT_EQ(faceRegionsOf(test::prism(12, 0.02, 0.01)).count, 3U);
+  EXPECT_EQ(faceRegionsOf(test::prism(8, 0.02, 0.01)).count, 10U);
+  EXPECT_EQ(faceRegionsOf(makeBox({1, 2, 3})).count, 6U);
+  const FaceRegions round = faceRegionsOf(test::prism(36, 0.02, 0.01));
+  EXPECT_NEAR(*std::max_element(round.sagitta.begin(), round.sagitta.end()),
+              0.02 * (1.0 - std::cos(std::numbers::pi / 36)), 1e-6);
+}
+
+TEST(Overlap, IsWhatDenseSamplesShow) {
+  RandomStream stream(5, "overlap");
+  for (int i = 0; i < 25; ++i) {
+    const double overlap = stream.uniform(1e-5, 8e-4);
+    Body block = test::checkBody("block", makeBox({0.02, 0.02, 0.02}));
+    Body other = i % 2 == 0 ? test::checkBody("other", makeBox({0.01, 0.015, 0.02}))
+                            : test::checkBody("other", test::prism(12, 0.006, 0.02));
+    other.X_WB.position = {stream.uniform(-0.008, 0.008), stream.uniform(-0.008, 0.008),
+                           0.01 - overlap + (i % 2 == 0 ? 0.01 : 0.0)};
+    const PlacedBody a = placed(block);
+    const PlacedBody b = placed(other);
+    const double expected = sampledDepth(a, b, 40);
+    const Overlap found = overlapIn(a, b, {});
+    EXPECT_GE(found.deepest, expected * 0.99) << i;
+    EXPECT_LE(found.deepest, overlap * 1.0001) << i;
+    EXPECT_GE(*std::max_element(found.depths.begin(), found.depths.end()), expected) << i;
+    EXPECT_LE(*std::max_element(found.depths.begin(), found.depths.end()), 1.02 * overlap + 2e-7) << i;
+    EXPECT_NEAR(found.thickness, 0.02, 1e-9);
+  }
+}
+
+/// Coplanar faces of different sizes, in a corner, and around a hole: nothing is inside.
+TEST(Overlap, OfFacesThatCoincideIsNothing) {
+  const PlacedBody plate = placed(test::checkBody("plate", test::holedPlate(24, 0.01, 0.03, -0.005, 0.0)));
+  const PlacedBody block = placed(test::checkBody("block", makeBox({0.05, 0.01, 0.01}), {0.0, 0.013, 0.005}));
+  for (const auto& [one, other] : {std::pair(&plate, &block), std::pair(&block, &plate)}) {
+    const Overlap found = overlapIn(*one, *other, {});
+    EXPECT_LE(*std::max_element(found.depths.begin(), found.depths.end()), 1.1e-7);
+  }
+}
+
+/// A knob of twelve sides under a lip that overlaps it by 0.8 mm: all planes, so that nothing is off anything.
+TEST(Evidence, APrismIsNoCylinder) {
+  const Body knob = test::checkBody("knob", test::prism(12, 0.02, 0.02));
+  const Body lip = test::checkBody("lip", test::holedPlate(12, 0.0192, 0.04, 0.015, 0.03));
+  const PairBounds bounds = boundsOf(placed(knob), placed(lip), {true, 0.0, {}}, nullptr, {});
+  EXPECT_TRUE(bounds.one.refused.empty()) << bounds.one.refused;
+  EXPECT_NEAR(bounds.one.largest.overlap, 0.0008 * std::cos(std::numbers::pi / 12), 2e-5);
+  EXPECT_EQ(bounds.one.largest.deflection, 0.0);
+  EXPECT_LT(bounds.one.most, 0.00082);
+  EXPECT_GT(bounds.one.most, 0.00076);
+}
+
+TEST(Evidence, PairsThatAreApartHaveNone) {
+  const Body block = test::checkBody("block", makeBox({0.02, 0.02, 0.02}));
+  const PlacedBody a = placed(block);
+  const PlacedBody near = placed(test::checkBody("near", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.020002}));
+  const PlacedBody apart = placed(test::checkBody("apart", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.020004}));
+  const FitWords on{true, 0.0, {}};
+  const PairBounds touching = boundsOf(a, near, on, nullptr, {});
+  EXPECT_TRUE(touching.one.inFit);
+  EXPECT_DOUBLE_EQ(touching.one.most, assembledMargin(a.radius)) << "no more than the gap that remains";
+  EXPECT_EQ(
+      std::count_if(touching.one.atMost.begin(), touching.one.atMost.end(), [](double each) { return each > 0.0; }), 2)
+      << "the face that touches, no other";
+  EXPECT_FALSE(boundsOf(a, apart, on, nullptr, {}).one.inFit);
+  EXPECT_EQ(boundsOf(a, apart, on, nullptr, {}).one.most, 0.0);
+}
+
+TEST(Evidence, AClashIsNothingUnlessAPersonAcceptsIt) {
+  const PlacedBody a = placed(test::checkBody("a", makeBox({0.02, 0.02, 0.02})));
+  const PlacedBody b = placed(test::checkBody("b", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.0188}));
+  const FitWords on{true, 0.0, {}};
+  const PairBounds clash = boundsOf(a, b, on, nullptr, {});
+  EXPECT_EQ(clash.one.most, 0.0);
+  EXPECT_NE(clash.one.refused.find("1.2 mm"), std::string::npos);
+  PairWord word{"a", "b"};
+  word.accepted = true;
+  EXPECT_NEAR(boundsOf(a, b, on, &word, {}).one.most, 0.0012, 3e-5);
+  EXPECT_NEAR(boundsOf(a, b, {true, 0.0013, {}}, nullptr, {}).one.most, 0.0012, 3e-5);
+  PairWord hand{"a", "b"};
+  hand.allowance = 0.003;
+  EXPECT_EQ(boundsOf(a, b, on, &hand, {}).one.most, 0.003);
+}
+
+TEST(Evidence, DeflectionIsWhatFilesStateAndNoGuess) {
+  Body shaft = test::checkBody("shaft", test::prism(36, 0.01, 0.02));
+  const Body hole = test::checkBody("hole", test::holedPlate(36, 0.01, 0.03, 0.0, 0.02));
+  const FitWords on{true, 0.0, {}};
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 0.0);
+  shaft.deflection = 2e-5;
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 2e-5);
+  TriangleMesh faced = *shaft.mesh;
+  faced.faces = {SurfaceFace{.deflection = 3e-6}, SurfaceFace{.kind = SurfaceFace::Kind::Plane}};
+  for (std::size_t t = 0; t < faced.triangles.size(); ++t) faced.faceOf.push_back(t % 4 < 2 ? 0 : 1);
+  shaft.mesh = std::make_shared<const TriangleMesh>(faced);
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 3e-6) << "per face only";
+  PairWord said{"shaft", "hole"};
+  said.kind = "cylindrical";
+  const double sagitta = 0.01 * (1.0 - std::cos(std::numbers::pi / 36));
+  EXPECT_NEAR(boundsOf(placed(shaft), placed(hole), on, &said, {}).one.largest.byPerson, sagitta, 1e-7)
+      << "of the hole, whose file states no faces";
+}
+
+}  // namespace
+}  // namespace glissade::check

@@ -1,0 +1,127 @@
+#include "engine/check/plan_verdict.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/check/verdict_report.h"
+#include "engine/scenario/judged_product.h"
+#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/sequence/products.h"
+
+namespace glissade {
+namespace {
+
+std::string whyNot(const check::PlanVerdict& verdict, const AssembledProduct& product) {
+  return check::reportText(verdict, judgedProduct(product));
+}
+
+TEST(PlanVerdict, AgreesWithThePlanner) {
+  const AssembledProduct product = test::lockedDrawer();
+  const AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"cap", "pin", "drawer"}));
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_EQ(verdict.steps.size(), 3U);
+  EXPECT_TRUE(verdict.valid()) << whyNot(verdict, product);
+}
+
+TEST(PlanVerdict, RefusesAnOrderThatIsNotFree) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  std::swap(plan.steps[1], plan.steps[2]);
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(verdict.steps[0].valid());
+  EXPECT_FALSE(verdict.steps[1].valid()) << "the drawer through its pin";
+  EXPECT_EQ(verdict.steps[1].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("pin")));
+}
+
+/// What a step is said not to be after may be there.
+TEST(PlanVerdict, RefusesAPrecedenceThatLeavesSomethingOut) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  EXPECT_EQ(plan.steps[1].after, std::vector<std::size_t>{1});
+  plan.steps[1].after.clear();
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(verdict.steps[0].valid());
+  EXPECT_FALSE(verdict.steps[1].valid()) << "the pin under its cap";
+}
+
+TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  plan.steps[0].path.pop_back();
+  plan.steps[1].allowances.push_back({"cabinet", ContactKind::Planar, 0.0, 1e-3, ""});
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  EXPECT_FALSE(verdict.steps[0].endsOutside);
+  ASSERT_FALSE(verdict.steps[1].refusals.empty());
+  EXPECT_NE(verdict.steps[1].refusals[0].find("'pin' 1 mm thinner against 'cabinet'"), std::string::npos);
+  EXPECT_TRUE(verdict.steps[2].valid());
+}
+
+/// A plate on a bolt with a nut on either side of it, both pairs marked as threads.
+AssembledProduct boltedPlate() {
+  AssembledProduct product =
+      test::productOf({test::partAt("plate", test::makeRing(0.006, 0.05, 0.006, 40), Pose::identity()),
+                       test::partAt("bolt", test::plainBolt(), Pose::identity()),
+                       test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, 0.0075})),
+                       test::partAt("nut#2", test::hexNut(), Pose::translation({0.0, 0.0, -0.0075}))},
+                      true);
+  product.fits.pairs = {{"nut", "bolt", ContactKind::Thread, {}, false},
+                        {"bolt", "nut#2", ContactKind::Thread, {}, false}};
+  return product;
+}
+
+TEST(PlanVerdict, NutsLeaveTheirBoltFirstAndByTurningOnly) {
+  const AssembledProduct product = boltedPlate();
+  const AssemblyPlan plan = test::planOf(product, "plate");
+  ASSERT_EQ(test::orderOf(plan), (std::vector<std::string>{"nut", "nut#2", "bolt"}));
+  EXPECT_EQ(plan.steps[0].method, "turned");
+  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_NEAR(plan.steps[0].allowances[0].turns, 0.0115 / test::kCoarsePitch, 0.1);
+  EXPECT_EQ(plan.steps[2].method, "straight");
+  const check::PlanVerdict turned = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(turned.valid()) << whyNot(turned, product);
+
+  AssemblyPlan pulling = plan;
+  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
+  const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
+  EXPECT_FALSE(verdict.steps[0].valid());
+  EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
+  EXPECT_EQ(verdict.steps[0].motion.verdict.nearest.body, static_cast<int>(*product.indexOf("bolt")));
+}
+
+/// A nut on a bolt that stays, and a cap that leaves with the nut as one.
+TEST(PlanVerdict, AGroupWithANutLeavesTheBoltByTurningOnly) {
+  AssembledProduct product = test::productOf(
+      {test::partAt("bolt", test::plainBolt(), Pose::identity()),
+       test::partAt("nut", test::hexNut(), Pose::translation({0.0, 0.0, 0.0075})),
+       test::partAt("cap", test::makeRing(0.006, 0.009, 0.004, 40), Pose::translation({0.0, 0.0, 0.0137}))},
+      true);
+  product.fits.pairs = {{"nut", "bolt", ContactKind::Thread, {}, false}};
+  const ProductFits fits = test::fitsOf(product);
+  MotionTrial trial(product, fits, 1, 0);
+  test::QuietHost host;
+  SequenceQuestion question{product, {true, false, false}, 1, trial};
+  question.rules.together = {{1, 2}};
+  const AssemblyPlan plan = makeSequenceStrategyRegistry().find("greedy")->make()->plan(question, host);
+  ASSERT_EQ(plan.steps.size(), 1U);
+  EXPECT_EQ(plan.steps[0].bodies(), (std::vector<std::string>{"nut", "cap"}));
+  EXPECT_EQ(plan.steps[0].method, "turned");
+  ASSERT_EQ(plan.steps[0].allowances.size(), 1U);
+  EXPECT_EQ(plan.steps[0].allowances[0].pitch, test::kCoarsePitch);
+  EXPECT_GT(plan.steps[0].allowances[0].turns, 7.0);
+  const check::PlanVerdict turned = judgePlan(plan, product, std::nullopt);
+  EXPECT_TRUE(turned.valid()) << whyNot(turned, product);
+
+  AssemblyPlan pulling = plan;
+  pulling.steps[0].path = {plan.steps[0].path.front(), plan.steps[0].path.back()};
+  pulling.steps[0].path.back().q.orientation = pulling.steps[0].path.front().q.orientation;
+  const check::PlanVerdict verdict = judgePlan(pulling, product, std::nullopt);
+  EXPECT_FALSE(verdict.steps[0].valid());
+  EXPECT_TRUE(verdict.steps[0].motion.verdict.againstThread);
+}
+
+}  // namespace
+}  // namespace glissade
