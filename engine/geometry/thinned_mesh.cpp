@@ -66,6 +66,16 @@ std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   return shells;
 }
 
+/// Numbers of the triangles with three different corners: those that welded() keeps, in their order.
+std::vector<std::uint32_t> keptTriangles(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = cornersOf(mesh, mesh.triangles[t]);
+    if (a != b && b != c && c != a) kept.push_back(t);
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
@@ -73,11 +83,14 @@ std::optional<ThinnableMesh> ThinnableMesh::of(const TriangleMesh& mesh) {
   if (joined.empty() || !edgeFactsOf(joined).consistentlyOriented) return std::nullopt;
   const double volume = signedVolume(joined);
   if (!(std::abs(volume) > 0.0)) return std::nullopt;
-  return ThinnableMesh(std::move(joined), volume < 0.0 ? -1.0 : 1.0);
+  std::vector<std::uint32_t> sources = keptTriangles(mesh);
+  if (sources.size() != joined.triangles.size()) return std::nullopt;
+  return ThinnableMesh(std::move(joined), std::move(sources), volume < 0.0 ? -1.0 : 1.0);
 }
 
-ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
+ThinnableMesh::ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense)
     : mesh_(std::move(mesh)),
+      sources_(std::move(sources)),
       surface_(mesh_),
       interior_(mesh_, true),
       corners_(mesh_.vertices.size()),
@@ -105,7 +118,10 @@ ThinnableMesh::ThinnableMesh(TriangleMesh mesh, double sense)
   }
 }
 
-Vector3 ThinnableMesh::moveOf(std::size_t vertex, double allowance) const {
+Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& allowances) const {
+  double largest = 0.0;
+  for (const auto& [f, angle] : corners_[vertex]) largest = std::max(largest, allowances[f]);
+  if (largest <= 0.0) return Vector3::Zero();
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vector3 moments = Vector3::Zero();
   Vector3 mean = Vector3::Zero();
@@ -114,14 +130,14 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, double allowance) const {
     const Face& face = faces_[f];
     mean += angle * face.normal;
     matrix += angle * face.normal * face.normal.transpose();
-    moments -= angle * std::min(allowance, face.room) * face.normal;
+    moments -= angle * std::min(allowances[f], face.room) * face.normal;
     weights += angle;
   }
   if (!(weights > 0.0)) return Vector3::Zero();
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
-  if (const auto move = shortened(least, vertex, allowance)) return *move;
-  return shortened(-allowance * mean.stableNormalized(), vertex, allowance).value_or(Vector3::Zero());
+  if (const auto move = shortened(least, vertex, largest)) return *move;
+  return shortened(-largest * mean.stableNormalized(), vertex, largest).value_or(Vector3::Zero());
 }
 
 /// As far as the faces at the vertex have room; nothing where one of them would move outwards.
@@ -192,8 +208,18 @@ bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
+  return thinnedFaces(std::vector<double>(faces_.size(), allowance));
+}
+
+std::optional<TriangleMesh> ThinnableMesh::thinned(const std::vector<double>& allowances) const {
+  std::vector<double> ofFaces;
+  for (const std::uint32_t source : sources_) ofFaces.push_back(allowances[source]);
+  return thinnedFaces(ofFaces);
+}
+
+std::optional<TriangleMesh> ThinnableMesh::thinnedFaces(const std::vector<double>& allowances) const {
   std::vector<Vector3> moves;
-  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowance));
+  for (std::size_t vertex = 0; vertex < mesh_.vertices.size(); ++vertex) moves.push_back(moveOf(vertex, allowances));
   std::vector<std::uint32_t> unsure(mesh_.triangles.size());
   std::iota(unsure.begin(), unsure.end(), 0U);
   for (int round = 0; round <= kMostHalvings; ++round) {

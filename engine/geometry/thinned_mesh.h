@@ -16,11 +16,11 @@ inline constexpr double kLongestThinning = 2.0;
 
 /// A closed body that can be taken thinner.
 ///
-/// Definition. A face may move inwards by its room: the allowance, or a fifth of the thickness below the face where
+/// Definition. A face may move inwards by its room: its allowance, or a fifth of the thickness below the face where
 /// that is less. A vertex moves to where the planes of its faces, each moved by its room, meet: the least squares'
-/// solution with the faces' angles as weights; where that moves a face outwards, by an allowance against the mean of
-/// the normals, with the same weights. The move is shortened so that no face moves farther than its room, and the
-/// vertex by no more than two allowances; where a face moves outwards still, the vertex stays. So the thinned body is
+/// solution with the faces' angles as weights; where that moves a face outwards, by the largest allowance of these faces
+/// against the mean of the normals, with the same weights. The move is shortened so that no face moves farther than the
+/// largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves outwards still, the vertex stays. So the thinned body is
 /// inside the true one, and holds every point of it that is deeper than two allowances.
 ///
 /// Immutable, shared by threads.
@@ -32,6 +32,9 @@ class ThinnableMesh {
   /// The mesh thinned by an allowance (metres, > 0). Where a moved triangle would meet the true surface, its corners
   /// move less. Nothing where that does not help: the body has no place for it.
   std::optional<TriangleMesh> thinned(double allowance) const;
+  /// Each triangle of the mesh that this was made of has an allowance of its own, metres, >= 0. Faces without one stay
+  /// whole, except where they share a vertex with one that has.
+  std::optional<TriangleMesh> thinned(const std::vector<double>& allowances) const;
 
   /// The largest thickness below a face, metres: an allowance above a fifth of it is nowhere taken in full.
   double thickness() const { return thickness_; }
@@ -47,8 +50,9 @@ class ThinnableMesh {
   };
 
   /// `sense`: 1 where triangles run counter-clockwise seen from outside, else -1.
-  ThinnableMesh(TriangleMesh mesh, double sense);
-  Vector3 moveOf(std::size_t vertex, double allowance) const;
+  ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense);
+  std::optional<TriangleMesh> thinnedFaces(const std::vector<double>& allowances) const;
+  Vector3 moveOf(std::size_t vertex, const std::vector<double>& allowances) const;
   std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, double allowance) const;
   std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned,
                                              const std::vector<std::uint32_t>& among) const;
@@ -56,6 +60,7 @@ class ThinnableMesh {
   bool isInside(const TriangleMesh& thinned) const;
 
   TriangleMesh mesh_;
+  std::vector<std::uint32_t> sources_;  ///< number of each triangle in the mesh that this was made of
   TriangleTree surface_;
   SolidInterior interior_;
   std::vector<Face> faces_;

@@ -11,20 +11,35 @@ const FitEdit* editOf(const FitSettings& settings, const std::string& a, const s
   return found == settings.pairs.end() ? nullptr : &*found;
 }
 
-FitDecision decideFit(const Contact& contact, const FitEdit* edit, const FitSettings& settings, double gap) {
+FitDecision decideFit(const Contact& contact, const FitEdit* edit, const FitSettings& settings,
+                      const check::AllowanceBound& bound) {
   FitDecision decision;
   decision.kind = edit != nullptr && edit->kind ? *edit->kind : contact.kind;
   if (decision.kind == ContactKind::Clearance) return decision;
+  decision.allowance = bound.most;
   if (edit != nullptr && edit->allowance) {
-    decision.allowance = *edit->allowance;
     decision.given = true;
     return decision;
   }
-  decision.allowance = contact.overlap + contact.deviation + gap;
   const bool small = settings.acceptedClash > 0.0 && contact.overlap <= settings.acceptedClash;
   const bool accepted = small || (edit != nullptr && edit->accepted);
-  decision.refused = decision.kind == ContactKind::Clash && !accepted;
+  decision.refused = !bound.refused.empty() || (decision.kind == ContactKind::Clash && !accepted);
+  if (decision.refused) decision.allowance = std::max(bound.most, contact.overlap + contact.deviation);
   return decision;
+}
+
+check::FitWords wordsOf(const FitSettings& settings) {
+  check::FitWords words{settings.on, settings.acceptedClash, {}};
+  for (const FitEdit& edit : settings.pairs) {
+    check::PairWord word{edit.a, edit.b};
+    if (edit.kind) word.kind = kindName(*edit.kind);
+    word.allowance = edit.allowance;
+    word.accepted = edit.accepted;
+    word.pitch = edit.pitch;
+    word.turned = edit.turned;
+    words.pairs.push_back(std::move(word));
+  }
+  return words;
 }
 
 }  // namespace glissade

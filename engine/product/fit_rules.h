@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "engine/check/evidence.h"
 #include "engine/product/contact_report.h"
 
 namespace glissade {
@@ -17,8 +18,12 @@ struct FitDecision {
   bool given = false;      ///< a person gave the allowance
 };
 
-/// A person's kind and allowance go before what was measured. The usual allowance is the overlap, what tessellation may
-/// add, and `gap` (metres); pairs that are apart have none.
-FitDecision decideFit(const Contact& contact, const FitEdit* edit, const FitSettings& settings, double gap);
+/// A person's kind and allowance go before what was measured. `bound` is what the evidence gives for the body that is
+/// taken thinner; a refused clash says what its overlap would take.
+FitDecision decideFit(const Contact& contact, const FitEdit* edit, const FitSettings& settings,
+                      const check::AllowanceBound& bound);
+
+/// What a person says of fits, as evidence is measured with it.
+check::FitWords wordsOf(const FitSettings& settings);
 
 }  // namespace glissade

@@ -1,13 +1,11 @@
 #include "engine/product/object_fits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
 #include <sstream>
 
-#include "engine/base/tolerances.h"
 #include "engine/geometry/thinned_mesh.h"
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_rules.h"
@@ -17,14 +15,6 @@
 
 namespace glissade {
 namespace {
-
-/// Tries of an allowance: factors of what was measured, and what is added, metres. Fitted surfaces that are within 3
-/// micrometres touch, and deflections are estimates.
-struct Raise {
-  double factor;
-  double addition;
-};
-constexpr std::array<Raise, 4> kRaises{{{1.0, 0.0}, {1.0, 3e-6}, {1.5, 6e-6}, {2.0, 6e-6}}};
 
 std::string millimetres(double metres) {
   std::ostringstream text;
@@ -66,7 +56,10 @@ Fit::Role roleOf(const Contact& contact) {
 class FitFinder {
  public:
   FitFinder(const FitQuestion& question, const StopToken& stop)
-      : question_(question), stop_(stop), gap_(assembledGap(radiusAboutOrigin(*question.object.mesh))) {}
+      : question_(question),
+        stop_(stop),
+        gap_(assembledGap(radiusAboutOrigin(*question.object.mesh))),
+        words_(wordsOf(question.settings)) {}
 
   Result<ObjectFits> find() {
     if (const Outcome known = checkBodies(); !known) return known.error();
@@ -190,40 +183,61 @@ class FitFinder {
     return thinnable_ ? &*thinnable_ : nullptr;
   }
 
+  check::Body measuredBody(const RigidBody& body, std::size_t number) const {
+    const double spacing = question_.spacings.empty() ? 0.0 : question_.spacings[number];
+    return {body.id, body.name, body.mesh, body.X_WB, spacing, question_.deflections[number]};
+  }
+
+  check::PairBounds boundsWith(std::size_t obstacle) {
+    check::PlacedBodies& placed = question_.placed != nullptr ? *question_.placed : placed_;
+    const RigidBody& other = question_.obstacles[obstacle];
+    const check::Body own = measuredBody(question_.object, question_.obstacles.size());
+    const check::PlacedBody& fixed = placed.at(measuredBody(other, obstacle), other.X_WB);
+    const check::PairWord* word = words_.about(question_.object.id, other.id);
+    std::optional<check::PairBounds> bounds;
+    for (const Pose& end : question_.ends) {
+      const check::PairBounds found = check::boundsOf(placed.at(own, end), fixed, words_, word, stop_);
+      bounds = bounds ? check::PairBounds{united(bounds->one, found.one), united(bounds->other, found.other)} : found;
+    }
+    return *bounds;
+  }
+
   void decide(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editOf(question_.settings, question_.object.id, question_.obstacles[obstacle].id);
-    const FitDecision decision = decideFit(found.contact, edit, question_.settings, gap_);
+    const auto bounds = std::make_shared<const check::PairBounds>(boundsWith(obstacle));
+    const FitDecision decision = decideFit(found.contact, edit, question_.settings, bounds->one);
     Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
+    fit.evidence = bounds->one.largest;
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
       refuse(fit, "overlap by " + millimetres(fit.overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(fit.overlap) + "), or mend the parts.");
-    } else if (found.contact.kind == ContactKind::Clearance) {
+    } else if (found.contact.kind == ContactKind::Clearance || bounds->one.most <= 0.0) {
       fit.allowance = 0.0;
-      fits_.allowed.push_back(fit);
-    } else if (!decision.given && !isClearInThread(fit, found)) {
-      raiseUntilFree(fit, found.at);
-    } else if (decision.given && fit.allowance > 0.0) {
-      fits_.allowed.push_back(fit);
+      if (fit.thread) fits_.allowed.push_back(fit);
+    } else if (decision.given || !isClearInThread(fit, found)) {
+      fit.bounds = bounds;
+      takeThinner(fit, found.at);
     }
   }
 
   /// The object moves clear in a thread that is modelled: it is taken as it is.
   bool isClearInThread(const Fit& fit, const FoundContact& found) {
     if (fit.kind != ContactKind::Contact) return false;
-    Fit whole = fit;
-    whole.allowance = 0.0;
     const RigidBody& other = question_.obstacles[fit.obstacle];
-    return isFree(whole, found.at) &&
+    return isFree(question_.object.mesh, fit.obstacle, found.at) &&
            !findModelledThreads(*question_.object.mesh, found.measuredAt, other, found.contact.gap).empty();
   }
 
-  /// Taken so, and alone with its obstacle.
-  bool isFree(const Fit& fit, const std::vector<Pose>& ends) {
-    const auto query = queryOf(fit);
-    return query &&
-           std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
+  /// The object taken so, and alone with its obstacle.
+  bool isFree(const MeshPtr& object, std::size_t obstacle, const std::vector<Pose>& ends) {
+    auto& [known, world] = alone_;
+    world = world && known == obstacle ? world->withObject(object) : worldOf(question_.obstacles[obstacle], object);
+    known = obstacle;
+    const auto query = world->makeQuery();
+    return std::all_of(ends.begin(), ends.end(),
+                       [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
@@ -272,62 +286,35 @@ class FitFinder {
                               reason, advice});
   }
 
-  void raiseUntilFree(Fit fit, const std::vector<Pose>& ends) {
+  /// What the evidence gives, or less of it where the object has no place for that: the deviation of free surfaces is
+  /// an estimate. Down to the overlap as measured and the gap.
+  void takeThinner(Fit fit, const std::vector<Pose>& ends) {
     if (thinnable() == nullptr) {
       refuse(fit, "touch, and the object cannot be taken thinner because its surface is not closed",
              "Close the object's surface.");
       return;
     }
-    const double usual = fit.allowance;
-    for (const Raise& raise : kRaises) {
-      fit.allowance = raise.factor * usual + raise.addition;
-      if (!isFree(fit, ends)) continue;
-      allow(fit);
-      return;
+    constexpr double kShare = 0.25;
+    const double most = fit.allowance;
+    const double least = std::min(most, fit.evidence.overlap + gap_);
+    for (double allowance = most;; allowance = std::max(least, kShare * allowance)) {
+      auto mesh = thinnable()->thinned(limited(fit.bounds->one.atMost, allowance));
+      if (mesh) {
+        fit.thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
+        fit.allowance = allowance;
+        if (isFree(fit.thinned, fit.obstacle, ends)) {
+          fits_.allowed.push_back(std::move(fit));
+          return;
+        }
+      }
+      if (allowance <= least) break;
     }
-    const double refused = fit.allowance;
-    if (lowerUntilFree(fit, usual, ends)) return;
-    fit.allowance = refused;
+    fit.allowance = most;
+    fit.thinned = nullptr;
     refuse(fit,
            "fit so that the object would have to be taken " + millimetres(fit.allowance) +
                " thinner, which its local thickness or its shape does not give: it counts as a clash",
            "Mend the parts.");
-  }
-
-  /// One that the object was thinned for.
-  void allow(Fit fit) {
-    fit.thinned = thinned_.at(fit.allowance);
-    fits_.allowed.push_back(std::move(fit));
-  }
-
-  /// The deviation of free surfaces is an estimate. Where the object has no place for it, less of it is taken, down to
-  /// the overlap as measured and the gap.
-  bool lowerUntilFree(Fit fit, double usual, const std::vector<Pose>& ends) {
-    constexpr double kShare = 0.25;
-    const double least = fit.overlap + gap_;
-    for (double allowance = kShare * usual; fit.allowance > least; allowance *= kShare) {
-      fit.allowance = std::max(least, allowance);
-      if (!isFree(fit, ends)) continue;
-      allow(fit);
-      return true;
-    }
-    return false;
-  }
-
-  /// Of the thinned object against its obstacle alone; null where the object cannot be thinned so.
-  std::unique_ptr<CollisionQuery> queryOf(const Fit& fit) {
-    MeshPtr& thinned = thinned_[fit.allowance];
-    if (fit.allowance <= 0.0) thinned = question_.object.mesh;
-    if (!thinned) {
-      auto mesh = thinnable()->thinned(fit.allowance);
-      if (!mesh) return nullptr;
-      thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
-    }
-    auto& [obstacle, world] = alone_;
-    const bool known = world && obstacle == fit.obstacle;
-    world = known ? world->withObject(thinned) : worldOf(question_.obstacles[fit.obstacle], thinned);
-    obstacle = fit.obstacle;
-    return world->makeQuery();
   }
 
   CollisionWorldPtr worldOf(const RigidBody& obstacle, const MeshPtr& object) const {
@@ -340,8 +327,9 @@ class FitFinder {
   std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
   bool measuredObject_ = false;
   std::optional<ThinnableMesh> thinnable_;
-  std::map<double, MeshPtr> thinned_;                  ///< by allowance
   std::pair<std::size_t, CollisionWorldPtr> alone_{};  ///< an obstacle alone with the object, as it was last asked of
+  check::FitWords words_;
+  check::PlacedBodies placed_;
   ObjectFits fits_;
 };
 
@@ -354,39 +342,34 @@ Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& 
 namespace {
 
 /// The fits as variants of the object. `screwed`: those of threads, too.
-std::vector<ObjectVariant> variantsOf(const std::vector<Fit>& fits, const TriangleMesh& mesh, bool screwed) {
-  std::map<double, ObjectVariant> byAllowance;
-  for (const Fit& fit : fits) {
-    if (fit.allowance <= 0.0 || (fit.thread && !screwed)) continue;
-    ObjectVariant& variant = byAllowance[fit.allowance];
-    variant.obstacles.push_back(static_cast<int>(fit.obstacle));
-    if (fit.thinned) variant.object = fit.thinned;
-  }
-  const bool known = std::all_of(byAllowance.begin(), byAllowance.end(),
-                                 [](const auto& entry) { return entry.second.object != nullptr; });
-  const auto object = known ? std::nullopt : ThinnableMesh::of(mesh);
+std::vector<ObjectVariant> variantsOf(const std::vector<Fit>& fits, bool screwed) {
   std::vector<ObjectVariant> variants;
-  for (auto& [allowance, variant] : byAllowance) {
-    if (!variant.object) {
-      auto thinned = object ? object->thinned(allowance) : std::nullopt;
-      if (thinned) variant.object = std::make_shared<const TriangleMesh>(std::move(*thinned));
-    }
-    if (variant.object) variants.push_back(std::move(variant));
+  for (const Fit& fit : fits) {
+    if (!fit.thinned || (fit.thread && !screwed)) continue;
+    ObjectVariant variant;
+    variant.object = fit.thinned;
+    variant.obstacles.push_back(static_cast<int>(fit.obstacle));
+    variants.push_back(std::move(variant));
   }
   return variants;
 }
 
 }  // namespace
 
+std::vector<double> limited(std::vector<double> allowances, double most) {
+  for (double& each : allowances) each = std::min(each, most);
+  return allowances;
+}
+
 CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits) {
-  CollisionWorldPtr screwed = world->withVariants(variantsOf(fits, world->object(), true));
+  CollisionWorldPtr screwed = world->withVariants(variantsOf(fits, true));
   const std::vector<ThreadRule> rules = threadRulesOf(fits);
   if (rules.empty()) return screwed;
   std::vector<ThreadPair> pairs;
   for (const ThreadRule& rule : rules) {
     pairs.emplace_back(rule, world->object(), world->obstacles()[static_cast<std::size_t>(rule.obstacle)]);
   }
-  return screwed->withThreads(std::move(pairs), world->withVariants(variantsOf(fits, world->object(), false)));
+  return screwed->withThreads(std::move(pairs), world->withVariants(variantsOf(fits, false)));
 }
 
 std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits) {
@@ -399,17 +382,7 @@ std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits) {
   return rules;
 }
 
-std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count) {
-  std::vector<double> allowances(fits.empty() ? 0 : count, 0.0);
-  for (const Fit& fit : fits) allowances[fit.obstacle] = fit.allowance;
-  return allowances;
-}
-
-double assembledGap(double objectRadius) {
-  constexpr double kLeast = 1e-6;
-  constexpr double kClearances = 4.0;
-  return std::max(kLeast, kClearances * tolerance::kRequiredClearance * objectRadius);
-}
+double assembledGap(double objectRadius) { return check::assembledMargin(objectRadius); }
 
 std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
   std::string where = " against " + obstacle;

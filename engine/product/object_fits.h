@@ -5,6 +5,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
+#include "engine/check/pair_fit.h"
 #include "engine/collision/collision_query.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/product/contact_report.h"
@@ -25,9 +26,14 @@ struct Fit {
   ContactKind kind = ContactKind::Contact;
   Role role = Role::Other;
   double overlap = 0.0;    ///< as measured, metres
-  double allowance = 0.0;  ///< metres by which the object is taken thinner; of a refused clash, what it would take
+  /// Metres by which the object is taken thinner, of the face that moves farthest; of a refused clash, what it would
+  /// take.
+  double allowance = 0.0;
+  check::Evidence evidence{};         ///< for the largest allowance that may be taken
   std::optional<FitThread> thread{};  ///< where a person has marked the pair as a thread
-  MeshPtr thinned{};                  ///< the object taken so; null: withFits() constructs it
+  MeshPtr thinned{};                  ///< the object taken so; null where it is whole
+  /// What the evidence gives to both sides; null where nothing may be allowed.
+  std::shared_ptr<const check::PairBounds> bounds{};
 };
 
 struct ObjectFits {
@@ -47,13 +53,16 @@ struct FitQuestion {
   const std::vector<Contact>* contacts = nullptr;
   /// A world of the obstacles: what it has prepared is not prepared again. Null: there is none.
   CollisionWorldPtr world{};
+  std::vector<double> spacings{};         ///< of the coordinates, of each obstacle, and of the object last; or empty
+  check::PlacedBodies* placed = nullptr;  ///< bodies that were prepared for being measured; null: there are none
 };
 
-/// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. What
-/// touches is allowed the deviation of both surfaces and assembledGap(); what overlaps as designed, the overlap and
-/// the same; where that leaves no gap (rounding of the file, tessellation), up to twice as much. A clash is allowed
-/// where it is accepted. Where the thinned object would need more than kMostThinning of its local thickness from
-/// either side, the pair is a clash. A pair that is marked as a thread is one although it does not touch.
+/// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. A face
+/// of the object is taken thinner by no more than the evidence for it (check::boundsOf()): the overlap as measured, the
+/// deflections and the coordinate spacing that the files state, assembledGap(), and what a person says; by less where
+/// the object has no place for that and less is enough. A clash is allowed where it is accepted. Where no allowance
+/// makes the pair free at the ends, the pair is a clash. A pair that is marked as a thread is one although it does not
+/// touch.
 ///
 /// Errors: MalformedInput with "/fits/pairs/<index>" as place: a body that is not there, an allowance above what the
 /// object's thickness can give, an allowance for a pair that does not touch, a thread without a common axis. After a
@@ -64,11 +73,11 @@ Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& 
 /// turning only.
 CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits);
 
-/// Allowance against each obstacle of `count`, 0 where there is none: as IndependentCheck takes it.
-std::vector<double> allowancesOf(const std::vector<Fit>& fits, std::size_t count);
-
-/// The rules of the fits that are threads, as IndependentCheck takes them.
+/// The rules of the fits that are threads.
 std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits);
+
+/// Each face by its allowance, and none by more than `most` (metres).
+std::vector<double> limited(std::vector<double> allowances, double most);
 
 /// What an allowance leaves between two bodies that touch, metres: a micrometre, or four of the clearances that a path
 /// has to keep for an object of this radius, if that is more.

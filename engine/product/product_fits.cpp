@@ -1,10 +1,20 @@
 #include "engine/product/product_fits.h"
 
+#include "engine/check/pair_fit.h"
+
 namespace glissade {
 namespace {
 
-/// Of the allowances that are reported: the least gap that is left between two bodies that touch, metres.
-constexpr double kReportedGap = 1e-6;
+/// What the evidence gives for taking body `a` of the contact thinner.
+check::AllowanceBound boundOf(const Contact& contact, const std::vector<ContactBody>& bodies,
+                              const check::FitWords& words, check::PlacedBodies& placed, const StopToken& stop) {
+  const auto at = [&](const ContactBody& body) -> const check::PlacedBody& {
+    return placed.at({body.id, body.id, body.mesh, body.X_WB, 0.0, body.deflection}, body.X_WB);
+  };
+  const ContactBody& a = bodies[contact.a];
+  const ContactBody& b = bodies[contact.b];
+  return check::boundsOf(at(a), at(b), words, words.about(a.id, b.id), stop).one;
+}
 
 }  // namespace
 
@@ -26,11 +36,15 @@ FitStatus PairFit::status() const {
 
 std::vector<PairFit> findProductFits(const std::vector<ContactBody>& bodies, const FitSettings& settings,
                                      const ContactLimits& limits, const StopToken& stop) {
+  const check::FitWords words = wordsOf(settings);
+  check::PlacedBodies placed;
   std::vector<PairFit> fits;
   for (const Contact& contact : findContacts(bodies, limits, stop).contacts) {
     const std::string& a = bodies[contact.a].id;
     const std::string& b = bodies[contact.b].id;
-    fits.push_back({a, b, contact, decideFit(contact, editOf(settings, a, b), settings, kReportedGap)});
+    if (stop.stopRequested()) break;
+    const check::AllowanceBound bound = boundOf(contact, bodies, words, placed, stop);
+    fits.push_back({a, b, contact, decideFit(contact, editOf(settings, a, b), settings, bound), bound.largest});
   }
   return fits;
 }

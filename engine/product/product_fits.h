@@ -26,6 +26,7 @@ struct PairFit {
   std::string b;
   Contact contact;
   FitDecision decision;
+  check::Evidence evidence{};  ///< for the allowance of `a`
 
   FitStatus status() const;
   /// Metres; 0 for a clash that nobody accepted.

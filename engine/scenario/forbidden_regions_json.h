@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/scenario/json_reader.h"
+#include "engine/import/json_reader.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {

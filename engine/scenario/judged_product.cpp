@@ -1,23 +1,9 @@
 #include "engine/scenario/judged_product.h"
 
-#include "engine/product/contact_report.h"
+#include "engine/product/fit_rules.h"
 
 namespace glissade {
 namespace {
-
-check::FitWords judgedFits(const FitSettings& fits) {
-  check::FitWords words{fits.on, fits.acceptedClash, {}};
-  for (const FitEdit& edit : fits.pairs) {
-    check::PairWord word{edit.a, edit.b};
-    if (edit.kind) word.kind = kindName(*edit.kind);
-    word.allowance = edit.allowance;
-    word.accepted = edit.accepted;
-    word.pitch = edit.pitch;
-    word.turned = edit.turned;
-    words.pairs.push_back(std::move(word));
-  }
-  return words;
-}
 
 std::vector<check::Point> judgedPoints(const std::vector<PathPoint>& points) {
   std::vector<check::Point> judged;
@@ -80,7 +66,7 @@ std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
 }
 
 check::Product judgedProduct(const AssembledProduct& product) {
-  check::Product judged{judgedBodies(product.bodies), judgedFits(product.fits)};
+  check::Product judged{judgedBodies(product.bodies), wordsOf(product.fits)};
   for (std::size_t i = 0; i < judged.bodies.size() && i < product.deflections.size(); ++i) {
     judged.bodies[i].deflection = product.deflections[i];
   }
@@ -107,7 +93,7 @@ check::Question judgedQuestion(const LoadedScenario& scenario) {
     body.deflection = valueOf(scenario.deflections, body.id);
     body.spacing = valueOf(scenario.coordinateSpacings, body.id);
   }
-  question.product.fits = judgedFits(scenario.scenario.fits);
+  question.product.fits = wordsOf(scenario.scenario.fits);
   question.product.demands = judgedDemands(scenario.scenario.sequence);
   if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.goal = *goal;
   question.workspace = scenario.problem.bounds;

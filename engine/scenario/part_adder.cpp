@@ -7,7 +7,7 @@
 #include "engine/base/file.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/step_import.h"
-#include "engine/scenario/asset_path.h"
+#include "engine/import/asset_path.h"
 
 namespace glissade {
 namespace {

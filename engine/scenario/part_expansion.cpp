@@ -6,7 +6,7 @@
 #include "engine/base/file.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
-#include "engine/scenario/asset_path.h"
+#include "engine/import/asset_path.h"
 
 namespace glissade {
 namespace {

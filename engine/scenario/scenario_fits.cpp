@@ -1,14 +1,19 @@
 #include "engine/scenario/scenario_fits.h"
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace glissade {
 namespace {
 
+double valueOf(const std::map<std::string, double>& values, const std::string& id) {
+  const auto known = values.find(id);
+  return known == values.end() ? 0.0 : known->second;
+}
+
 double deflectionOf(const LoadedScenario& scenario, const std::string& id) {
-  const auto known = scenario.deflections.find(id);
-  return known == scenario.deflections.end() ? 0.0 : known->second;
+  return valueOf(scenario.deflections, id);
 }
 
 }  // namespace
@@ -21,6 +26,10 @@ Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
     if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.ends.push_back(*goal);
     for (const RigidBody& body : scenario.obstacles) question.deflections.push_back(deflectionOf(scenario, body.id));
     question.deflections.push_back(deflectionOf(scenario, scenario.object.id));
+    for (const RigidBody& body : scenario.obstacles) {
+      question.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
+    }
+    question.spacings.push_back(valueOf(scenario.coordinateSpacings, scenario.object.id));
     question.world = scenario.problem.world;
     auto fits = findObjectFits(question, stop);
     if (!fits) {
@@ -70,10 +79,13 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
     list.push_back({{"object", scenario.object.id},
                     {"body", scenario.obstacles[fit.obstacle].id},
                     {"kind", kindName(fit.kind)},
-                    {"overlap_m", fit.overlap},
                     {"allowance_m", fit.allowance},
-                    {"faces", "all"},
+                    {"overlap_m", fit.evidence.overlap},
+                    {"deflection_m", fit.evidence.deflection},
+                    {"spacing_m", fit.evidence.spacing},
+                    {"margin_m", fit.evidence.margin},
                     {"text", words[i]}});
+    if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
     if (!fit.thread) continue;
     list.back()["pitch_m"] = fit.thread->rule.pitch;
     if (!path.empty()) list.back()["turns"] = turnsOn(path, scenario, fit);

@@ -10,7 +10,7 @@
 #include "engine/import/geometry_loader.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/omplapp_config.h"
-#include "engine/scenario/asset_path.h"
+#include "engine/import/asset_path.h"
 #include "engine/scenario/default_colour.h"
 #include "engine/scenario/extent_check.h"
 #include "engine/scenario/fit_options.h"

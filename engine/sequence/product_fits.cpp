@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -48,50 +47,43 @@ std::vector<Vector3> axesOf(const std::vector<Contact>& contacts) {
   return axes;
 }
 
-/// Meshes of a product thinned by what fits allow, each once.
-class ThinnedMeshes {
- public:
-  /// The mesh itself where it cannot be thinned so.
-  const MeshPtr& thinned(const MeshPtr& mesh, double allowance) {
-    MeshPtr& known = thinned_[{mesh, allowance}];
-    if (known) return known;
-    auto& thinnable = thinnable_.try_emplace(mesh).first->second;
-    if (!thinnable) thinnable = ThinnableMesh::of(*mesh);
-    auto thinner = thinnable && allowance > 0.0 ? thinnable->thinned(allowance) : std::nullopt;
-    known = thinner ? std::make_shared<const TriangleMesh>(std::move(*thinner)) : mesh;
-    return known;
-  }
+MeshPtr thinned(const MeshPtr& mesh, const check::AllowanceBound& bound) {
+  const auto thinnable = bound.most > 0.0 ? ThinnableMesh::of(*mesh) : std::nullopt;
+  auto thinner = thinnable ? thinnable->thinned(bound.atMost) : std::nullopt;
+  return thinner ? std::make_shared<const TriangleMesh>(std::move(*thinner)) : nullptr;
+}
 
- private:
-  std::map<MeshPtr, std::optional<ThinnableMesh>> thinnable_;
-  std::map<std::pair<MeshPtr, double>, MeshPtr> thinned_;
+/// Who gives way where the body alone has no place for the allowance.
+struct GivingWay {
+  std::optional<Fit> body;   ///< as well
+  std::optional<Fit> other;  ///< nothing: there is no way
 };
 
-/// What both bodies of a clash have to be taken thinner by, so that they are free where they are assembled; nothing
-/// where that is more than they have place for. The clash says what it would take of the body alone.
-std::optional<double> sharedAllowance(const AssembledProduct& product, std::size_t body, const Fit& clash) {
+/// A nut's wall is too thin for what the bolt's shaft has place for. Which of the two is taken thinner makes no
+/// difference to the gap between them. Where neither has place for all of it, both are taken thinner.
+GivingWay givingWay(const AssembledProduct& product, std::size_t body, const Fit& clash) {
   const RigidBody& own = product.bodies[body];
   RigidBody other = product.bodies[clash.obstacle];
-  const auto thinnableOwn = ThinnableMesh::of(*own.mesh);
-  const auto thinnableOther = ThinnableMesh::of(*other.mesh);
-  if (!thinnableOwn || !thinnableOther) return std::nullopt;
+  Fit yielding = clash;
+  yielding.thinned = thinned(other.mesh, clash.bounds->other);
+  if (!yielding.thinned) return {};
+  yielding.allowance = clash.bounds->other.most;
+  yielding.evidence = clash.bounds->other.largest;
+  other.mesh = yielding.thinned;
   const double gap = assembledGap(radiusAboutOrigin(*own.mesh));
-  for (const double share : {0.3, 0.4, 0.5, 0.75, 1.0}) {
-    const double allowance = share * clash.allowance;
-    auto thinOwn = thinnableOwn->thinned(allowance);
-    auto thinOther = thinnableOther->thinned(allowance);
-    if (!thinOwn || !thinOther) return std::nullopt;
-    other.mesh = std::make_shared<const TriangleMesh>(std::move(*thinOther));
-    const auto pair = CollisionWorld::build({other}, std::make_shared<const TriangleMesh>(std::move(*thinOwn)));
-    if (pair->makeQuery()->clearAbove(own.X_WB, 0.5 * gap)) return allowance;
-  }
-  return std::nullopt;
+  const auto pair = CollisionWorld::build({other}, own.mesh);
+  if (pair->makeQuery()->clearAbove(own.X_WB, 0.5 * gap)) return {std::nullopt, yielding};
+  Fit thinner = clash;
+  thinner.thinned = thinned(own.mesh, clash.bounds->one);
+  if (!thinner.thinned) return {};
+  const bool free = pair->withObject(thinner.thinned)->makeQuery()->clearAbove(own.X_WB, 0.5 * gap);
+  return free ? GivingWay{thinner, yielding} : GivingWay{};
 }
 
 }  // namespace
 
 Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
-                              const StopToken& stop) {
+                              const StopToken& stop, check::PlacedBodies* placed) {
   // The body itself is no obstacle: those behind it move up by one.
   std::vector<RigidBody> obstacles = product.bodies;
   std::vector<double> deflections = product.deflections;
@@ -100,6 +92,7 @@ Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body,
   deflections.erase(deflections.begin() + place);
   deflections.push_back(product.deflections[body]);
   FitQuestion question{obstacles, product.bodies[body], {product.bodies[body].X_WB}, deflections, product.fits};
+  question.placed = placed;
   std::vector<Contact> own;
   if (contacts != nullptr) {
     own = contactsOf(body, *contacts);
@@ -120,12 +113,13 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
   const bool on = product.fits.on;
   const ContactReport contacts = on ? contactsOf(product, stop) : ContactReport();
   std::vector<Result<ObjectFits>> fits(product.bodies.size(), ObjectFits());
+  check::PlacedBodies placed;
   team.run(fits.size(), [&](std::size_t body) {
     Moving& moving = found.moving_[body];
     moving.whole = product.bodies[body].mesh;
     if (!on || stop.stopRequested()) return;
     moving.axes = glissade::axesOf(contactsOf(body, contacts));
-    fits[body] = fitsOfBody(product, body, &contacts, stop);
+    fits[body] = fitsOfBody(product, body, &contacts, stop, &placed);
     if (fits[body]) moving.allowed = fits[body]->allowed;
   });
   if (stop.stopRequested()) {
@@ -137,50 +131,27 @@ Result<ProductFits> ProductFits::find(const AssembledProduct& product, ThreadTea
   }
   found.contacts_ = contacts.contacts;
   found.resolveClashes(product, fits, team);
-  ThinnedMeshes meshes;
-  for (Moving& moving : found.moving_) {
-    for (const Fit& fit : moving.allowed) moving.thinned.push_back(meshes.thinned(moving.whole, fit.allowance));
-    for (const Fit& fit : moving.yielding) {
-      moving.thinnedOthers.push_back(meshes.thinned(product.bodies[fit.obstacle].mesh, fit.allowance));
-    }
-  }
   return found;
 }
 
-/// A nut's wall is too thin for what the bolt's shaft has place for. Which of the two is taken thinner makes no
-/// difference to the gap between them. Where neither has place for all of it, both are taken thinner.
 void ProductFits::resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits,
                                  ThreadTeam& team) {
   std::vector<std::pair<std::size_t, Fit>> open;
   for (std::size_t body = 0; body < moving_.size(); ++body) {
     for (const Fit& clash : fits[body]->clashes) {
-      const auto& others = fits[clash.obstacle]->allowed;
-      const auto back =
-          std::find_if(others.begin(), others.end(), [&](const Fit& fit) { return fit.obstacle == body; });
-      if (back != others.end()) {
-        Fit yielding = clash;
-        yielding.allowance = back->allowance;
-        yieldTo(body, yielding, product);
-      } else if (clash.kind != ContactKind::Clash) {
-        open.emplace_back(body, clash);
-      }
+      if (clash.bounds) open.emplace_back(body, clash);
     }
   }
-  std::vector<std::optional<double>> shared(open.size());
-  team.run(open.size(), [&](std::size_t i) { shared[i] = sharedAllowance(product, open[i].first, open[i].second); });
+  std::vector<GivingWay> ways(open.size());
+  team.run(open.size(), [&](std::size_t i) { ways[i] = givingWay(product, open[i].first, open[i].second); });
   for (std::size_t i = 0; i < open.size(); ++i) {
-    if (!shared[i]) continue;
-    auto& [body, fit] = open[i];
-    fit.allowance = *shared[i];
-    moving_[body].allowed.push_back(fit);
-    yieldTo(body, fit, product);
+    const auto& [body, fit] = open[i];
+    if (!ways[i].other) continue;
+    if (ways[i].body) moving_[body].allowed.push_back(*ways[i].body);
+    moving_[body].yielding.push_back(*ways[i].other);
+    const std::string pair = "'" + product.bodies[body].name + "' and '" + product.bodies[fit.obstacle].name + "'";
+    std::erase_if(warnings_, [&](const Diagnostic& warning) { return warning.location == pair; });
   }
-}
-
-void ProductFits::yieldTo(std::size_t body, const Fit& fit, const AssembledProduct& product) {
-  moving_[body].yielding.push_back(fit);
-  const std::string pair = "'" + product.bodies[body].name + "' and '" + product.bodies[fit.obstacle].name + "'";
-  std::erase_if(warnings_, [&](const Diagnostic& warning) { return warning.location == pair; });
 }
 
 std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& present) const {
@@ -199,16 +170,16 @@ std::vector<BodyFit> ProductFits::fitsOf(const BodyGroup& group, const BodySet& 
 
 const MeshPtr& ProductFits::obstacleFor(std::size_t body, std::size_t other) const {
   const Moving& moving = moving_[body];
-  for (std::size_t i = 0; i < moving.yielding.size(); ++i) {
-    if (moving.yielding[i].obstacle == other) return moving.thinnedOthers[i];
+  for (const Fit& fit : moving.yielding) {
+    if (fit.obstacle == other) return fit.thinned;
   }
   return moving_[other].whole;
 }
 
 const MeshPtr& ProductFits::meshAgainst(std::size_t body, std::size_t other) const {
   const Moving& moving = moving_[body];
-  for (std::size_t i = 0; i < moving.allowed.size(); ++i) {
-    if (moving.allowed[i].obstacle == other) return moving.thinned[i];
+  for (const Fit& fit : moving.allowed) {
+    if (fit.obstacle == other && fit.thinned) return fit.thinned;
   }
   return moving.whole;
 }

@@ -47,15 +47,12 @@ class ProductFits {
  private:
   struct Moving {
     std::vector<Fit> allowed;
-    std::vector<MeshPtr> thinned;  ///< for each of `allowed`
-    std::vector<Fit> yielding;
-    std::vector<MeshPtr> thinnedOthers;  ///< for each of `yielding`
+    std::vector<Fit> yielding;  ///< `thinned` is the other one
     std::vector<Vector3> axes;
     MeshPtr whole;
   };
 
   void resolveClashes(const AssembledProduct& product, const std::vector<Result<ObjectFits>>& fits, ThreadTeam& team);
-  void yieldTo(std::size_t body, const Fit& fit, const AssembledProduct& product);
 
   std::vector<Moving> moving_;  ///< of each body
   std::vector<Contact> contacts_;
@@ -63,8 +60,8 @@ class ProductFits {
 };
 
 /// The fits of one body with bodies of the product. `contacts`: of the product, where they are known; or null.
-/// Errors: as of findObjectFits().
+/// `placed`: bodies that were prepared, or null. Errors: as of findObjectFits().
 Result<ObjectFits> fitsOfBody(const AssembledProduct& product, std::size_t body, const ContactReport* contacts,
-                              const StopToken& stop);
+                              const StopToken& stop, check::PlacedBodies* placed = nullptr);
 
 }  // namespace glissade
