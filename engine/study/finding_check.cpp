@@ -130,7 +130,7 @@ const char* name(Verdict verdict) {
   return verdict == Verdict::Refuted ? "does not hold" : "open";
 }
 
-CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
+CheckedFinding checkFinding(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
                      const StudyWords& words) {
   return Check(finding, study, summaries, words).run();
 }

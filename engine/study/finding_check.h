@@ -24,7 +24,7 @@ struct CheckedFinding {
   std::string numbers;       ///< the pair that speaks most against it, or why there is none
 };
 
-CheckedFinding check(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
+CheckedFinding checkFinding(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
                      const StudyWords& words = {});
 
 }  // namespace glissade

@@ -87,7 +87,7 @@ ReportTable findingsTable(const Study& study, const std::vector<CellSummary>& su
                    {words("Quantity")},
                    {words("Numbers")}};
   for (const Finding& finding : study.heading.findings) {
-    const CheckedFinding checked = check(finding, study, summaries, words);
+    const CheckedFinding checked = checkFinding(finding, study, summaries, words);
     table.rows.push_back({words(finding.text), words(name(checked.verdict)),
                           shareText(checked.agreeing, checked.compared, words), describe(finding.quantity, words),
                           checked.numbers});

@@ -40,7 +40,7 @@ std::vector<CellSummary> summariesOf(const std::vector<std::vector<double>>& nod
 
 CheckedFinding checked(const Json& finding, const std::vector<std::vector<double>>& nodes) {
   const auto study = parse(finding);
-  return check(study->heading.findings.front(), *study, summariesOf(nodes));
+  return checkFinding(study->heading.findings.front(), *study, summariesOf(nodes));
 }
 
 TEST(Finding, IsReadAndWrittenBack) {
@@ -83,7 +83,7 @@ TEST(Finding, WhatCannotBeMeantIsRefusedAtItsPlace) {
 TEST(Finding, NamesOfRowsThatQuickLeavesOutAreKnown) {
   const auto study = parse(finding(), true);
   ASSERT_TRUE(study.ok()) << study.error().reason;
-  const CheckedFinding result = check(study->heading.findings.front(), *study, summariesOf({{5, 6}}));
+  const CheckedFinding result = checkFinding(study->heading.findings.front(), *study, summariesOf({{5, 6}}));
   EXPECT_EQ(result.verdict, Verdict::Open);
   EXPECT_EQ(result.compared, 0U);
 }
