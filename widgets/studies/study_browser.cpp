@@ -188,7 +188,7 @@ void StudyBrowser::fillFindings() {
   const StudyWords words(windowLanguage());
   QString html;
   for (const Finding& finding : study.heading.findings) {
-    const CheckedFinding checked = check(finding, study, summaries_, words);
+    const CheckedFinding checked = checkFinding(finding, study, summaries_, words);
     html += QStringLiteral("<p>%1<br><b>%2</b>, %3. %4</p>")
                 .arg(shownText(words(finding.text)).toHtmlEscaped(), verdictText(checked.verdict),
                      tr("%1 of %2 pairs").arg(checked.agreeing).arg(checked.compared),

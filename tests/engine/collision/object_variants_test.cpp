@@ -65,7 +65,7 @@ TEST(ObjectVariants, BothBackendsAndTheJudgeAgree) {
   const BoltWorld bolt;
   const auto query = bolt.world->makeQuery();
   const auto fcl = bolt.world->withBackend(CollisionBackend::Fcl)->makeQuery();
-  const IndependentCheck judge(bolt.bodies, *bolt.bolt, {kAllowance, 0.0, 0.0, 0.0});
+  const IndependentCheck judge(bolt.bodies, *bolt.bolt, everywhere({kAllowance}, *bolt.bolt));
   RandomStream random(1, "variants");
   int certified = 0;
   for (int i = 0; i < 150; ++i) {
@@ -99,7 +99,7 @@ TEST(ObjectVariants, BothBackendsAndTheJudgeAgree) {
 TEST(ObjectVariants, TheJudgeProvesALongSlideInANarrowGap) {
   const BoltWorld bolt;
   constexpr double kNarrow = 1e-5;
-  const IndependentCheck judge({bolt.bodies[0]}, *bolt.bolt, {kNarrow});
+  const IndependentCheck judge({bolt.bodies[0]}, *bolt.bolt, everywhere({kNarrow}, *bolt.bolt));
   const Pose out = Pose::translation({0.0, 0.0, 3.0});
   const MotionCertificate slide = judge.check({Pose::identity(), out}, {{0.2 * kNarrow, false}});
   EXPECT_EQ(slide.status, CertificateStatus::Certified);
@@ -112,7 +112,7 @@ TEST(ObjectVariants, TheJudgeProvesALongSlideInANarrowGap) {
   // What is passed over is hit, however small it is.
   const std::vector<RigidBody> inTheWay{bolt.bodies[0],
                                         boxBody("crumb", {1e-3, 1e-3, 1e-3}, Pose::translation({0.05, 0.03, 1.7}))};
-  const IndependentCheck careful(inTheWay, *bolt.bolt, {kNarrow, 0.0});
+  const IndependentCheck careful(inTheWay, *bolt.bolt, everywhere({kNarrow}, *bolt.bolt));
   const MotionCertificate hit = careful.check({Pose::identity(), out}, {{0.2 * kNarrow, false}});
   EXPECT_EQ(hit.status, CertificateStatus::Violated);
   EXPECT_EQ(hit.nearest.body, 1);

@@ -170,7 +170,7 @@ TEST(ContactReport, KnowsTheFitsOfAStepProduct) {
     const auto nameOf = [&](std::size_t i) { return bodies[i].id.substr(bodies[i].id.rfind('/') + 1); };
     const auto [low, high] = std::minmax({nameOf(contact.a), nameOf(contact.b)});
     kinds[low + " " + high] = kindName(contact.kind);
-    EXPECT_EQ(decideFit(contact, nullptr, {}, 1e-6).refused, contact.kind == ContactKind::Clash) << low << " " << high;
+    EXPECT_EQ(decideFit(contact, nullptr, {}, {}).refused, contact.kind == ContactKind::Clash) << low << " " << high;
   }
   const std::map<std::string, std::string> expected{{"bolt bracket", "cylindrical"}, {"bolt plate", "cylindrical"},
                                                     {"bolt nut", "cylindrical"},     {"bracket plate", "planar"},

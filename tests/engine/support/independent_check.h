@@ -8,31 +8,49 @@
 #include "engine/check/thinning.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/thread_rule.h"
+#include "engine/product/object_fits.h"
 #include "engine/scenario/judged_product.h"
 
 namespace glissade {
 
+/// Metres by which each triangle of the object is thinner against each obstacle; an empty list: the object is whole.
+using FaceAllowances = std::vector<std::vector<double>>;
+
+/// All of the object is thinner by one allowance against each obstacle.
+inline FaceAllowances everywhere(const std::vector<double>& allowances, const TriangleMesh& object) {
+  FaceAllowances all;
+  for (const double allowance : allowances) all.emplace_back(allowance > 0.0 ? object.triangles.size() : 0, allowance);
+  return all;
+}
+
+/// As planners take the object against each of so many obstacles.
+inline FaceAllowances allowancesOf(const std::vector<Fit>& fits, std::size_t obstacles) {
+  FaceAllowances all(obstacles);
+  for (const Fit& fit : fits) {
+    if (fit.thinned) all[fit.obstacle] = limited(fit.bounds->one.atMost, fit.allowance);
+  }
+  return all;
+}
+
 /// The judge of motions with the planners' values, so that tests compare the two.
 class IndependentCheck {
  public:
-  /// `allowances`: metres by which all of the object is thinner against each obstacle; empty: against none.
   IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
-                   const std::vector<double>& allowances = {}, const std::vector<ThreadRule>& threads = {}) {
-    std::map<double, MeshPtr> objects{{0.0, std::make_shared<const TriangleMesh>(object)}};
+                   const FaceAllowances& allowances = {}, const std::vector<ThreadRule>& threads = {}) {
+    std::map<std::vector<double>, MeshPtr> objects{{{}, std::make_shared<const TriangleMesh>(object)}};
     std::vector<const TriangleMesh*> meshes;
-    for (const double allowance : allowances) {
-      MeshPtr& thinner = objects[allowance];
-      const std::vector<double> all(object.triangles.size(), allowance);
-      if (!thinner) thinner = std::make_shared<const TriangleMesh>(check::thinned(object, all));
+    for (const std::vector<double>& each : allowances) {
+      MeshPtr& thinner = objects[each];
+      if (!thinner) thinner = std::make_shared<const TriangleMesh>(check::thinned(object, each));
     }
     for (const auto& [allowance, mesh] : objects) meshes.push_back(mesh.get());
     for (const RigidBody& body : obstacles) meshes.push_back(body.mesh.get());
     const double scale = check::MotionCheck::scaleFor(meshes, judgedBodies(obstacles));
     std::vector<check::MotionCheck::Against> against;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
-      const double allowance = i < allowances.size() ? allowances[i] : 0.0;
+      const std::vector<double> ofPair = i < allowances.size() ? allowances[i] : std::vector<double>();
       const auto prepared = check::MotionCheck::prepare(*obstacles[i].mesh, obstacles[i].X_WB, scale);
-      against.push_back({prepared, objects[allowance], allowance > 0.0});
+      against.push_back({prepared, objects[ofPair], !ofPair.empty()});
     }
     std::vector<check::MotionCheck::Threaded> threaded;
     for (const ThreadRule& rule : threads) {
