@@ -102,8 +102,22 @@ class DepthSearch {
     return !meets && !body_.contains(part[0]);
   }
 
-  /// No point of the part is deeper than this: moved by so much it is outside.
+  /// No point of the part is deeper than this: moved by so much, against the nearest face or against the mean of those
+  /// that are near, it is outside.
   bool isWithin(const Triangle& part, double depth) const {
+    const Vector3 middle = (part[0] + part[1] + part[2]) / 3.0;
+    const auto nearest = body_.tree.nearest(middle, std::numeric_limits<double>::infinity());
+    if (isOutsideWhenMoved(part, depth * body_.normals[nearest.triangle])) return true;
+    const Vector3 mean = meanNormalNear(part, depth);
+    return mean.norm() > 0.1 && isOutsideWhenMoved(part, depth * mean.normalized());
+  }
+
+  bool isOutsideWhenMoved(const Triangle& part, const Vector3& way) const {
+    return isOutside({part[0] + way, part[1] + way, part[2] + way});
+  }
+
+  /// The sum of the different normals within the depth of the part; zero where there are very many triangles.
+  Vector3 meanNormalNear(const Triangle& part, double depth) const {
     Box3 box(part[0] - Vector3::Constant(depth), part[0] + Vector3::Constant(depth));
     for (const Vector3& p : part) {
       box.extend(p - Vector3::Constant(depth));
@@ -118,11 +132,9 @@ class DepthSearch {
       if (!known) normals.push_back(normal);
       return ++count <= kMostNear;
     });
-    Vector3 way = Vector3::Zero();
-    for (const Vector3& normal : normals) way += normal;
-    if (count > kMostNear || way.norm() < 0.1) return false;
-    way *= depth / way.norm();
-    return isOutside({part[0] + way, part[1] + way, part[2] + way});
+    Vector3 sum = Vector3::Zero();
+    for (const Vector3& normal : normals) sum += normal;
+    return count > kMostNear ? Vector3(Vector3::Zero()) : sum;
   }
 
   static std::array<Triangle, 4> quarters(const Triangle& t) {

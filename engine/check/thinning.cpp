@@ -20,6 +20,7 @@ constexpr double kLongestMove = 2.0;
 constexpr double kDamping = 1e-6;
 constexpr double kFlatShare = 2e-6;
 constexpr double kSameFace = 1e-9;
+constexpr double kStays = 1e-5;  ///< share of the allowance: a face that moves outwards by less stays where it is
 constexpr int kRounds = 9;
 
 using Corners = std::array<Vector3, 3>;
@@ -41,7 +42,24 @@ double crossing(const Vector3& from, const Vector3& to, const Corners& triangle)
   return v.dot(other) / determinant;
 }
 
-bool crosses(const Corners& one, const Corners& other) {
+/// No corner is farther than `near` on one of the sides of the other one's plane. Triangles without area have no plane.
+bool isOnOneSide(const Corners& one, const Corners& other, double near) {
+  const Vector3 doubled = (other[1] - other[0]).cross(other[2] - other[0]);
+  if (doubled.norm() == 0.0) return false;
+  const Vector3 normal = doubled.normalized();
+  double low = 0.0;
+  double high = 0.0;
+  for (const Vector3& corner : one) {
+    low = std::min(low, normal.dot(corner - other[0]));
+    high = std::max(high, normal.dot(corner - other[0]));
+  }
+  return low >= -near || high <= near;
+}
+
+/// The one passes through the other. Triangles that touch, as where a corner slides in the plane of a face that stays,
+/// do not cross.
+bool crosses(const Corners& one, const Corners& other, double near) {
+  if (isOnOneSide(one, other, near) || isOnOneSide(other, one, near)) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     const double t = crossing(one[i], one[(i + 1) % 3], other);
     if (t >= 0.0 && t <= 1.0) return true;
@@ -242,7 +260,7 @@ class ThinBody {
     double share = std::min(1.0, kLongestMove * allowance / std::max(move.norm(), 1e-300));
     for (const auto& [f, angle] : faces) {
       const double inwards = -normals_[f].dot(move);
-      if (inwards < 0.0) return -1.0;
+      if (inwards < -kStays * allowance) return -1.0;
       if (inwards > 0.0) share = std::min(share, std::min(allowance, rooms_[f]) / inwards);
     }
     return share;
@@ -268,13 +286,14 @@ class ThinBody {
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
     std::set<std::uint32_t> bad;
+    const double near = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
       row.visit(box, [&](std::uint32_t f) {
         if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
-        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f])) return true;
+        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f], near)) return true;
         bad.insert(moved.begin(), moved.end());
         return false;
       });
@@ -288,16 +307,23 @@ class ThinBody {
     });
   }
 
-  /// Of surfaces that do not cross: a point of each connected one decides.
+  /// Of surfaces that do not cross: a point of each connected one decides. It is the middle of the face that has moved
+  /// farthest inwards, because other points may be on faces that stay.
   bool isWithin(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
-    const RaySolid body(TriangleMesh{points_, triangles_});
-    std::set<std::uint32_t> known;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (thin.vertices[i] == points_[i] || !known.insert(piece[i]).second) continue;
-      if (!body.contains(thin.vertices[i])) return false;
+    std::map<std::uint32_t, std::pair<double, Vector3>> deepest;
+    for (std::size_t f = 0; f < triangles_.size(); ++f) {
+      const auto& [a, b, c] = triangles_[f];
+      const Vector3 middle = (thin.vertices[a] + thin.vertices[b] + thin.vertices[c]) / 3.0;
+      const double way = normals_[f].dot((faces_[f][0] + faces_[f][1] + faces_[f][2]) / 3.0 - middle);
+      auto& [most, at] = deepest[piece[a]];
+      if (way <= most) continue;
+      most = way;
+      at = middle;
     }
-    return true;
+    const RaySolid body(TriangleMesh{points_, triangles_});
+    return std::all_of(deepest.begin(), deepest.end(),
+                       [&](const auto& each) { return each.second.first <= 0.0 || body.contains(each.second.second); });
   }
 
   std::vector<Vector3> points_;

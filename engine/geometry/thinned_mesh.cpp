@@ -16,10 +16,12 @@
 namespace glissade {
 namespace {
 
-/// In radii: nearer hits of a ray inwards are of the face that it begins at.
+/// In diagonals of the body's box: what is nearer to a face is on it.
 constexpr double kSameSurface = 1e-9;
 /// Share of the weights that is added to the least squares' matrix: directions that no face asks for stay still.
 constexpr double kStill = 1e-6;
+/// Share of the allowance: a face that moves outwards by less stays where it is.
+constexpr double kStays = 1e-5;
 /// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
 constexpr double kLowest = 2e-6;
 /// Corners of moved triangles that meet the true surface go half as far, this often.
@@ -47,6 +49,24 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
     least = std::min(least, surface.firstHit((sum + 3.0 * corner) / 6.0, -normal, beyond));
   }
   return least;
+}
+
+/// All corners of the one are on one side of the other's plane, or on it. `near`: metres.
+bool isOnOneSide(const Triangle& one, const Triangle& other, double near) {
+  const Vector3 normal = (other[1] - other[0]).cross(other[2] - other[0]).stableNormalized();
+  bool above = false;
+  bool below = false;
+  for (const Vector3& corner : one) {
+    const double height = normal.dot(corner - other[0]);
+    above = above || height > near;
+    below = below || height < -near;
+  }
+  return !normal.isZero(0.0) && !(above && below);
+}
+
+/// The one passes through the other: where a corner slides in the plane of a face that stays, triangles only touch.
+bool cross(const Triangle& one, const Triangle& other, double near) {
+  return !isOnOneSide(one, other, near) && !isOnOneSide(other, one, near) && trianglesMeet(one, other);
 }
 
 /// Numbers of the surfaces that hang together by shared vertices.
@@ -146,7 +166,7 @@ std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t
   double share = length > kLongestThinning * allowance ? kLongestThinning * allowance / length : 1.0;
   for (const auto& [f, angle] : corners_[vertex]) {
     const double inwards = -faces_[f].normal.dot(move);
-    if (inwards < 0.0) return std::nullopt;
+    if (inwards < -kStays * allowance) return std::nullopt;
     const double room = std::min(allowance, faces_[f].room);
     if (share * inwards > room) share = room / inwards;
   }
@@ -159,6 +179,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   std::vector<Triangle> triangles;
   for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
   const TriangleTree after(std::move(triangles));
+  const double near = kSameSurface * boundingBox(mesh_).diagonal().norm();
   // Several threads note vertices at the same time. None is taken back, so that their order does not count.
   std::vector<std::uint8_t> outside(mesh_.vertices.size(), 0);
   const auto isOutside = [&](std::uint32_t vertex) {
@@ -174,7 +195,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
     const TriangleIndices& moved = thinned.triangles[among[i]];
     if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return;
     if (std::all_of(moved.begin(), moved.end(), isOutside)) return;
-    if (!trianglesMeet(after.triangles()[i], surface_.triangles()[k])) return;
+    if (!cross(after.triangles()[i], surface_.triangles()[k], near)) return;
     for (const std::uint32_t vertex : moved) std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
   });
   std::vector<std::uint32_t> vertices;
@@ -195,16 +216,24 @@ std::vector<std::uint32_t> ThinnableMesh::trianglesAt(const std::vector<std::uin
   return triangles;
 }
 
-/// Of surfaces that do not meet: one point decides for each connected surface.
+/// Of surfaces that do not cross: one point decides for each connected surface. It is the middle of the face that has
+/// moved farthest, because other points may be on faces that stay.
 bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
-  std::map<std::uint32_t, bool> inside;
+  struct Deepest {
+    double way = 0.0;
+    Vector3 at = Vector3::Zero();
+  };
+  std::map<std::uint32_t, Deepest> deepest;
   for (std::size_t f = 0; f < thinned.triangles.size(); ++f) {
-    for (const std::uint32_t vertex : thinned.triangles[f]) {
-      if (thinned.vertices[vertex] == mesh_.vertices[vertex] || inside.count(shells_[f]) > 0) continue;
-      inside[shells_[f]] = interior_.contains(thinned.vertices[vertex]);
-    }
+    const Triangle after = cornersOf(thinned, thinned.triangles[f]);
+    const Triangle& before = surface_.triangles()[f];
+    const Vector3 middle = (after[0] + after[1] + after[2]) / 3.0;
+    const double way = faces_[f].normal.dot((before[0] + before[1] + before[2]) / 3.0 - middle);
+    Deepest& ofShell = deepest[shells_[f]];
+    if (way > ofShell.way) ofShell = {way, middle};
   }
-  return std::all_of(inside.begin(), inside.end(), [](const auto& shell) { return shell.second; });
+  return std::all_of(deepest.begin(), deepest.end(),
+                     [&](const auto& shell) { return shell.second.way <= 0.0 || interior_.contains(shell.second.at); });
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {
