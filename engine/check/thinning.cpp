@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/check/ray_containment.h"
+#include "engine/geometry/triangle_crossing.h"
 
 namespace glissade::check {
 namespace {
@@ -20,10 +21,12 @@ constexpr double kLongestMove = 2.0;
 constexpr double kDamping = 1e-6;
 constexpr double kFlatShare = 2e-6;
 constexpr double kSameFace = 1e-9;
-constexpr double kStays = 1e-5;  ///< share of the allowance: a face that moves outwards by less stays where it is
+/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
+/// not met exactly by corners that slide along it.
+constexpr double kStays = 0.01;
 constexpr int kRounds = 9;
 
-using Corners = std::array<Vector3, 3>;
+using Corners = Triangle;
 
 /// Where the segment from `from` to `to` crosses the triangle, as a share of it; infinity where it does not.
 double crossing(const Vector3& from, const Vector3& to, const Corners& triangle) {
@@ -40,33 +43,6 @@ double crossing(const Vector3& from, const Vector3& to, const Corners& triangle)
   const double b = way.dot(other) / determinant;
   if (!(a >= 0.0) || !(b >= 0.0) || !(a + b <= 1.0)) return kNone;
   return v.dot(other) / determinant;
-}
-
-/// No corner is farther than `near` on one of the sides of the other one's plane. Triangles without area have no plane.
-bool isOnOneSide(const Corners& one, const Corners& other, double near) {
-  const Vector3 doubled = (other[1] - other[0]).cross(other[2] - other[0]);
-  if (doubled.norm() == 0.0) return false;
-  const Vector3 normal = doubled.normalized();
-  double low = 0.0;
-  double high = 0.0;
-  for (const Vector3& corner : one) {
-    low = std::min(low, normal.dot(corner - other[0]));
-    high = std::max(high, normal.dot(corner - other[0]));
-  }
-  return low >= -near || high <= near;
-}
-
-/// The one passes through the other. Triangles that touch, as where a corner slides in the plane of a face that stays,
-/// do not cross.
-bool crosses(const Corners& one, const Corners& other, double near) {
-  if (isOnOneSide(one, other, near) || isOnOneSide(other, one, near)) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double t = crossing(one[i], one[(i + 1) % 3], other);
-    if (t >= 0.0 && t <= 1.0) return true;
-    const double s = crossing(other[i], other[(i + 1) % 3], one);
-    if (s >= 0.0 && s <= 1.0) return true;
-  }
-  return false;
 }
 
 Box3 boxAround(const Corners& corners) {
@@ -260,7 +236,7 @@ class ThinBody {
     double share = std::min(1.0, kLongestMove * allowance / std::max(move.norm(), 1e-300));
     for (const auto& [f, angle] : faces) {
       const double inwards = -normals_[f].dot(move);
-      if (inwards < -kStays * allowance) return -1.0;
+      if (inwards < (allowances_[f] > 0.0 ? 0.0 : -kStays * allowance)) return -1.0;
       if (inwards > 0.0) share = std::min(share, std::min(allowance, rooms_[f]) / inwards);
     }
     return share;
@@ -286,14 +262,17 @@ class ThinBody {
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
     std::set<std::uint32_t> bad;
-    const double near = kSameFace * box_.diagonal().norm();
+    const double rounding = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
+      double way = 0.0;
+      for (const std::uint32_t i : moved) way = std::max(way, (thin.vertices[i] - points_[i]).norm());
+      const double near = std::max(rounding, kStays * way);
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
       row.visit(box, [&](std::uint32_t f) {
         if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
-        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f], near)) return true;
+        if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
         bad.insert(moved.begin(), moved.end());
         return false;
       });

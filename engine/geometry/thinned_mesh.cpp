@@ -12,6 +12,7 @@
 #include "engine/base/in_threads.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/geometry/mesh_volume.h"
+#include "engine/geometry/triangle_crossing.h"
 
 namespace glissade {
 namespace {
@@ -20,8 +21,9 @@ namespace {
 constexpr double kSameSurface = 1e-9;
 /// Share of the weights that is added to the least squares' matrix: directions that no face asks for stay still.
 constexpr double kStill = 1e-6;
-/// Share of the allowance: a face that moves outwards by less stays where it is.
-constexpr double kStays = 1e-5;
+/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
+/// not met exactly by corners that slide along it.
+constexpr double kStays = 0.01;
 /// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
 constexpr double kLowest = 2e-6;
 /// Corners of moved triangles that meet the true surface go half as far, this often.
@@ -49,24 +51,6 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
     least = std::min(least, surface.firstHit((sum + 3.0 * corner) / 6.0, -normal, beyond));
   }
   return least;
-}
-
-/// All corners of the one are on one side of the other's plane, or on it. `near`: metres.
-bool isOnOneSide(const Triangle& one, const Triangle& other, double near) {
-  const Vector3 normal = (other[1] - other[0]).cross(other[2] - other[0]).stableNormalized();
-  bool above = false;
-  bool below = false;
-  for (const Vector3& corner : one) {
-    const double height = normal.dot(corner - other[0]);
-    above = above || height > near;
-    below = below || height < -near;
-  }
-  return !normal.isZero(0.0) && !(above && below);
-}
-
-/// The one passes through the other: where a corner slides in the plane of a face that stays, triangles only touch.
-bool cross(const Triangle& one, const Triangle& other, double near) {
-  return !isOnOneSide(one, other, near) && !isOnOneSide(other, one, near) && trianglesMeet(one, other);
 }
 
 /// Numbers of the surfaces that hang together by shared vertices.
@@ -156,18 +140,19 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& all
   if (!(weights > 0.0)) return Vector3::Zero();
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
-  if (const auto move = shortened(least, vertex, largest)) return *move;
-  return shortened(-largest * mean.stableNormalized(), vertex, largest).value_or(Vector3::Zero());
+  if (const auto move = shortened(least, vertex, allowances, largest)) return *move;
+  return shortened(-largest * mean.stableNormalized(), vertex, allowances, largest).value_or(Vector3::Zero());
 }
 
 /// As far as the faces at the vertex have room; nothing where one of them would move outwards.
-std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex, double allowance) const {
+std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex,
+                                                const std::vector<double>& allowances, double largest) const {
   const double length = move.norm();
-  double share = length > kLongestThinning * allowance ? kLongestThinning * allowance / length : 1.0;
+  double share = length > kLongestThinning * largest ? kLongestThinning * largest / length : 1.0;
   for (const auto& [f, angle] : corners_[vertex]) {
     const double inwards = -faces_[f].normal.dot(move);
-    if (inwards < -kStays * allowance) return std::nullopt;
-    const double room = std::min(allowance, faces_[f].room);
+    if (inwards < (allowances[f] > 0.0 ? 0.0 : -kStays * largest)) return std::nullopt;
+    const double room = std::min(largest, faces_[f].room);
     if (share * inwards > room) share = room / inwards;
   }
   return Vector3(share * move);
@@ -179,7 +164,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   std::vector<Triangle> triangles;
   for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
   const TriangleTree after(std::move(triangles));
-  const double near = kSameSurface * boundingBox(mesh_).diagonal().norm();
+  const double rounding = kSameSurface * boundingBox(mesh_).diagonal().norm();
   // Several threads note vertices at the same time. None is taken back, so that their order does not count.
   std::vector<std::uint8_t> outside(mesh_.vertices.size(), 0);
   const auto isOutside = [&](std::uint32_t vertex) {
@@ -195,7 +180,9 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
     const TriangleIndices& moved = thinned.triangles[among[i]];
     if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return;
     if (std::all_of(moved.begin(), moved.end(), isOutside)) return;
-    if (!cross(after.triangles()[i], surface_.triangles()[k], near)) return;
+    double way = 0.0;
+    for (const std::uint32_t v : moved) way = std::max(way, (thinned.vertices[v] - mesh_.vertices[v]).norm());
+    if (!trianglesCross(after.triangles()[i], surface_.triangles()[k], std::max(rounding, kStays * way))) return;
     for (const std::uint32_t vertex : moved) std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
   });
   std::vector<std::uint32_t> vertices;

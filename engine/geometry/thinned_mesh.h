@@ -54,7 +54,9 @@ class ThinnableMesh {
   ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense);
   std::optional<TriangleMesh> thinnedFaces(const std::vector<double>& allowances) const;
   Vector3 moveOf(std::size_t vertex, const std::vector<double>& allowances) const;
-  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, double allowance) const;
+  /// `largest`: of the allowances of the faces at the vertex.
+  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, const std::vector<double>& allowances,
+                                   double largest) const;
   std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned,
                                              const std::vector<std::uint32_t>& among) const;
   std::vector<std::uint32_t> trianglesAt(const std::vector<std::uint32_t>& vertices) const;
