@@ -11,8 +11,6 @@ namespace glissade::check {
 namespace {
 
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
-/// Cosine: faces that touch face each other. Those beside them have an edge there and do not.
-constexpr double kFacing = -0.1;
 constexpr double kClashOverlap = 1e-3;  ///< metres
 constexpr double kClashShare = 0.2;     ///< of the local thickness
 

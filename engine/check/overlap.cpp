@@ -9,8 +9,6 @@ namespace glissade::check {
 namespace {
 
 constexpr double kLeastDepth = 1e-7;  ///< metres: what rounding of coordinates can be
-/// Cosine: surfaces overlap in a fit where they face each other.
-constexpr double kFacing = -0.3;
 constexpr int kMostWidenings = 8;
 
 class DepthSearch {

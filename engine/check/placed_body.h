@@ -10,6 +10,9 @@
 
 namespace glissade::check {
 
+/// Cosine between the normals of two faces: below it they face each other. Faces beside those that touch do not.
+inline constexpr double kFacing = -0.3;
+
 /// A body where the product is assembled, prepared for being compared with others. Immutable, shared by threads.
 struct PlacedBody {
   PlacedBody(const Body& body, const Pose& X_WB);
