@@ -11,8 +11,10 @@ namespace glissade::check {
 namespace {
 
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
-constexpr double kClashOverlap = 1e-3;      ///< metres
-constexpr double kClashShare = 0.2;         ///< of the local thickness
+/// Cosine: faces that touch face each other. Those beside them have an edge there and do not.
+constexpr double kFacing = -0.1;
+constexpr double kClashOverlap = 1e-3;  ///< metres
+constexpr double kClashShare = 0.2;     ///< of the local thickness
 
 /// One side of a pair: what was found of each face.
 struct Side {
@@ -44,6 +46,7 @@ void findTouching(Side& one, Side& other, double spacing, const StopToken& stop)
   const double off = spacing + kTouchingSurfaces;
   const double reach = off + largestOf(one.body.deflections) + largestOf(other.body.deflections);
   one.body.tree.visitPairs(other.body.tree, reach, [&](std::uint32_t i, std::uint32_t k) {
+    if (one.body.normals[i].dot(other.body.normals[k]) > kFacing) return !stop.stopRequested();
     const double ofOne = one.body.deflections[i];
     const double ofOther = other.body.deflections[k];
     const double near = ofOne + ofOther + off;

@@ -37,9 +37,10 @@ struct PairBounds {
   AllowanceBound other;
 };
 
-/// Compares the pair, face by face (FaceRegions). A face is in the fit where the other surface is below it, or is not
-/// farther from it than files, coordinates and three micrometres may be off. Overlaps of more than a millimetre or a
-/// fifth of the local thickness are clashes, and nothing is allowed for them unless a person accepts them.
+/// Compares the pair, face by face (FaceRegions). A face is in the fit where the other surface is below it, or faces it
+/// and is not farther from it than files, coordinates and three micrometres may be off. Overlaps of more than a
+/// millimetre or a fifth of the local thickness are clashes, and nothing is allowed for them unless a person accepts
+/// them.
 PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
                     const StopToken& stop);
 

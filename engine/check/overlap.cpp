@@ -1,32 +1,17 @@
 #include "engine/check/overlap.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
-#include <queue>
+
+#include "engine/check/deepest_points.h"
 
 namespace glissade::check {
 namespace {
 
-constexpr double kShare = 0.01;
-constexpr double kLeastDepth = 1e-7;
-constexpr std::size_t kMostCells = 40'000;
-/// Triangles that may be near a part of the surface when it is looked at as a whole.
-constexpr std::size_t kMostNear = 200;
-constexpr double kSameNormal = 0.999;
-
-/// A part of a triangle of the other surface.
-struct Cell {
-  Triangle corners;
-  double atMost;  ///< depth of its points
-
-  bool operator<(const Cell& other) const { return atMost < other.atMost; }
-};
-
-double sizeOf(const Triangle& t, const Vector3& middle) {
-  return std::max({(t[0] - middle).norm(), (t[1] - middle).norm(), (t[2] - middle).norm()});
-}
+constexpr double kLeastDepth = 1e-7;  ///< metres: what rounding of coordinates can be
+/// Cosine: surfaces overlap in a fit where they face each other.
+constexpr double kFacing = -0.3;
+constexpr int kMostWidenings = 8;
 
 class DepthSearch {
  public:
@@ -35,101 +20,76 @@ class DepthSearch {
   }
 
   Overlap search(const StopToken& stop) {
-    std::priority_queue<Cell> open;
     other_.tree.visit(body_.tree.box(), [&](std::uint32_t t) {
-      const Triangle& triangle = other_.tree.triangles()[t];
-      if (isOutside(triangle)) return true;
-      const Vector3 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
-      const double depth = meet(middle).first;
-      for (const Vector3& corner : triangle) meet(corner);
-      open.push({triangle, depth + sizeOf(triangle, middle)});
+      meetTriangle(t);
       return !stop.stopRequested();
     });
-    for (std::size_t cells = 0; !open.empty() && cells < kMostCells && !stop.stopRequested(); ++cells) {
-      const Cell cell = open.top();
-      open.pop();
-      const double enough = enoughFor(cell.corners);
-      if (cell.atMost <= enough || isWithin(cell.corners, enough)) continue;
-      for (const Triangle& part : quarters(cell.corners)) {
-        const Vector3 middle = (part[0] + part[1] + part[2]) / 3.0;
-        const double atMost = std::min(cell.atMost, meet(middle).first + sizeOf(part, middle));
-        if (atMost > kLeastDepth && !isOutside(part)) open.push({part, atMost});
-      }
+    for (double& depth : overlap_.depths) depth = depth > kLeastDepth ? depth : 0.0;
+    if (overlap_.deepest > kLeastDepth) {
+      findThickness();
+    } else {
+      overlap_.deepest = 0.0;
     }
-    for (double& depth : overlap_.depths) {
-      if (depth > 0.0) depth += std::max(kShare * depth, kLeastDepth);
-    }
-    if (overlap_.deepest > 0.0) findThickness();
     return std::move(overlap_);
   }
 
  private:
-  /// Depth of a point (below 0: it is outside) and the region that it is below.
-  std::pair<double, std::uint32_t> meet(const Vector3& p) {
+  /// Triangles of the body that can be nearest to a point of the part are no farther from it than it is deep.
+  void meetTriangle(std::uint32_t number) {
+    const Triangle& part = other_.tree.triangles()[number];
+    const Vector3& normal = other_.normals[number];
+    double deepest = 0.0;
+    for (const Vector3& corner : part) deepest = std::max(deepest, meet(corner, normal));
+    for (int i = 0; i < kMostWidenings; ++i) {
+      const double reach = 2.0 * std::max(deepest, kLeastDepth);
+      const std::vector<Triangle> near = trianglesNear(part, reach);
+      if (near.empty() && deepest == 0.0) return;
+      for (const Vector3& p : deepestPoints(part, near)) {
+        if (isShallow(p, near)) continue;
+        deepest = std::max(deepest, meet(p, normal));
+      }
+      if (deepest <= reach) return;
+    }
+  }
+
+  std::vector<Triangle> trianglesNear(const Triangle& part, double reach) const {
+    Box3 box(part[0]);
+    box.extend(part[1]);
+    box.extend(part[2]);
+    box.min().array() -= reach;
+    box.max().array() += reach;
+    std::vector<Triangle> near;
+    body_.tree.visit(box, [&](std::uint32_t t) {
+      const Triangle& triangle = body_.tree.triangles()[t];
+      if (triangleDistance(part, triangle).squared <= reach * reach || trianglesMeet(part, triangle)) {
+        near.push_back(triangle);
+      }
+      return true;
+    });
+    return near;
+  }
+
+  /// The point is no deeper than what was met below every face.
+  bool isShallow(const Vector3& p, const std::vector<Triangle>& near) const {
+    return std::any_of(near.begin(), near.end(), [&](const Triangle& triangle) {
+      return (nearestPoint(triangle, p) - p).squaredNorm() <= kLeastDepth * kLeastDepth;
+    });
+  }
+
+  /// Depth of a point of the other surface, 0 outside. It counts for the face that is nearest, if that faces it.
+  double meet(const Vector3& p, const Vector3& normal) {
+    if (!body_.tree.box().contains(p) || !body_.contains(p)) return 0.0;
     const TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
-    const std::uint32_t region = body_.regions.of[nearest.triangle];
-    if (!body_.contains(p)) return {-nearest.distance, region};
-    double& depth = overlap_.depths[region];
-    depth = std::max(depth, nearest.distance);
+    if (body_.normals[nearest.triangle].dot(normal) < kFacing) {
+      double& depth = overlap_.depths[body_.regions.of[nearest.triangle]];
+      depth = std::max(depth, nearest.distance);
+    }
     if (nearest.distance > overlap_.deepest) {
       overlap_.deepest = nearest.distance;
       deepest_ = p;
       triangle_ = nearest.triangle;
     }
-    return {nearest.distance, region};
-  }
-
-  /// What need not be known better below the regions next to the part.
-  double enoughFor(const Triangle& part) {
-    double least = std::numeric_limits<double>::infinity();
-    const Vector3 middle = (part[0] + part[1] + part[2]) / 3.0;
-    for (const Vector3& p : {part[0], part[1], part[2], middle}) {
-      least = std::min(least, overlap_.depths[meet(p).second]);
-    }
-    return least + std::max(kShare * least, kLeastDepth);
-  }
-
-  /// No point of the part is inside.
-  bool isOutside(const Triangle& part) const {
-    Box3 box(part[0]);
-    box.extend(part[1]);
-    box.extend(part[2]);
-    bool meets = false;
-    body_.tree.visit(box, [&](std::uint32_t t) {
-      meets = trianglesMeet(part, body_.tree.triangles()[t]);
-      return !meets;
-    });
-    return !meets && !body_.contains(part[0]);
-  }
-
-  /// No point of the part is deeper than this: moved by so much it is outside.
-  bool isWithin(const Triangle& part, double depth) const {
-    Box3 box(part[0] - Vector3::Constant(depth), part[0] + Vector3::Constant(depth));
-    for (const Vector3& p : part) {
-      box.extend(p - Vector3::Constant(depth));
-      box.extend(p + Vector3::Constant(depth));
-    }
-    std::vector<Vector3> normals;
-    std::size_t count = 0;
-    body_.tree.visit(box, [&](std::uint32_t t) {
-      const Vector3& normal = body_.normals[t];
-      const bool known = std::any_of(normals.begin(), normals.end(),
-                                     [&](const Vector3& each) { return each.dot(normal) > kSameNormal; });
-      if (!known) normals.push_back(normal);
-      return ++count <= kMostNear;
-    });
-    Vector3 way = Vector3::Zero();
-    for (const Vector3& normal : normals) way += normal;
-    if (count > kMostNear || way.norm() < 0.1) return false;
-    way *= depth / way.norm();
-    return isOutside({part[0] + way, part[1] + way, part[2] + way});
-  }
-
-  static std::array<Triangle, 4> quarters(const Triangle& t) {
-    const Vector3 ab = 0.5 * (t[0] + t[1]);
-    const Vector3 bc = 0.5 * (t[1] + t[2]);
-    const Vector3 ca = 0.5 * (t[2] + t[0]);
-    return {{{t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}, {ab, bc, ca}}};
+    return nearest.distance;
   }
 
   void findThickness() {

@@ -14,11 +14,9 @@ struct Overlap {
   double thickness = 0.0;      ///< of the body below its surface there, metres
 };
 
-/// The depth of a point below a region is its distance from the surface of the body, where the region has the nearest
-/// point of that. The surface of `other` is divided where it is not shown that its parts are no deeper than what was
-/// met below the regions next to them, to a hundredth or a tenth of a micrometre. What is met is raised by that much.
-/// Bodies that are not closed have no inside. Where a search ends early (very many small faces, a stop), what was met
-/// counts: then less is allowed.
+/// The depth of a point of the other surface is its distance from the surface of the body. It counts for the region
+/// that has the nearest point, where that faces the other surface. It is taken at points where it can be largest
+/// (deepestPoints()), and nothing is added: what is not met is not allowed. Bodies that are not closed have no inside.
 Overlap overlapIn(const PlacedBody& body, const PlacedBody& other, const StopToken& stop);
 
 }  // namespace glissade::check

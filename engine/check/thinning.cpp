@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/check/ray_containment.h"
+#include "engine/geometry/triangle_crossing.h"
 
 namespace glissade::check {
 namespace {
@@ -20,9 +21,12 @@ constexpr double kLongestMove = 2.0;
 constexpr double kDamping = 1e-6;
 constexpr double kFlatShare = 2e-6;
 constexpr double kSameFace = 1e-9;
+/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
+/// not met exactly by corners that slide along it.
+constexpr double kStays = 0.01;
 constexpr int kRounds = 9;
 
-using Corners = std::array<Vector3, 3>;
+using Corners = Triangle;
 
 /// Where the segment from `from` to `to` crosses the triangle, as a share of it; infinity where it does not.
 double crossing(const Vector3& from, const Vector3& to, const Corners& triangle) {
@@ -39,16 +43,6 @@ double crossing(const Vector3& from, const Vector3& to, const Corners& triangle)
   const double b = way.dot(other) / determinant;
   if (!(a >= 0.0) || !(b >= 0.0) || !(a + b <= 1.0)) return kNone;
   return v.dot(other) / determinant;
-}
-
-bool crosses(const Corners& one, const Corners& other) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double t = crossing(one[i], one[(i + 1) % 3], other);
-    if (t >= 0.0 && t <= 1.0) return true;
-    const double s = crossing(other[i], other[(i + 1) % 3], one);
-    if (s >= 0.0 && s <= 1.0) return true;
-  }
-  return false;
 }
 
 Box3 boxAround(const Corners& corners) {
@@ -242,7 +236,7 @@ class ThinBody {
     double share = std::min(1.0, kLongestMove * allowance / std::max(move.norm(), 1e-300));
     for (const auto& [f, angle] : faces) {
       const double inwards = -normals_[f].dot(move);
-      if (inwards < 0.0) return -1.0;
+      if (inwards < (allowances_[f] > 0.0 ? 0.0 : -kStays * allowance)) return -1.0;
       if (inwards > 0.0) share = std::min(share, std::min(allowance, rooms_[f]) / inwards);
     }
     return share;
@@ -268,13 +262,17 @@ class ThinBody {
   std::set<std::uint32_t> crossingCorners(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
     std::set<std::uint32_t> bad;
+    const double rounding = kSameFace * box_.diagonal().norm();
     const BoxRow row(boxes_);
     for (const TriangleIndices& moved : thin.triangles) {
+      double way = 0.0;
+      for (const std::uint32_t i : moved) way = std::max(way, (thin.vertices[i] - points_[i]).norm());
+      const double near = std::max(rounding, kStays * way);
       const Corners corners = cornersOf(moved, thin.vertices);
       const Box3 box = boxAround(corners);
       row.visit(box, [&](std::uint32_t f) {
         if (piece[moved[0]] != piece[triangles_[f][0]]) return true;
-        if (meetAtStillCorner(moved, triangles_[f], thin) || !crosses(corners, faces_[f])) return true;
+        if (meetAtStillCorner(moved, triangles_[f], thin) || !trianglesCross(corners, faces_[f], near)) return true;
         bad.insert(moved.begin(), moved.end());
         return false;
       });
@@ -288,16 +286,23 @@ class ThinBody {
     });
   }
 
-  /// Of surfaces that do not cross: a point of each connected one decides.
+  /// Of surfaces that do not cross: a point of each connected one decides. It is the middle of the face that has moved
+  /// farthest inwards, because other points may be on faces that stay.
   bool isWithin(const TriangleMesh& thin) const {
     const std::vector<std::uint32_t> piece = pieces();
-    const RaySolid body(TriangleMesh{points_, triangles_});
-    std::set<std::uint32_t> known;
-    for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      if (thin.vertices[i] == points_[i] || !known.insert(piece[i]).second) continue;
-      if (!body.contains(thin.vertices[i])) return false;
+    std::map<std::uint32_t, std::pair<double, Vector3>> deepest;
+    for (std::size_t f = 0; f < triangles_.size(); ++f) {
+      const auto& [a, b, c] = triangles_[f];
+      const Vector3 middle = (thin.vertices[a] + thin.vertices[b] + thin.vertices[c]) / 3.0;
+      const double way = normals_[f].dot((faces_[f][0] + faces_[f][1] + faces_[f][2]) / 3.0 - middle);
+      auto& [most, at] = deepest[piece[a]];
+      if (way <= most) continue;
+      most = way;
+      at = middle;
     }
-    return true;
+    const RaySolid body(TriangleMesh{points_, triangles_});
+    return std::all_of(deepest.begin(), deepest.end(),
+                       [&](const auto& each) { return each.second.first <= 0.0 || body.contains(each.second.second); });
   }
 
   std::vector<Vector3> points_;

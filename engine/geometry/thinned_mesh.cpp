@@ -12,14 +12,18 @@
 #include "engine/base/in_threads.h"
 #include "engine/geometry/mesh_edges.h"
 #include "engine/geometry/mesh_volume.h"
+#include "engine/geometry/triangle_crossing.h"
 
 namespace glissade {
 namespace {
 
-/// In radii: nearer hits of a ray inwards are of the face that it begins at.
+/// In diagonals of the body's box: what is nearer to a face is on it.
 constexpr double kSameSurface = 1e-9;
 /// Share of the weights that is added to the least squares' matrix: directions that no face asks for stay still.
 constexpr double kStill = 1e-6;
+/// Share of the allowance: a face without one that moves outwards by less stays where it is. A round face that stays is
+/// not met exactly by corners that slide along it.
+constexpr double kStays = 0.01;
 /// In diagonals of the body's box: the normal of a lower triangle is made of rounding.
 constexpr double kLowest = 2e-6;
 /// Corners of moved triangles that meet the true surface go half as far, this often.
@@ -136,18 +140,19 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& all
   if (!(weights > 0.0)) return Vector3::Zero();
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
-  if (const auto move = shortened(least, vertex, largest)) return *move;
-  return shortened(-largest * mean.stableNormalized(), vertex, largest).value_or(Vector3::Zero());
+  if (const auto move = shortened(least, vertex, allowances, largest)) return *move;
+  return shortened(-largest * mean.stableNormalized(), vertex, allowances, largest).value_or(Vector3::Zero());
 }
 
 /// As far as the faces at the vertex have room; nothing where one of them would move outwards.
-std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex, double allowance) const {
+std::optional<Vector3> ThinnableMesh::shortened(const Vector3& move, std::size_t vertex,
+                                                const std::vector<double>& allowances, double largest) const {
   const double length = move.norm();
-  double share = length > kLongestThinning * allowance ? kLongestThinning * allowance / length : 1.0;
+  double share = length > kLongestThinning * largest ? kLongestThinning * largest / length : 1.0;
   for (const auto& [f, angle] : corners_[vertex]) {
     const double inwards = -faces_[f].normal.dot(move);
-    if (inwards < 0.0) return std::nullopt;
-    const double room = std::min(allowance, faces_[f].room);
+    if (inwards < (allowances[f] > 0.0 ? 0.0 : -kStays * largest)) return std::nullopt;
+    const double room = std::min(largest, faces_[f].room);
     if (share * inwards > room) share = room / inwards;
   }
   return Vector3(share * move);
@@ -159,6 +164,7 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
   std::vector<Triangle> triangles;
   for (const std::uint32_t triangle : among) triangles.push_back(cornersOf(thinned, thinned.triangles[triangle]));
   const TriangleTree after(std::move(triangles));
+  const double rounding = kSameSurface * boundingBox(mesh_).diagonal().norm();
   // Several threads note vertices at the same time. None is taken back, so that their order does not count.
   std::vector<std::uint8_t> outside(mesh_.vertices.size(), 0);
   const auto isOutside = [&](std::uint32_t vertex) {
@@ -174,7 +180,9 @@ std::vector<std::uint32_t> ThinnableMesh::verticesOutside(const TriangleMesh& th
     const TriangleIndices& moved = thinned.triangles[among[i]];
     if (shells_[among[i]] != shells_[k] || shareStillVertex(moved, mesh_.triangles[k])) return;
     if (std::all_of(moved.begin(), moved.end(), isOutside)) return;
-    if (!trianglesMeet(after.triangles()[i], surface_.triangles()[k])) return;
+    double way = 0.0;
+    for (const std::uint32_t v : moved) way = std::max(way, (thinned.vertices[v] - mesh_.vertices[v]).norm());
+    if (!trianglesCross(after.triangles()[i], surface_.triangles()[k], std::max(rounding, kStays * way))) return;
     for (const std::uint32_t vertex : moved) std::atomic_ref(outside[vertex]).store(1, std::memory_order_relaxed);
   });
   std::vector<std::uint32_t> vertices;
@@ -195,16 +203,24 @@ std::vector<std::uint32_t> ThinnableMesh::trianglesAt(const std::vector<std::uin
   return triangles;
 }
 
-/// Of surfaces that do not meet: one point decides for each connected surface.
+/// Of surfaces that do not cross: one point decides for each connected surface. It is the middle of the face that has
+/// moved farthest, because other points may be on faces that stay.
 bool ThinnableMesh::isInside(const TriangleMesh& thinned) const {
-  std::map<std::uint32_t, bool> inside;
+  struct Deepest {
+    double way = 0.0;
+    Vector3 at = Vector3::Zero();
+  };
+  std::map<std::uint32_t, Deepest> deepest;
   for (std::size_t f = 0; f < thinned.triangles.size(); ++f) {
-    for (const std::uint32_t vertex : thinned.triangles[f]) {
-      if (thinned.vertices[vertex] == mesh_.vertices[vertex] || inside.count(shells_[f]) > 0) continue;
-      inside[shells_[f]] = interior_.contains(thinned.vertices[vertex]);
-    }
+    const Triangle after = cornersOf(thinned, thinned.triangles[f]);
+    const Triangle& before = surface_.triangles()[f];
+    const Vector3 middle = (after[0] + after[1] + after[2]) / 3.0;
+    const double way = faces_[f].normal.dot((before[0] + before[1] + before[2]) / 3.0 - middle);
+    Deepest& ofShell = deepest[shells_[f]];
+    if (way > ofShell.way) ofShell = {way, middle};
   }
-  return std::all_of(inside.begin(), inside.end(), [](const auto& shell) { return shell.second; });
+  return std::all_of(deepest.begin(), deepest.end(),
+                     [&](const auto& shell) { return shell.second.way <= 0.0 || interior_.contains(shell.second.at); });
 }
 
 std::optional<TriangleMesh> ThinnableMesh::thinned(double allowance) const {

@@ -18,10 +18,11 @@ inline constexpr double kLongestThinning = 2.0;
 ///
 /// Definition. A face may move inwards by its room: its allowance, or a fifth of the thickness below the face where
 /// that is less. A vertex moves to where the planes of its faces, each moved by its room, meet: the least squares'
-/// solution with the faces' angles as weights; where that moves a face outwards, by the largest allowance of these faces
-/// against the mean of the normals, with the same weights. The move is shortened so that no face moves farther than the
-/// largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves outwards still, the vertex stays. So the thinned body is
-/// inside the true one, and holds every point of it that is deeper than two allowances.
+/// solution with the faces' angles as weights; where that moves a face outwards, by the largest allowance of these
+/// faces against the mean of the normals, with the same weights. The move is shortened so that no face moves farther
+/// than the largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves
+/// outwards still, the vertex stays. So the thinned body is inside the true one, to a hundred thousandth of the
+/// allowance, and holds every point of it that is deeper than two allowances.
 ///
 /// Immutable, shared by threads.
 class ThinnableMesh {
@@ -53,7 +54,9 @@ class ThinnableMesh {
   ThinnableMesh(TriangleMesh mesh, std::vector<std::uint32_t> sources, double sense);
   std::optional<TriangleMesh> thinnedFaces(const std::vector<double>& allowances) const;
   Vector3 moveOf(std::size_t vertex, const std::vector<double>& allowances) const;
-  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, double allowance) const;
+  /// `largest`: of the allowances of the faces at the vertex.
+  std::optional<Vector3> shortened(const Vector3& move, std::size_t vertex, const std::vector<double>& allowances,
+                                   double largest) const;
   std::vector<std::uint32_t> verticesOutside(const TriangleMesh& thinned,
                                              const std::vector<std::uint32_t>& among) const;
   std::vector<std::uint32_t> trianglesAt(const std::vector<std::uint32_t>& vertices) const;

@@ -173,6 +173,8 @@ TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
                                       "engine/import/step_assembly.h",
                                       "engine/import/step_external_files.cpp",
                                       "engine/import/step_external_files.h",
+                                      "engine/import/step_faces.cpp",
+                                      "engine/import/step_faces.h",
                                       "engine/import/step_losses.cpp",
                                       "engine/import/step_losses.h",
                                       "engine/import/step_mirrors.cpp",

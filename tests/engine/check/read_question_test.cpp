@@ -15,7 +15,7 @@ namespace {
 /// Two readers that share no code for scenarios agree on what a file says.
 TEST(ReadQuestion, SaysOfEverySampleWhatThePlannersReaderSays) {
   std::size_t seen = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(test::sourceDirectory() + "/samples")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(test::sourceDirectory() + "/samples")) {
     if (entry.path().extension() != ".json" && entry.path().extension() != ".cfg") continue;
     const auto loaded = loadScenario(entry.path().string(), StopToken());
     if (!loaded) continue;
