@@ -4,6 +4,7 @@
 #include <iostream>
 #include <string>
 
+#include "tests/oracle/mutation_campaign.h"
 #include "tests/oracle/trapped_campaign.h"
 
 namespace glissade::oracle {
@@ -16,7 +17,11 @@ int run(int argc, char** argv) {
     if (argc == 7) options.planEvery = std::stoull(argv[6]);
     return runTrapped(options);
   }
-  std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n";
+  if (command == "mutants" && argc == 6) {
+    return runMutations({argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])});
+  }
+  std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
+               "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n";
   return 2;
 }
 

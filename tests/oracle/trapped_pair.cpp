@@ -23,6 +23,7 @@ class PairMaker {
     random_.seed(words);
     shape_ = static_cast<Shape>(number % 5);
     fit_ = number / 5 % 2 == 0 ? FitPlace::None : static_cast<FitPlace>(1 + below(4));
+    if (shape_ == Shape::Gear && fit_ == FitPlace::SmoothPin) fit_ = FitPlace::ThickPin;  // no plane slopes to teeth
     trapped_ = below(4) != 0;
   }
 
