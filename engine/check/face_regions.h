@@ -17,8 +17,8 @@ struct FaceRegions {
   /// a CAD file.
   std::vector<std::vector<std::uint32_t>> next;
   std::vector<bool> curved;  ///< the triangle is a facet: it is bent against a neighbour by less than 36 degrees
-  /// Of each region: metres that the chords of the circles through its facets' edges are off them. A person may say that
-  /// it is of a cylinder; nothing else makes use of it.
+  /// Of each region: metres that the chords of the circles through its facets' edges are off them. A person may say
+  /// that it is of a cylinder; nothing else makes use of it.
   std::vector<double> sagitta;
 };
 
