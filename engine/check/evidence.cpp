@@ -80,10 +80,12 @@ double sagittaByPerson(const Side& side, double ofOther, std::uint32_t region) {
   return ofOther + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
 }
 
-/// A facet of a curved surface may be taken thinner by as much as the one next to it: its edges are theirs.
+/// A facet of a curved surface that is in the fit may be taken thinner by as much as the one next to it: they share an
+/// edge. Facets that are not in the fit stay whole: they may be under a lip.
 std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector<double>& sums) {
   std::vector<double> most = sums;
   for (std::size_t r = 0; r < regions.next.size(); ++r) {
+    if (sums[r] <= 0.0) continue;
     for (const std::uint32_t next : regions.next[r]) most[r] = std::max(most[r], sums[next]);
   }
   return most;

@@ -13,6 +13,7 @@
 #include "tests/oracle/mesh_writer.h"
 #include "tests/oracle/plan_oracle.h"
 #include "tests/oracle/stated_file.h"
+#include "tests/oracle/text_file.h"
 #include "tests/oracle/trapped_pair.h"
 
 namespace glissade::oracle {
@@ -22,10 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMutantsOfAProduct = 50;
 constexpr std::size_t kMostTriangles = 700;
-constexpr int kSamples = 24;
+constexpr int kSamplesOfAnEdge = 24;
 constexpr double kMillimetre = 1e-3;
-
-void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 Json readJson(const std::string& file) {
   std::ifstream stream(file);
@@ -94,7 +93,7 @@ class Mutations {
     std::vector<std::string> files;
     const auto add = [&](const std::string& id, const std::vector<Ring>& rings, double x) {
       const Triangles triangles = moved(trianglesOf(ringSolid(rings)), {x, 0.0, 0.0});
-      write(folder + "/" + id + ".obj", meshFile(triangles, MeshFormat::Obj));
+      writeText(folder + "/" + id + ".obj", meshFile(triangles, MeshFormat::Obj));
       files.push_back(folder + "/" + id + ".obj");
       sound.bodies.push_back({id, inMetres(triangles)});
     };
@@ -139,8 +138,8 @@ class Mutations {
       const std::string folder = newFolder(product);
       Sound sound{folder + "/scenario.json", {}, false, {}};
       const Triangles block = inMetres(trianglesOf(ringSolid(pair.block)));
-      write(folder + "/object.obj", meshFile(object, MeshFormat::Obj));
-      write(folder + "/block.obj", meshFile(block, MeshFormat::Obj));
+      writeText(folder + "/object.obj", meshFile(object, MeshFormat::Obj));
+      writeText(folder + "/block.obj", meshFile(block, MeshFormat::Obj));
       require(runCli({"new", sound.scenario, "--unit", "1m", "--moves", folder + "/object.obj", "--static",
                       folder + "/block.obj"}),
               "new");
@@ -160,7 +159,7 @@ class Mutations {
         for (const double x : pose["position"]) table << x << " ";
         table << "0 0 0 1\n";
       }
-      write(folder + "/straight.path", table.str());
+      writeText(folder + "/straight.path", table.str());
       const ChildEnd checked = runCli({"check", sound.scenario, folder + "/straight.path", "--json"});
       if (checked.exitCode != 0) {
         std::cerr << "left out, see the campaign of trapped parts: " << folder << ": " << pair.name << "\n";
@@ -184,7 +183,7 @@ class Mutations {
   }
 
   void checkSound(const Sound& sound) {
-    write(folder_ + "/sound.json", sound.file.dump(1));
+    writeText(folder_ + "/sound.json", sound.file.dump(1));
     require(runCli({"check", sound.scenario, folder_ + "/sound.json"}), folder_ + "/sound.json");
   }
 
@@ -210,8 +209,8 @@ class Mutations {
     const double deep = stated.moving + stated.yielding + 1e-4 * sound.fit + 1e-6;
     const ExactJudge judge({{sound.bodies[0].triangles}, sound.bodies[1].triangles});
     for (std::size_t edge = 0; edge + 1 < poses->size(); ++edge) {
-      for (int i = 0; i <= kSamples; ++i) {
-        const Placement pose = between((*poses)[edge], (*poses)[edge + 1], static_cast<double>(i) / kSamples);
+      for (int i = 0; i <= kSamplesOfAnEdge; ++i) {
+        const Placement pose = between((*poses)[edge], (*poses)[edge + 1], static_cast<double>(i) / kSamplesOfAnEdge);
         if (judge.depthAt(pose) > deep) return "it penetrates deeper than stated";
       }
     }
@@ -232,7 +231,7 @@ class Mutations {
       why = sound.isPlan ? whyFalse(mutant, sound.bodies) : whyFalsePath(sound, mutant);
     }
     const std::string file = folder_ + "/mutant-" + std::to_string(number) + ".json";
-    write(file, mutant.dump(1));
+    writeText(file, mutant.dump(1));
     const ChildEnd end = runCli({"check", sound.scenario, file});
     const std::string found = defectOf(end, why, ids);
     false_ += why.empty() ? 0 : 1;

@@ -10,6 +10,7 @@
 #include "tests/oracle/child_run.h"
 #include "tests/oracle/mesh_writer.h"
 #include "tests/oracle/step_writer.h"
+#include "tests/oracle/text_file.h"
 #include "tests/oracle/trapped_pair.h"
 
 namespace glissade::oracle {
@@ -26,8 +27,6 @@ constexpr double kDeflection = 0.01;
 constexpr const char* kPlanSeconds = "2";
 /// Exact volumes take a second each.
 constexpr std::uint64_t kVolumeEvery = 4;
-
-void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 Json poseAt(double z) {
   return {{"position", {0.0, 0.0, z}}, {"orientation", {0.0, 0.0, 0.0, 1.0}}, {"author", "computer"}};
@@ -90,8 +89,8 @@ class Trapped {
       writeStep(object, pair.object, pair.round);
       writeStep(block, pair.block, pair.round);
     } else {
-      write(object, meshFile(trianglesOf(ringSolid(pair.object)), format));
-      write(block, meshFile(trianglesOf(ringSolid(pair.block)), format));
+      writeText(object, meshFile(trianglesOf(ringSolid(pair.object)), format));
+      writeText(block, meshFile(trianglesOf(ringSolid(pair.block)), format));
     }
     std::vector<std::string> arguments{"new",      scenario(), "--moves",      object,
                                        "--static", block,      "--deflection", "0.01mm"};
@@ -122,7 +121,7 @@ class Trapped {
       if (yields) entry["yields"] = true;
       path["allowances"].push_back(entry);
     }
-    write(folder_ + "/" + name, path.dump(2));
+    writeText(folder_ + "/" + name, path.dump(2));
     return folder_ + "/" + name;
   }
 
@@ -137,7 +136,7 @@ class Trapped {
       for (const double x : point.at("position")) text << x << " ";
       text << "0 0 0 1\n";
     }
-    write(folder_ + "/straight.path", text.str());
+    writeText(folder_ + "/straight.path", text.str());
     return folder_ + "/straight.path";
   }
 
