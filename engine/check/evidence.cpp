@@ -108,7 +108,7 @@ AllowanceBound boundOf(const Side& side, const Side& other, double spacing, doub
     bound.most = sums[r];
     bound.largest = evidence;
   }
-  sums = withNextFacets(regions, sums);
+  if (side.body.mesh.faces.empty()) sums = withNextFacets(regions, sums);
   for (const std::uint32_t region : regions.of) bound.atMost.push_back(sums[region]);
   return bound;
 }

@@ -62,9 +62,9 @@ void numberRegions(const TriangleMesh& mesh, std::vector<std::uint32_t>& parent,
   regions.count = static_cast<std::uint32_t>(numberOf.size());
 }
 
-void findNext(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& bent, FaceRegions& regions) {
+void findNext(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& smooth, FaceRegions& regions) {
   regions.next.resize(regions.count);
-  for (const auto& [one, other] : bent) {
+  for (const auto& [one, other] : smooth) {
     const std::uint32_t a = regions.of[one];
     const std::uint32_t b = regions.of[other];
     if (a == b) continue;
@@ -87,7 +87,7 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
   FaceRegions regions;
   regions.curved.assign(count, false);
   std::vector<double> sagittas(count, 0.0);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> bent;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth;
   const MeshEdges edges = edgesOf(mesh);
   for (const auto& [ends, uses] : edges.uses) {
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -99,8 +99,8 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
         const bool isFlat = doubled[one].isZero(0.0) || doubled[other].isZero(0.0);
         if (!isFlat && angle >= kSharp) continue;
         if (isFlat || angle <= kOnePiece) parent[rootIn(parent, one)] = rootIn(parent, other);
+        smooth.emplace_back(one, other);
         if (isFlat || angle <= kFlatAngle) continue;
-        bent.emplace_back(one, other);
         const double width = std::min(doubled[one].norm(), doubled[other].norm()) /
                              (edges.positions[ends.second] - edges.positions[ends.first]).norm();
         for (const std::uint32_t t : {one, other}) {
@@ -111,7 +111,7 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
     }
   }
   numberRegions(mesh, parent, regions);
-  if (mesh.faces.empty()) findNext(bent, regions);
+  findNext(smooth, regions);
   regions.sagitta.assign(regions.count, 0.0);
   for (std::uint32_t t = 0; t < count; ++t) {
     double& sagitta = regions.sagitta[regions.of[t]];

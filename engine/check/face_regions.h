@@ -13,8 +13,7 @@ namespace glissade::check {
 struct FaceRegions {
   std::vector<std::uint32_t> of;  ///< number of the region, of each triangle
   std::uint32_t count = 0;
-  /// Flat pieces next to each, bent against it by less than 36 degrees: facets of a curved surface. Empty for faces of
-  /// a CAD file.
+  /// Regions next to each, bent against it by less than 36 degrees: together they are a smooth surface.
   std::vector<std::vector<std::uint32_t>> next;
   std::vector<bool> curved;  ///< the triangle is a facet: it is bent against a neighbour by less than 36 degrees
   /// Of each region: metres that the chords of the circles through its facets' edges are off them. A person may say
