@@ -104,14 +104,14 @@ ChildEnd attack(const char* campaign, const std::string& folder, const char* see
 /// A thousand are tried by packaging/reliability.sh.
 TEST(Oracle, NoTrappedPartLeaves) {
   const test::TemporaryFolder folder;
-  const ChildEnd end = attack("trapped", folder.path(), "11", "8");
+  const ChildEnd end = attack("trapped", folder.path(), "11", "6");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
 /// Ten thousand are tried by packaging/reliability.sh.
 TEST(Oracle, NoFalsePathOrPlanIsValid) {
   const test::TemporaryFolder folder;
-  const ChildEnd end = attack("mutants", folder.path(), "11", "100");
+  const ChildEnd end = attack("mutants", folder.path(), "11", "60");
   EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
 }
 
