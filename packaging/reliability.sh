@@ -33,9 +33,9 @@ while [ $# -gt 0 ]; do
 done
 
 if [ -n "$quick" ]; then
-  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 sessions=100 soak_minutes=1
+  variants=20 truncations=20 paths=300 mutations=2000 default_fuzz_seconds=10 kills=100 sessions=100 soak_minutes=1 trapped=60 mutants=400
 else
-  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 sessions=1000 soak_minutes=20
+  variants=200 truncations=1000000 paths=10000 mutations=80000 default_fuzz_seconds=600 kills=1000 sessions=1000 soak_minutes=20 trapped=1000 mutants=10000
 fi
 : "${fuzz_seconds:=$default_fuzz_seconds}"
 
@@ -132,6 +132,10 @@ for target in $targets; do
 done
 campaign "certified paths" "$release/path_oracle" \
   "$release/path_oracle" campaign "$release/path_maker" "$work/paths" "$seed" "$paths"
+campaign "trapped parts" "$release/check_attack" \
+  "$release/check_attack" trapped "$release/glissade-cli" "$work/trapped" "$seed" "$trapped"
+campaign "mutated paths and plans" "$release/check_attack" \
+  "$release/check_attack" mutants "$release/glissade-cli" "$work/mutants" "$seed" "$mutants"
 campaign "system calls of importers" "$release/confinement_test" \
   tests "system calls of importers" "$release/confinement_test" 'SystemCalls.*:Confinement.*'
 campaign "exceptions in the window" "$release/window_exceptions_test" \
@@ -163,8 +167,8 @@ table() {
   echo
   echo "\`packaging/reliability.sh${quick:+ $quick}\` wrote this table on $(date -u +%F) for commit $commit."
   echo "A row is one campaign. A defect is a crash, a signal, exit code 70, a hang, memory over the limit, a refusal"
-  echo "without a message, triangles that are missing without a warning, a certified path that penetrates, or a file that"
-  echo "a save loses. Seconds are summed over the processes of a campaign; MB are the largest of one process."
+  echo "without a message, triangles that are missing without a warning, a certified path that penetrates, a false path or"
+  echo "plan that is called valid, a refusal that names nothing, or a file that a save loses. Seconds are summed over the processes of a campaign; MB are the largest of one process."
   echo "*Malformed* are seeded changes of a sound file, *truncated* are all of its beginnings; both are given to"
   echo "\`glissade-cli\`. *In memory* means: to the reader itself, built with the address sanitizer."
   echo "What the campaigns do is in \`tests/oracle\`, \`tests/reliability\`, \`tests/fuzz\` and the scripts beside this file."

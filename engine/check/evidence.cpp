@@ -62,26 +62,43 @@ bool addsSagitta(const PairWord* word) {
   return word != nullptr && (word->kind == "thread" || word->kind == "cylindrical" || word->kind == "press");
 }
 
-/// The sagittas of the faces that a person calls cylinders: of bodies whose files state no faces.
-double sagittaByPerson(const Side& side, const Side& other, std::uint32_t region) {
-  if (side.body.regions.sagitta[region] <= 0.0) return 0.0;
+/// The largest sagitta of the facets of a side that are in the fit; 0 where the file states its faces.
+double sagittaInFit(const Side& side) {
+  if (!side.body.mesh.faces.empty()) return 0.0;
   double most = 0.0;
-  for (std::uint32_t r = 0; r < other.body.regions.count; ++r) {
-    const bool inFit = other.touches[r] || other.overlap.depths[r] > 0.0;
-    if (inFit && other.body.mesh.faces.empty()) most = std::max(most, other.body.regions.sagitta[r]);
+  for (std::uint32_t r = 0; r < side.body.regions.count; ++r) {
+    if (side.touches[r] || side.overlap.depths[r] > 0.0) most = std::max(most, side.body.regions.sagitta[r]);
   }
-  return most + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
+  return most;
+}
+
+/// The sagittas of the faces that a person calls cylinders: of bodies whose files state no faces.
+double sagittaByPerson(const Side& side, double ofOther, std::uint32_t region) {
+  if (side.body.regions.sagitta[region] <= 0.0) return 0.0;
+  return ofOther + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
+}
+
+/// A facet of a curved surface that is in the fit may be taken thinner by as much as the one next to it: they share an
+/// edge. Facets that are not in the fit stay whole: they may be under a lip.
+std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector<double>& sums) {
+  std::vector<double> most = sums;
+  for (std::size_t r = 0; r < regions.next.size(); ++r) {
+    if (sums[r] <= 0.0) continue;
+    for (const std::uint32_t next : regions.next[r]) most[r] = std::max(most[r], sums[next]);
+  }
+  return most;
 }
 
 AllowanceBound boundOf(const Side& side, const Side& other, double spacing, double margin, const PairWord* word) {
   const FaceRegions& regions = side.body.regions;
   AllowanceBound bound;
   std::vector<double> sums(regions.count, 0.0);
+  const double ofOther = addsSagitta(word) ? sagittaInFit(other) : 0.0;
   for (std::uint32_t r = 0; r < regions.count; ++r) {
     const double overlap = side.overlap.depths[r];
     if (overlap <= 0.0 && !side.touches[r]) continue;
     Evidence evidence{overlap, side.own[r] + side.others[r], spacing, margin, 0.0};
-    if (addsSagitta(word)) evidence.byPerson = sagittaByPerson(side, other, r);
+    if (addsSagitta(word)) evidence.byPerson = sagittaByPerson(side, ofOther, r);
     if (word != nullptr && word->allowance) evidence = {0.0, 0.0, 0.0, 0.0, *word->allowance};
     bound.inFit = true;
     sums[r] = evidence.sum();
@@ -89,6 +106,7 @@ AllowanceBound boundOf(const Side& side, const Side& other, double spacing, doub
     bound.most = sums[r];
     bound.largest = evidence;
   }
+  if (side.body.mesh.faces.empty()) sums = withNextFacets(regions, sums);
   for (const std::uint32_t region : regions.of) bound.atMost.push_back(sums[region]);
   return bound;
 }

@@ -11,8 +11,9 @@
 namespace glissade::check {
 namespace {
 
-/// Radians: 36 degrees, and what is flat.
+/// Radians: 36 degrees, a tenth of a degree (single precision bends flat faces by less), and what is flat.
 constexpr double kSharp = 0.6283185307179586;
+constexpr double kOnePiece = 1.7453292519943296e-3;
 constexpr double kFlatAngle = 1e-6;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -51,6 +52,27 @@ MeshEdges edgesOf(const TriangleMesh& mesh) {
 /// Of a chord that is a strip's width, where neighbouring strips are turned by the angle against each other.
 double sagittaOf(double width, double angle) { return 0.5 * width * std::tan(0.25 * angle); }
 
+void numberRegions(const TriangleMesh& mesh, std::vector<std::uint32_t>& parent, FaceRegions& regions) {
+  std::map<std::uint32_t, std::uint32_t> numberOf;
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    const auto next = static_cast<std::uint32_t>(numberOf.size());
+    const std::uint32_t face = mesh.faces.empty() ? rootIn(parent, t) : mesh.faceOf[t];
+    regions.of.push_back(numberOf.try_emplace(face, next).first->second);
+  }
+  regions.count = static_cast<std::uint32_t>(numberOf.size());
+}
+
+void findNext(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& smooth, FaceRegions& regions) {
+  regions.next.resize(regions.count);
+  for (const auto& [one, other] : smooth) {
+    const std::uint32_t a = regions.of[one];
+    const std::uint32_t b = regions.of[other];
+    if (a == b) continue;
+    regions.next[a].push_back(b);
+    regions.next[b].push_back(a);
+  }
+}
+
 }  // namespace
 
 FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
@@ -65,6 +87,7 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
   FaceRegions regions;
   regions.curved.assign(count, false);
   std::vector<double> sagittas(count, 0.0);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> smooth;
   const MeshEdges edges = edgesOf(mesh);
   for (const auto& [ends, uses] : edges.uses) {
     for (std::size_t i = 0; i < uses.size(); ++i) {
@@ -75,7 +98,8 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
         const double angle = std::atan2(doubled[one].cross(normal).norm(), doubled[one].dot(normal));
         const bool isFlat = doubled[one].isZero(0.0) || doubled[other].isZero(0.0);
         if (!isFlat && angle >= kSharp) continue;
-        parent[rootIn(parent, one)] = rootIn(parent, other);
+        if (isFlat || angle <= kOnePiece) parent[rootIn(parent, one)] = rootIn(parent, other);
+        smooth.emplace_back(one, other);
         if (isFlat || angle <= kFlatAngle) continue;
         const double width = std::min(doubled[one].norm(), doubled[other].norm()) /
                              (edges.positions[ends.second] - edges.positions[ends.first]).norm();
@@ -86,12 +110,8 @@ FaceRegions faceRegionsOf(const TriangleMesh& mesh) {
       }
     }
   }
-  std::map<std::uint32_t, std::uint32_t> numberOf;
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const auto next = static_cast<std::uint32_t>(numberOf.size());
-    regions.of.push_back(numberOf.try_emplace(rootIn(parent, t), next).first->second);
-  }
-  regions.count = static_cast<std::uint32_t>(numberOf.size());
+  numberRegions(mesh, parent, regions);
+  findNext(smooth, regions);
   regions.sagitta.assign(regions.count, 0.0);
   for (std::uint32_t t = 0; t < count; ++t) {
     double& sagitta = regions.sagitta[regions.of[t]];

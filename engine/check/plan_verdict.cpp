@@ -11,6 +11,7 @@
 #include "engine/base/thread_team.h"
 #include "engine/check/path_verdict.h"
 #include "engine/check/plan_demands.h"
+#include "engine/check/verdict_words.h"
 
 namespace glissade::check {
 namespace {
@@ -148,6 +149,18 @@ class StepJudge {
     }
   }
 
+  /// What the step states for a pair that is not compared.
+  void refuseStated(const Body& own, const Body& other, const char* why, StepVerdict& verdict) const {
+    for (const StatedAllowance& each : numbered_.step->allowances) {
+      const std::string& moving = each.moving.empty() ? numbered_.step->bodies.front() : each.moving;
+      if (moving != own.id || each.body != other.id || each.allowance <= 0.0) continue;
+      AppliedAllowance refused{own.id, other.id, own.name, other.name};
+      refused.stated = each.allowance;
+      if (each.yields) std::swap(refused.thinner, refused.against);
+      verdict.refusals.push_back(allowanceRefused(refused, why));
+    }
+  }
+
   JudgedMotion judgeBody(std::size_t body, const std::vector<Pose>& path, StepVerdict& verdict) const {
     const Body& own = product_.bodies[body];
     const Pose X_PB = inverse(path.front()) * own.X_WB;
@@ -161,11 +174,16 @@ class StepJudge {
     for (const Pose& q : path) ofBody.push_back(q * X_PB);
     for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
       const bool moves = std::binary_search(numbered_.group.begin(), numbered_.group.end(), other);
-      if (!numbered_.mayBeThere[other] || moves || watch_.stop.stopRequested()) continue;
+      if (watch_.stop.stopRequested()) continue;
       const Body& obstacle = product_.bodies[other];
+      if (!numbered_.mayBeThere[other] || moves) {
+        refuseStated(own, obstacle, moves ? "they leave together" : "the other one has left before", verdict);
+        continue;
+      }
       const double apart = sweep.exteriorDistance(boundingBox(*obstacle.mesh, obstacle.X_WB));
       if (apart > near) {
         leastOfFar = std::min(leastOfFar, apart);
+        refuseStated(own, obstacle, "they are apart", verdict);
         continue;
       }
       const PairQuestion asked{own, obstacle, {own.X_WB}, stated, numbered_.step->bodies.front(), ofBody};

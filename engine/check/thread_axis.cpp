@@ -17,6 +17,25 @@ constexpr std::size_t kFewestVertices = 6;
 constexpr double kMostDifference = 0.3;
 constexpr double kParallel = 1e-4;
 
+/// The first region of the smooth surface that each region is of.
+std::vector<std::uint32_t> smoothSurfaces(const FaceRegions& regions) {
+  std::vector<std::uint32_t> first(regions.count, regions.count);
+  for (std::uint32_t r = 0; r < regions.count; ++r) {
+    if (first[r] != regions.count) continue;
+    first[r] = r;
+    for (std::vector<std::uint32_t> open{r}; !open.empty();) {
+      const std::uint32_t one = open.back();
+      open.pop_back();
+      for (const std::uint32_t next : regions.next[one]) {
+        if (first[next] != regions.count) continue;
+        first[next] = r;
+        open.push_back(next);
+      }
+    }
+  }
+  return first;
+}
+
 struct RoundFace {
   Vector3 point;
   Vector3 axis;
@@ -82,8 +101,9 @@ std::optional<RoundFace> roundFaceOf(const PlacedBody& body, const std::vector<s
 
 std::vector<RoundFace> roundFacesOf(const PlacedBody& body) {
   std::vector<RoundFace> faces;
+  const std::vector<std::uint32_t> surfaceOf = smoothSurfaces(body.regions);
   std::vector<std::vector<std::uint32_t>> byRegion(body.regions.count);
-  for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) byRegion[body.regions.of[t]].push_back(t);
+  for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) byRegion[surfaceOf[body.regions.of[t]]].push_back(t);
   for (const auto& triangles : byRegion) {
     if (triangles.size() < kFewestVertices) continue;
     const auto round = roundFaceOf(body, triangles, directionOf(body, triangles));

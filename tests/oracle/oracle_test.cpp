@@ -96,5 +96,24 @@ TEST(Oracle, NoCertifiedPathPenetrates) {
   EXPECT_THAT(end.output, testing::HasSubstr("| 0 |"));
 }
 
+ChildEnd attack(const char* campaign, const std::string& folder, const char* seed, const char* count) {
+  const std::string programs = test::programDirectory();
+  return runChild({programs + "/check_attack", campaign, programs + "/glissade-cli", folder, seed, count}, {100, 4096});
+}
+
+/// A thousand are tried by packaging/reliability.sh.
+TEST(Oracle, NoTrappedPartLeaves) {
+  const test::TemporaryFolder folder;
+  const ChildEnd end = attack("trapped", folder.path(), "11", "6");
+  EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
+}
+
+/// Ten thousand are tried by packaging/reliability.sh.
+TEST(Oracle, NoFalsePathOrPlanIsValid) {
+  const test::TemporaryFolder folder;
+  const ChildEnd end = attack("mutants", folder.path(), "11", "60");
+  EXPECT_EQ(end.exitCode, 0) << end.errors << end.output;
+}
+
 }  // namespace
 }  // namespace glissade::oracle

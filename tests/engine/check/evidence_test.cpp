@@ -25,13 +25,42 @@ double sampledDepth(const PlacedBody& body, const PlacedBody& other, int steps) 
   return deepest;
 }
 
-TEST(FaceRegions, APrismOfTwelveSidesIsOneFaceAndOneOfEightIsEight) {
-  EXPECT_EQ(faceRegionsOf(test::prism(12, 0.02, 0.01)).count, 3U);
-  EXPECT_EQ(faceRegionsOf(test::prism(8, 0.02, 0.01)).count, 10U);
+TEST(FaceRegions, AreFlatPiecesOfAMesh) {
+  const FaceRegions twelve = faceRegionsOf(test::prism(12, 0.02, 0.01));
+  EXPECT_EQ(twelve.count, 14U);
+  EXPECT_EQ(std::count_if(twelve.next.begin(), twelve.next.end(), [](const auto& next) { return next.size() >= 2; }),
+            12)
+      << "each side has two facets next to it";
+  const FaceRegions eight = faceRegionsOf(test::prism(8, 0.02, 0.01));
+  EXPECT_EQ(eight.count, 10U);
+  EXPECT_TRUE(std::all_of(eight.next.begin(), eight.next.end(), [](const auto& next) { return next.empty(); }));
   EXPECT_EQ(faceRegionsOf(makeBox({1, 2, 3})).count, 6U);
   const FaceRegions round = faceRegionsOf(test::prism(36, 0.02, 0.01));
   EXPECT_NEAR(*std::max_element(round.sagitta.begin(), round.sagitta.end()),
               0.02 * (1.0 - std::cos(std::numbers::pi / 36)), 1e-6);
+}
+
+TEST(FaceRegions, AreTheFacesOfACadFile) {
+  TriangleMesh faced = test::prism(36, 0.02, 0.01);
+  faced.faces = {SurfaceFace{}, SurfaceFace{}, SurfaceFace{}};
+  for (std::size_t t = 0; t < faced.triangles.size(); ++t) {
+    faced.faceOf.push_back(t % 4 < 2 ? 0U : static_cast<std::uint32_t>(t % 4 - 1));
+  }
+  const FaceRegions regions = faceRegionsOf(faced);
+  EXPECT_EQ(regions.count, 3U);
+}
+
+/// A genuine fit at one side of a prism would free it under a lip that is over the other sides.
+TEST(Evidence, AnOverlapAtOneFacetIsNoneOfTheOthers) {
+  constexpr double kOverlap = 2e-4;
+  const double half = std::numbers::pi / 24;
+  const Body prism = test::checkBody("prism", test::prism(24, 0.02, 0.02, -half));
+  const double inside = 0.02 * std::cos(half) - kOverlap;
+  const Body bump = test::checkBody("bump", makeBox({0.01, 0.002, 0.01}), {inside + 0.005, 0.0, 0.01});
+  const AllowanceBound bound = boundsOf(placed(prism), placed(bump), {true, 0.0, {}}, nullptr, {}).one;
+  EXPECT_NEAR(bound.most, kOverlap + assembledMargin(placed(prism).radius), 3e-6);
+  const auto thinner = std::count_if(bound.atMost.begin(), bound.atMost.end(), [](double each) { return each > 0.0; });
+  EXPECT_EQ(thinner, 2) << "the two triangles of the facet";
 }
 
 TEST(Overlap, IsWhatDenseSamplesShow) {

@@ -59,6 +59,17 @@ TEST(PlanVerdict, RefusesAPathThatEndsInsideAndAllowancesOfItsOwn) {
   EXPECT_TRUE(verdict.steps[2].valid());
 }
 
+/// The cap leaves first: the drawer is never compared with it.
+TEST(PlanVerdict, RefusesAnAllowanceAgainstWhatHasLeft) {
+  const AssembledProduct product = test::lockedDrawer();
+  AssemblyPlan plan = test::planOf(product, "cabinet");
+  ASSERT_EQ(plan.steps.size(), 3U);
+  plan.steps[2].allowances.push_back({"cap", ContactKind::Planar, 0.0, 1e-3, ""});
+  const check::PlanVerdict verdict = judgePlan(plan, product, std::nullopt);
+  ASSERT_FALSE(verdict.steps[2].refusals.empty());
+  EXPECT_NE(verdict.steps[2].refusals[0].find("'drawer' 1 mm thinner against 'cap'"), std::string::npos);
+}
+
 /// A plate on a bolt with a nut on either side of it, both pairs marked as threads.
 AssembledProduct boltedPlate() {
   AssembledProduct product =

@@ -1,0 +1,38 @@
+// Attacks `glissade-cli check` with parts that are trapped and with paths and plans that were changed. Links nothing of
+// the engine.
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "tests/oracle/mutation_campaign.h"
+#include "tests/oracle/trapped_campaign.h"
+
+namespace glissade::oracle {
+namespace {
+
+int run(int argc, char** argv) {
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "trapped" && (argc == 6 || argc == 7)) {
+    TrappedOptions options{argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])};
+    if (argc == 7) options.planEvery = std::stoull(argv[6]);
+    return runTrapped(options);
+  }
+  if (command == "mutants" && argc == 6) {
+    return runMutations({argv[2], argv[3], std::stoull(argv[4]), std::stoull(argv[5])});
+  }
+  std::cerr << "usage: check_attack trapped GLISSADE_CLI FOLDER SEED PAIRS [PLAN_EVERY]\n"
+               "       check_attack mutants GLISSADE_CLI FOLDER SEED MUTANTS\n";
+  return 2;
+}
+
+}  // namespace
+}  // namespace glissade::oracle
+
+int main(int argc, char** argv) {
+  try {
+    return glissade::oracle::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "check_attack: " << error.what() << "\n";
+    return 3;
+  }
+}

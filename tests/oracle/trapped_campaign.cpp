@@ -1,0 +1,196 @@
+#include "tests/oracle/trapped_campaign.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/oracle/campaign_row.h"
+#include "tests/oracle/child_run.h"
+#include "tests/oracle/mesh_writer.h"
+#include "tests/oracle/step_writer.h"
+#include "tests/oracle/text_file.h"
+#include "tests/oracle/trapped_pair.h"
+
+namespace glissade::oracle {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Millimetres over what the judge may allow for bodies that touch: a micrometre for the attack, and two that rounding
+/// and fitting leave.
+constexpr double kLeastLip = 3e-3;
+/// Of curved surfaces: triangles of both are off by up to this, millimetres.
+constexpr double kDeflection = 0.01;
+constexpr const char* kPlanSeconds = "2";
+/// Exact volumes take a second each.
+constexpr std::uint64_t kVolumeEvery = 4;
+
+Json poseAt(double z) {
+  return {{"position", {0.0, 0.0, z}}, {"orientation", {0.0, 0.0, 0.0, 1.0}}, {"author", "computer"}};
+}
+
+class Trapped {
+ public:
+  explicit Trapped(const TrappedOptions& options) : options_(options) {}
+
+  int run() {
+    for (std::uint64_t i = 0; i < options_.pairs; ++i) tryPair(i);
+    const auto print = [&](const char* name, const char* key) {
+      printRow(name, tried_[key], defects_[key], options_.seed);
+    };
+    print("trapped parts, paths through the lip", "trapped");
+    print("trapped parts, planned", "planned");
+    print("trapped parts, exact common volumes", "volumes");
+    print("free parts beside them", "free");
+    std::uint64_t defects = 0;
+    for (const auto& [name, count] : defects_) defects += count;
+    return defects == 0 ? 0 : 1;
+  }
+
+ private:
+  void tryPair(std::uint64_t number) {
+    const bool step = number % 2 == 0;
+    TrappedPair pair = trappedPair(options_.seed, number, kLeastLip);
+    if (step && pair.round) pair = trappedPair(options_.seed, number, kLeastLip + 2.0 * kDeflection);
+    if (!step) pair.round = false;
+    folder_ = options_.folder + "/" + std::to_string(number);
+    name_ = folder_ + ": " + pair.name;
+    const std::uint64_t before = found_;
+    fs::create_directories(folder_);
+    if (!writeScenario(pair, number)) return;
+    tryPaths(pair);
+    if (pair.isTrapped() && number % options_.planEvery == 0) plan();
+    if (number % kVolumeEvery == 0) checkVolume(pair);
+    if (found_ == before) fs::remove_all(folder_);
+  }
+
+  void find(const std::string& kind, const std::string& what) {
+    std::cerr << "DEFECT " << name_ << ": " << what << "\n";
+    ++defects_[kind];
+    ++found_;
+  }
+
+  ChildEnd runCli(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), options_.cli);
+    return runChild(arguments, {120.0, 4096});
+  }
+
+  bool writeScenario(const TrappedPair& pair, std::uint64_t number) {
+    constexpr MeshFormat kFormats[] = {MeshFormat::TextStl, MeshFormat::BinaryStl, MeshFormat::Obj, MeshFormat::Glb};
+    const MeshFormat format = kFormats[number / 2 % 4];
+    const bool step = number % 2 == 0;
+    const std::string ending = step ? ".step" : endingOf(format);
+    const std::string object = folder_ + "/object" + ending;
+    const std::string block = folder_ + "/block" + ending;
+    if (step) {
+      writeStep(object, pair.object, pair.round);
+      writeStep(block, pair.block, pair.round);
+    } else {
+      writeText(object, meshFile(trianglesOf(ringSolid(pair.object)), format));
+      writeText(block, meshFile(trianglesOf(ringSolid(pair.block)), format));
+    }
+    std::vector<std::string> arguments{"new",      scenario(), "--moves",      object,
+                                       "--static", block,      "--deflection", "0.01mm"};
+    if (!step) arguments.insert(arguments.end(), {"--unit", "1mm", "--up", "z"});
+    const ChildEnd made = runCli(arguments);
+    if (made.exitCode != 0) find("free", "no scenario: " + made.errors);
+    return made.exitCode == 0;
+  }
+
+  std::string scenario() const { return folder_ + "/scenario.json"; }
+
+  /// Straight up and out.
+  std::string writePath(const std::string& name, double allowance, bool yields) {
+    std::ifstream stream(scenario());
+    const Json json = Json::parse(stream);
+    const Json& start = json.at("start").at("position");
+    const double z = start.at(2);
+    const double top = json.at("workspace").at("max").at(2);
+    Json path{{"format", "glissade-path"}, {"version", 1}};
+    for (const double height : {z, top}) {
+      Json point = poseAt(height);
+      point["position"] = {start.at(0), start.at(1), height};
+      path["configurations"].push_back(point);
+    }
+    path["allowances"] = Json::array();
+    if (allowance > 0.0) {
+      Json entry{{"body", json.at("bodies").at(0).at("id")}, {"allowance_m", allowance}};
+      if (yields) entry["yields"] = true;
+      path["allowances"].push_back(entry);
+    }
+    writeText(folder_ + "/" + name, path.dump(2));
+    return folder_ + "/" + name;
+  }
+
+  /// A format that states no allowances: the judge applies what it finds.
+  std::string writeTable() {
+    const std::string json = writePath("straight.json", 0.0, false);
+    std::ifstream stream(json);
+    const Json path = Json::parse(stream);
+    std::ostringstream text;
+    text.precision(17);
+    for (const Json& point : path.at("configurations")) {
+      for (const double x : point.at("position")) text << x << " ";
+      text << "0 0 0 1\n";
+    }
+    writeText(folder_ + "/straight.path", text.str());
+    return folder_ + "/straight.path";
+  }
+
+  ChildEnd check(const std::string& path) { return runCli({"check", scenario(), path, "--json"}); }
+
+  void tryPaths(const TrappedPair& pair) {
+    const std::string kind = pair.isTrapped() ? "trapped" : "free";
+    const ChildEnd own = check(writeTable());
+    ++tried_[kind];
+    if (own.exitCode != 0 && own.exitCode != 1)
+      find(kind, "exit code " + std::to_string(own.exitCode) + " " + own.errors);
+    if (!pair.isTrapped()) {
+      if (own.exitCode != 0) find(kind, "is refused: " + own.output.substr(0, 600) + own.errors);
+      return;
+    }
+    if (own.exitCode == 0) find(kind, "leaves with what the judge allows");
+    for (const double allowance : {1e-3 * pair.fit + 2e-6, 1.1e-3 * pair.lip}) {
+      for (const bool yields : {false, true}) {
+        ++tried_[kind];
+        const ChildEnd end = check(writePath("stated.json", allowance, yields));
+        if (end.exitCode == 1) continue;
+        std::ostringstream what;
+        what << "exit code " << end.exitCode << " with a stated allowance of " << allowance * 1e3 << " mm"
+             << (yields ? " of the block " : " ") << end.errors;
+        find(kind, what.str());
+      }
+    }
+  }
+
+  void plan() {
+    ++tried_["planned"];
+    const ChildEnd end = runCli({"plan", scenario(), "--strategy", "auto", "--time-limit", kPlanSeconds, "--seed", "1",
+                                 "--out", folder_ + "/planned.json"});
+    if (end.exitCode == 0) find("planned", "the planner finds a way out");
+  }
+
+  /// The exact solids share a volume where the flange is in the lip, and a free body shares none but that of its fit.
+  void checkVolume(const TrappedPair& pair) {
+    ++tried_["volumes"];
+    const double lifted = pair.top - 0.1 * pair.top;
+    const double volume = commonVolume(pair, lifted);
+    if (pair.isTrapped() && volume <= 0.0) find("volumes", "the exact solids share nothing in the lip");
+  }
+
+  const TrappedOptions& options_;
+  std::string folder_;
+  std::string name_;
+  std::map<std::string, std::uint64_t> tried_;
+  std::map<std::string, std::uint64_t> defects_;
+  std::uint64_t found_ = 0;
+};
+
+}  // namespace
+
+int runTrapped(const TrappedOptions& options) { return Trapped(options).run(); }
+
+}  // namespace glissade::oracle

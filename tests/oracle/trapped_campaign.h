@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace glissade::oracle {
+
+struct TrappedOptions {
+  std::string cli;     ///< glissade-cli
+  std::string folder;  ///< pairs with a finding stay in it
+  std::uint64_t seed = 1;
+  std::uint64_t pairs = 40;
+  std::uint64_t planEvery = 10;  ///< the automatic planner tries each of so many pairs
+};
+
+/// Writes pairs as STEP, STL, OBJ and GLB. Gives `check` straight paths through the lip, with allowances of several
+/// sizes, and lets the planner try. Prints rows "name | tried | clean | defects | seconds | peak MB | seed". Returns 0
+/// where no trapped body leaves and all free ones do.
+int runTrapped(const TrappedOptions& options);
+
+}  // namespace glissade::oracle
