@@ -7,27 +7,21 @@
 namespace glissade {
 namespace {
 
-/// Twice the signed area.
-double area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
-  const PlanePoint ab = b - a;
-  const PlanePoint ac = c - a;
-  return ab.x() * ac.y() - ab.y() * ac.x();
-}
-
 double areaOf(const PlaneLoop& loop, const std::vector<PlanePoint>& points) {
   double sum = 0.0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += area(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i)
+    sum += doubleArea(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
   return sum;
 }
 
 bool isBetween(const PlanePoint& p, const PlanePoint& a, const PlanePoint& b) {
-  return area(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0;
+  return doubleArea(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0;
 }
 
 /// The segments have a point in common; those that share an end do not count.
 bool cross(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
   if (a == c || a == d || b == c || b == d) return false;
-  if (area(a, b, c) * area(a, b, d) < 0.0 && area(c, d, a) * area(c, d, b) < 0.0) return true;
+  if (doubleArea(a, b, c) * doubleArea(a, b, d) < 0.0 && doubleArea(c, d, a) * doubleArea(c, d, b) < 0.0) return true;
   return isBetween(c, a, b) || isBetween(d, a, b) || isBetween(a, c, d) || isBetween(b, c, d);
 }
 
@@ -96,8 +90,9 @@ class HoleBridges {
     const PlanePoint& before = points_[outer_[(at + outer_.size() - 1) % outer_.size()]];
     const PlanePoint& corner = points_[outer_[at]];
     const PlanePoint& after = points_[outer_[(at + 1) % outer_.size()]];
-    if (area(before, corner, after) >= 0.0) return area(corner, p, before) > 0.0 && area(p, corner, after) > 0.0;
-    return !(area(corner, p, after) >= 0.0 && area(p, corner, before) >= 0.0);
+    if (doubleArea(before, corner, after) >= 0.0)
+      return doubleArea(corner, p, before) > 0.0 && doubleArea(p, corner, after) > 0.0;
+    return !(doubleArea(corner, p, after) >= 0.0 && doubleArea(p, corner, before) >= 0.0);
   }
 
   bool crosses(const PlaneLoop& loop, const PlanePoint& from, const PlanePoint& to) const {
@@ -119,7 +114,7 @@ class EarCutting {
 
   LoopTriangles run() && {
     while (left_.size() > 3) cut(nextEar());
-    if (area(at(0), at(1), at(2)) < 0.0) ++result_.forced;
+    if (doubleArea(at(0), at(1), at(2)) < 0.0) ++result_.forced;
     cut(1);
     return std::move(result_);
   }
@@ -135,7 +130,7 @@ class EarCutting {
       const std::size_t ear = (next_ + i) % left_.size();
       const PlanePoint& before = at(ear + left_.size() - 1);
       const PlanePoint& after = at(ear + 1);
-      const double size = area(before, at(ear), after);
+      const double size = doubleArea(before, at(ear), after);
       if (size > 0.0 && isEmpty(ear)) return ear;
       if (size == 0.0 && !flat) flat = ear;
       if (size > 0.0 && (after - before).norm() < length) {
@@ -156,7 +151,7 @@ class EarCutting {
     for (std::size_t i = ear + 2; i < ear + left_.size() - 1; ++i) {
       const PlanePoint& p = at(i);
       if (p == a || p == b || p == c) continue;
-      if (area(a, b, p) >= 0.0 && area(b, c, p) >= 0.0 && area(c, a, p) >= 0.0) return false;
+      if (doubleArea(a, b, p) >= 0.0 && doubleArea(b, c, p) >= 0.0 && doubleArea(c, a, p) >= 0.0) return false;
     }
     return true;
   }

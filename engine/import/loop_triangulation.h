@@ -1,15 +1,14 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "engine/geometry/triangle_mesh.h"
+#include "engine/import/plane_point.h"
 
 namespace glissade {
 
-using PlanePoint = Eigen::Vector2d;
 /// Indices of points, each joined to the next and the last to the first.
 using PlaneLoop = std::vector<std::uint32_t>;
 

@@ -6,11 +6,6 @@
 namespace glissade {
 namespace {
 
-double crossOf(const PlanePoint& a, const PlanePoint& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// Twice the signed area.
-double area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) { return crossOf(b - a, c - a); }
-
 /// The angles at c and d that look at the side from a to b are more than two right ones together.
 bool areTogetherFlat(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
   constexpr double kRounding = 1e-9;
@@ -18,7 +13,7 @@ bool areTogetherFlat(const PlanePoint& a, const PlanePoint& b, const PlanePoint&
   const PlanePoint cb = (b - c).normalized();
   const PlanePoint da = (a - d).normalized();
   const PlanePoint db = (b - d).normalized();
-  return crossOf(ca, cb) * db.dot(da) + ca.dot(cb) * crossOf(db, da) < -kRounding;
+  return crossProduct(ca, cb) * db.dot(da) + ca.dot(cb) * crossProduct(db, da) < -kRounding;
 }
 
 }  // namespace
@@ -69,8 +64,8 @@ bool PlaneMesh::isToFlip(Side side) const {
   const PlanePoint& b = points_[t[(side.corner + 1) % 3]];
   const PlanePoint& c = points_[t[(side.corner + 2) % 3]];
   const PlanePoint& d = points_[triangles_[other.triangle][(other.corner + 2) % 3]];
-  if (!(area(c, a, d) > 0.0 && area(d, b, c) > 0.0)) return false;
-  return area(a, b, c) <= 0.0 || area(b, a, d) <= 0.0 || areTogetherFlat(a, b, c, d);
+  if (!(doubleArea(c, a, d) > 0.0 && doubleArea(d, b, c) > 0.0)) return false;
+  return doubleArea(a, b, c) <= 0.0 || doubleArea(b, a, d) <= 0.0 || areTogetherFlat(a, b, c, d);
 }
 
 void PlaneMesh::flip(Side side) {
@@ -123,7 +118,8 @@ bool PlaneMesh::split(std::size_t triangle) {
   double longest = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
     const double length = (points_[triangles_[triangle][(i + 1) % 3]] - points_[triangles_[triangle][i]]).norm();
-    if (neighbours_[triangle][i] == kNone || otherSideOf({triangle, i}).triangle == kNone || length <= longest) continue;
+    if (neighbours_[triangle][i] == kNone || otherSideOf({triangle, i}).triangle == kNone || length <= longest)
+      continue;
     longest = length;
     side.corner = i;
   }

@@ -15,7 +15,8 @@ namespace glissade {
 namespace {
 
 /// An edge without length: one point of space, a line of parameters.
-void addDegenerated(const TopoDS_Edge& edge, const Geom2d_Curve& curve, double first, double last, BoundaryEdge& found) {
+void addDegenerated(const TopoDS_Edge& edge, const Geom2d_Curve& curve, double first, double last,
+                    BoundaryEdge& found) {
   constexpr int kParts = 16;
   const gp_Pnt point = BRep_Tool::Pnt(TopExp::FirstVertex(edge));
   for (int i = 0; i <= kParts; ++i) {

@@ -44,7 +44,7 @@ std::vector<Side> freeSides(const Poly_Triangulation& mesh) {
     int b = 0;
     int c = 0;
     mesh.Triangle(i).Get(a, b, c);
-    for (const Side side : {sideOf(a, b), sideOf(b, c), sideOf(c, a)}) sides.push_back(side);
+    sides.insert(sides.end(), {sideOf(a, b), sideOf(b, c), sideOf(c, a)});
   }
   return oddOnes(std::move(sides));
 }

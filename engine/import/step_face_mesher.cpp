@@ -160,8 +160,8 @@ class FaceMesher {
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const auto [a, b, c] = kept[i];
-      triangles->SetTriangle(static_cast<int>(i) + 1, Poly_Triangle(static_cast<int>(a) + 1, static_cast<int>(b) + 1,
-                                                                    static_cast<int>(c) + 1));
+      triangles->SetTriangle(static_cast<int>(i) + 1,
+                             Poly_Triangle(static_cast<int>(a) + 1, static_cast<int>(b) + 1, static_cast<int>(c) + 1));
     }
     triangles->Deflection(deflection_);
     const BRep_Builder builder;

@@ -12,12 +12,18 @@ namespace glissade {
 /// A face whose triangles were wrong.
 struct HealedFace {
   TopoDS_Face face;
-  FaceFault fault = FaceFault::None;                ///< that it had
-  FaceMeshing meshing = FaceMeshing::Failed;        ///< that replaced its triangles
+  FaceFault fault = FaceFault::None;          ///< that it had
+  FaceMeshing meshing = FaceMeshing::Failed;  ///< that replaced its triangles
+  double deflection = 0.0;                    ///< of the new triangles, measured
 };
 
 /// Looks at the triangles of each face of a meshed shape and makes those anew that are wrong, so that they fit those of
-/// the neighbours. In the order of the faces. Runs in the importing process only.
+/// the neighbours. In the order of the faces; `deflection` is in millimetres.
 std::vector<HealedFace> healFaces(const TopoDS_Shape& meshed, double deflection);
+
+/// Meshes a shape and heals its faces. Where boundaries of a face cross each other as polygons, the whole shape is
+/// meshed finer, up to a quarter of the deflection, and as it was asked for if that does not help. Runs in the
+/// importing process only.
+std::vector<HealedFace> meshAndHeal(const TopoDS_Shape& shape, double deflection);
 
 }  // namespace glissade
