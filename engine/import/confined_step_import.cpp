@@ -40,8 +40,9 @@ class Message {
     total_.kind = protocol::kAssembly;
     for (const StepSolid& solid : assembly.solids) add(solid, assembly.faceEntities);
     if (healings_ > kMostHealings) {
-      notes_ += protocol::kHealedLine + ("\t\t" + std::to_string(healings_ - kMostHealings)) +
-                " more faces were triangulated from their boundaries\n";
+      const std::string more =
+          std::to_string(healings_ - kMostHealings) + " more faces were triangulated from their boundaries";
+      notes_ += protocol::kHealedLine + ("\t\t" + more) + "\n";
     }
   }
 

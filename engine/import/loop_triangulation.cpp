@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace glissade {
 namespace {
@@ -41,12 +42,18 @@ class HoleBridges {
     });
   }
 
-  std::optional<PlaneLoop> join() && {
+  struct Joined {
+    PlaneLoop loop;
+    std::size_t forced = 0;  ///< bridges that cross a loop
+  };
+
+  std::optional<Joined> join() && {
     if (!(areaOf(outer_, points_) > 0.0)) return std::nullopt;
     for (std::size_t i = 0; i < holes_.size(); ++i) {
-      if (areaOf(holes_[i], points_) > 0.0 || !joinHole(i)) return std::nullopt;
+      if (areaOf(holes_[i], points_) > 0.0) return std::nullopt;
+      joinHole(i);
     }
-    return std::move(outer_);
+    return Joined{std::move(outer_), forced_};
   }
 
  private:
@@ -58,22 +65,43 @@ class HoleBridges {
     return best;
   }
 
-  bool joinHole(std::size_t index) {
-    const PlaneLoop& hole = holes_[index];
-    const std::size_t start = rightmostOf(hole);
-    const PlanePoint& from = points_[hole[start]];
-    std::vector<std::size_t> order(outer_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return (points_[outer_[a]] - from).squaredNorm() < (points_[outer_[b]] - from).squaredNorm();
-    });
-    const auto seen = std::find_if(order.begin(), order.end(), [&](std::size_t at) { return sees(at, from, index); });
-    if (seen == order.end()) return false;
+  /// Indices of a loop's points, sorted by a number.
+  template <class Function>
+  static std::vector<std::size_t> sorted(const PlaneLoop& loop, const Function& numberOf) {
+    std::vector<std::size_t> order(loop.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return numberOf(loop[a]) < numberOf(loop[b]); });
+    return order;
+  }
+
+  /// From the right on, the first of its points that sees the outer loop; where loops cross, none may.
+  void joinHole(std::size_t index) {
+    const std::vector<std::size_t> starts =
+        sorted(holes_[index], [&](std::uint32_t point) { return -points_[point].x(); });
+    for (std::size_t i = 0; i < std::min(kMostStarts, starts.size()); ++i) {
+      const std::size_t start = starts[i];
+      const PlanePoint& from = points_[holes_[index][start]];
+      const std::vector<std::size_t> ends = nearestFirst(from);
+      const auto seen = std::find_if(ends.begin(), ends.end(), [&](std::size_t at) { return sees(at, from, index); });
+      if (seen == ends.end()) continue;
+      addBridge(holes_[index], start, *seen);
+      return;
+    }
+    ++forced_;
+    addBridge(holes_[index], starts.front(), nearestFirst(points_[holes_[index][starts.front()]]).front());
+  }
+
+  /// Of the outer loop.
+  std::vector<std::size_t> nearestFirst(const PlanePoint& from) const {
+    return sorted(outer_, [&](std::uint32_t point) { return (points_[point] - from).squaredNorm(); });
+  }
+
+  void addBridge(const PlaneLoop& hole, std::size_t start, std::size_t end) {
     PlaneLoop bridge{hole.begin() + static_cast<std::ptrdiff_t>(start), hole.end()};
     bridge.insert(bridge.end(), hole.begin(), hole.begin() + static_cast<std::ptrdiff_t>(start) + 1);
-    bridge.push_back(outer_[*seen]);
-    outer_.insert(outer_.begin() + static_cast<std::ptrdiff_t>(*seen) + 1, bridge.begin(), bridge.end());
-    return true;
+    bridge.push_back(outer_[end]);
+    outer_.insert(outer_.begin() + static_cast<std::ptrdiff_t>(end) + 1, bridge.begin(), bridge.end());
   }
 
   bool sees(std::size_t at, const PlanePoint& from, std::size_t hole) const {
@@ -105,6 +133,9 @@ class HoleBridges {
   const std::vector<PlanePoint>& points_;
   PlaneLoop outer_;
   std::vector<PlaneLoop> holes_;  ///< those that are not joined yet come last
+  std::size_t forced_ = 0;
+
+  static constexpr std::size_t kMostStarts = 50;  ///< a search through all takes too long
 };
 
 /// Cuts off one ear after another.
@@ -179,7 +210,9 @@ std::optional<LoopTriangles> triangulateLoops(const std::vector<PlanePoint>& poi
   }
   auto joined = HoleBridges(points, std::move(loops)).join();
   if (!joined) return std::nullopt;
-  return EarCutting(points, std::move(*joined)).run();
+  LoopTriangles result = EarCutting(points, std::move(joined->loop)).run();
+  result.forced += joined->forced;
+  return result;
 }
 
 }  // namespace glissade

@@ -21,7 +21,7 @@ FaceEntities::FaceEntities(const STEPCAFControl_Reader& reader) {
 
 std::string FaceEntities::nameOf(const TopoDS_Face& face) const {
   const auto found = numbers_.find(face.TShape().get());
-  return found == numbers_.end() || found->second == 0 ? "" : "#" + std::to_string(found->second);
+  return found == numbers_.end() || found->second == 0 ? "#?" : "#" + std::to_string(found->second);
 }
 
 }  // namespace glissade

@@ -14,7 +14,7 @@ class FaceEntities {
   /// Ask after the transfer.
   explicit FaceEntities(const STEPCAFControl_Reader& reader);
 
-  /// "#45"; empty where it is not known.
+  /// "#45"; "#?" where it is not known.
   std::string nameOf(const TopoDS_Face& face) const;
 
  private:

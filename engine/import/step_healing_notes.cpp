@@ -28,8 +28,9 @@ std::string typeOf(const TopoDS_Face& face) {
 
 std::string placeOf(const HealedFace& healed, const FaceEntities& entities, const std::string& part) {
   const std::string entity = entities.nameOf(healed.face);
-  return "face " + (entity.empty() ? "" : entity + " ") + "(" + typeOf(healed.face) + ")" +
-         (part.empty() ? "" : " of '" + part + "'");
+  const std::string type = typeOf(healed.face);
+  if (part.empty()) return "face " + entity + " (" + type + ")";
+  return "face " + entity + " (" + type + ") of '" + part + "'";
 }
 
 std::string faultText(FaceFault fault) {
@@ -40,16 +41,16 @@ std::string faultText(FaceFault fault) {
   }
 }
 
-std::string lengthText(double millimetres) {
+std::string inDigits(double value, int digits) {
   std::ostringstream text;
-  text.precision(3);
-  text << millimetres;
+  text.precision(digits);
+  text << value;
   return text.str();
 }
 
 std::string healingText(const HealedFace& healed) {
   const std::string fault = faultText(healed.fault);
-  const std::string length = lengthText(healed.deflection);
+  const std::string length = inDigits(healed.deflection, 3);
   switch (healed.meshing) {
     case FaceMeshing::InParameters:
       return fault + "; it was triangulated from its boundaries, within " + length + " mm of its surface";
@@ -60,6 +61,17 @@ std::string healingText(const HealedFace& healed) {
   }
 }
 
+std::string volumeText(const StepTriangles& triangles) {
+  constexpr int kDigits = 7;
+  return "its triangles enclose " + inDigits(triangles.volume, kDigits) + " cubic millimetres, and its faces " +
+         inDigits(triangles.exactVolume, kDigits) +
+         ": they differ by more than the deviation of the triangles explains";
+}
+
+std::string lineOf(char kind, const std::string& where, const std::string& what) {
+  return std::string(1, kind) + "\t" + where + "\t" + what;
+}
+
 }  // namespace
 
 std::vector<std::string> healingNotes(const StepTriangles& triangles, const FaceEntities& entities,
@@ -67,12 +79,10 @@ std::vector<std::string> healingNotes(const StepTriangles& triangles, const Face
   std::vector<std::string> notes;
   for (const HealedFace& healed : triangles.healed) {
     const char kind = healed.meshing == FaceMeshing::Failed ? protocol::kLossLine : protocol::kHealedLine;
-    notes.push_back(kind + ("\t" + placeOf(healed, entities, part)) + "\t" + healingText(healed));
+    notes.push_back(lineOf(kind, placeOf(healed, entities, part), healingText(healed)));
   }
   if (triangles.volumeDiffers) {
-    notes.push_back(protocol::kVolumeLine + ("\tpart '" + part) + "'\tits triangles enclose " +
-                    lengthText(triangles.volume) + " mm³, and its faces " + lengthText(triangles.exactVolume) +
-                    " mm³: that is more than the deviation of its triangles explains");
+    notes.push_back(lineOf(protocol::kVolumeLine, "part '" + part + "'", volumeText(triangles)));
   }
   return notes;
 }

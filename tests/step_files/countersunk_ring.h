@@ -1,6 +1,6 @@
 #pragma once
 
-/// Entities of a ring of 4 mm with a countersink, The vertex of the countersink's seam is 1e-15 mm off
+/// Entities of a ring of 4 mm with a countersink. The vertex of the countersink's seam is 1e-15 mm off
 /// its line, as the rounding of a CAD system leaves it, so that the seam's parameters are pi to 3 pi but for the last
 /// digit. OpenCASCADE 7.6 makes no triangles for this cone.
 inline constexpr const char* kCountersunkRing = R"(#9001 = CARTESIAN_POINT('',(-1.9,1.E-15,0.0));
@@ -93,8 +93,7 @@ inline constexpr const char* kCountersunkRing = R"(#9001 = CARTESIAN_POINT('',(-
 #9088 = AXIS2_PLACEMENT_3D('',#9085,#9086,#9087);
 #9089 = CYLINDRICAL_SURFACE('',#9088,4.);
 #9090 = ADVANCED_FACE('',(#9084),#9089,.T.);
-#9091 = CLOSED_SHELL('',(#9054,#9066,#9078,#9090));
 )";
 
-/// The shell of it.
-inline constexpr const char* kCountersunkRingShell = "#9091";
+/// Its faces.
+inline constexpr const char* kCountersunkRingFaces = "#9054,#9066,#9078,#9090";

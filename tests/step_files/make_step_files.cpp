@@ -150,14 +150,14 @@ void writePart(const std::string& file, const char* name, const TopoDS_Shape& sh
   product.write(file, unit);
 }
 
-/// The box's file with another solid.
+/// The box's file with other faces.
 void writeCountersunkRing(const std::string& box, const std::string& file) {
   std::ifstream in(box, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  const std::string shell = "MANIFOLD_SOLID_BREP('',";
-  const std::size_t number = text.find(shell) + shell.size();
-  text.replace(number, text.find(')', number) - number, kCountersunkRingShell);
-  text.insert(text.rfind("ENDSEC;"), kCountersunkRing + 1);
+  const std::string shell = "CLOSED_SHELL('',(";
+  const std::size_t faces = text.find(shell) + shell.size();
+  text.replace(faces, text.find(')', faces) - faces, kCountersunkRingFaces);
+  text.insert(text.rfind("ENDSEC;"), kCountersunkRing);
   if (!(std::ofstream(file, std::ios::binary) << text)) throw std::string("cannot write " + file);
 }
 
