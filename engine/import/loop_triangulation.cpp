@@ -143,8 +143,14 @@ class EarCutting {
  public:
   EarCutting(const std::vector<PlanePoint>& points, PlaneLoop loop) : points_(points), left_(std::move(loop)) {}
 
-  LoopTriangles run() && {
-    while (left_.size() > 3) cut(nextEar());
+  /// Nothing where loops cross in so many places that the search takes too long.
+  std::optional<LoopTriangles> run() && {
+    constexpr double kMostTests = 2e9;  // of a corner against an ear
+    const double tests = static_cast<double>(left_.size()) * static_cast<double>(left_.size());
+    while (left_.size() > 3) {
+      cut(nextEar());
+      if (static_cast<double>(result_.forced) * tests > kMostTests) return std::nullopt;
+    }
     if (doubleArea(at(0), at(1), at(2)) < 0.0) ++result_.forced;
     cut(1);
     return std::move(result_);
@@ -210,8 +216,8 @@ std::optional<LoopTriangles> triangulateLoops(const std::vector<PlanePoint>& poi
   }
   auto joined = HoleBridges(points, std::move(loops)).join();
   if (!joined) return std::nullopt;
-  LoopTriangles result = EarCutting(points, std::move(joined->loop)).run();
-  result.forced += joined->forced;
+  auto result = EarCutting(points, std::move(joined->loop)).run();
+  if (result) result->forced += joined->forced;
   return result;
 }
 

@@ -20,7 +20,8 @@ struct LoopTriangles {
 };
 
 /// Triangles between an outer loop, which runs counter-clockwise, and holes, which run clockwise. Nothing where the
-/// outer loop runs the other way or a hole does. The time is quadratic in the points.
+/// outer loop runs the other way or a hole does, or where loops cross in very many places. The time is quadratic in
+/// the points.
 std::optional<LoopTriangles> triangulateLoops(const std::vector<PlanePoint>& points, std::vector<PlaneLoop> loops);
 
 }  // namespace glissade

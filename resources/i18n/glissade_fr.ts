@@ -3267,6 +3267,10 @@
         <translation>il a plus de %1 pièces</translation>
     </message>
     <message>
+        <source>it has more than %1 faces</source>
+        <translation>il a plus de %1 faces</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
         <translation>«&#xa0;%1&#xa0;» est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
     </message>
@@ -3276,7 +3280,7 @@
     </message>
     <message>
         <source>face %1 (%2)</source>
-        <translation>face %1 (%2)</translation>
+        <translation>la face %1 (%2)</translation>
     </message>
     <message>
         <source>face %1 (%2) of &apos;%3&apos;</source>

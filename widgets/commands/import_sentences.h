@@ -58,6 +58,7 @@ inline constexpr const char* kImportSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics", "its assemblies are nested too deeply, or hold themselves"),
     QT_TRANSLATE_NOOP("Diagnostics", "it has more than %1 assemblies and parts"),
     QT_TRANSLATE_NOOP("Diagnostics", "it has more than %1 parts"),
+    QT_TRANSLATE_NOOP("Diagnostics", "it has more than %1 faces"),
     QT_TRANSLATE_NOOP("Diagnostics", "'%1' is mirrored or scaled by its assembly and is in another file"),
     QT_TRANSLATE_NOOP("Diagnostics", "%1 more could not be made"),
     QT_TRANSLATE_NOOP("Diagnostics", "face %1 (%2)"),
