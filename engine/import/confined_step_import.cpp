@@ -14,6 +14,7 @@
 
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
+#include "engine/import/step_healing_notes.h"
 #include "engine/import/step_tessellation.h"
 #include "engine/import/step_text_check.h"
 
@@ -35,16 +36,21 @@ class Message {
  public:
   Message(double deflection, const StepAssembly& assembly)
       : deflection_(deflection), rootName_(assembly.rootName), externalParts_(assembly.externalParts) {
-    for (const std::string& loss : assembly.losses) losses_ += loss + "\n";
+    for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
-    for (const StepSolid& solid : assembly.solids) add(solid);
+    for (const StepSolid& solid : assembly.solids) add(solid, assembly.faceEntities);
+    if (healings_ > kMostHealings) {
+      const std::string more =
+          std::to_string(healings_ - kMostHealings) + " more faces were triangulated from their boundaries";
+      notes_ += protocol::kHealedLine + ("\t\t" + more) + "\n";
+    }
   }
 
   void write(const ImportOutput& output) const {
     output.write(&total_, sizeof total_);
     const protocol::AssemblyCounts counts{
         static_cast<std::uint32_t>(shapes_.size()),   static_cast<std::uint32_t>(parts_.size()),
-        static_cast<std::uint32_t>(losses_.size()),   static_cast<std::uint32_t>(externalParts_.size()),
+        static_cast<std::uint32_t>(notes_.size()),    static_cast<std::uint32_t>(externalParts_.size()),
         static_cast<std::uint32_t>(rootName_.size()), 0};
     output.write(&counts, sizeof counts);
     output.write(rootName_.data(), rootName_.size());
@@ -59,13 +65,13 @@ class Message {
       output.write(paths_[i].data(), paths_[i].size());
     }
     for (const StepExternalPart& part : externalParts_) write(part, output);
-    output.write(losses_.data(), losses_.size());
+    output.write(notes_.data(), notes_.size());
   }
 
  private:
-  void add(const StepSolid& solid) {
+  void add(const StepSolid& solid, const FaceEntities& entities) {
     protocol::Part part;
-    part.shape = shapeOf(solid);
+    part.shape = shapeOf(solid, entities);
     place(solid.placement.rigid, part);
     part.hasColour = solid.colour ? 1 : 0;
     if (solid.colour) std::copy(solid.colour->begin(), solid.colour->end(), part.colour);
@@ -95,16 +101,17 @@ class Message {
     output.write(part.file.data(), part.file.size());
   }
 
-  std::uint32_t shapeOf(const StepSolid& solid) {
+  std::uint32_t shapeOf(const StepSolid& solid, const FaceEntities& entities) {
     if (!numberOf_.IsBound(solid.shape)) numberOf_.Bind(solid.shape, numberOf_.Extent());
     const Key key{numberOf_.Find(solid.shape), solid.placement.scale, solid.placement.mirrored};
     const auto [known, isNew] = indexOf_.try_emplace(key, static_cast<std::uint32_t>(shapes_.size()));
-    if (isNew) addShape(solid);
+    if (isNew) addShape(solid, entities);
     return known->second;
   }
 
-  void addShape(const StepSolid& solid) {
+  void addShape(const StepSolid& solid, const FaceEntities& entities) {
     shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
+    addNotes(healingNotes(shapes_.back(), entities, solid.path.empty() ? rootName_ : solid.path));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
@@ -116,6 +123,16 @@ class Message {
       throw std::runtime_error("it has more than " + std::to_string(protocol::kMostFaces) + " faces");
     }
   }
+
+  /// Every loss is a line of its own; of healed faces a few are.
+  void addNotes(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+      if (note.front() == protocol::kHealedLine && ++healings_ > kMostHealings) continue;
+      notes_ += note + "\n";
+    }
+  }
+
+  static constexpr std::size_t kMostHealings = 20;
 
   double deflection_;
   std::string rootName_;
@@ -129,7 +146,8 @@ class Message {
   std::vector<protocol::Part> parts_;
   std::vector<std::string> paths_;
   std::vector<StepExternalPart> externalParts_;
-  std::string losses_;
+  std::string notes_;
+  std::size_t healings_ = 0;
 };
 
 int failToRead(const ImportOutput& output, const std::string& reason) {

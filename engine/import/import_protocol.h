@@ -11,7 +11,7 @@ namespace glissade::import_protocol {
 // for kAssembly an AssemblyCounts; the bytes of the root's name; every shape as a Shape, its vertices x 3 doubles
 // (millimetres), its triangles x 3 indices, its faces as a Face each; every part as a Part, the bytes of its path below
 // the root (UTF-8); every use of another file as an ExternalPart, the bytes of its path, the bytes of the file's name;
-// the bytes of its losses (a line each, "entity in the file, tab, what is missing"); for kError (the file cannot be
+// the bytes of its notes (a line each: kind, tab, where, tab, what; kinds below); for kError (the file cannot be
 // read) and kNotConfined (the process cannot give up its rights, and has read nothing) `vertices` bytes of text: the
 // location in the file (may be empty), a line feed, the reason.
 inline constexpr std::uint32_t kMagic = 0x474c494d;
@@ -19,6 +19,10 @@ inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
 inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
+/// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful.
+inline constexpr char kLossLine = 'L';
+inline constexpr char kHealedLine = 'H';
+inline constexpr char kVolumeLine = 'V';
 /// Metres: the unit of every length in an assembly.
 inline constexpr double kMillimetre = 0.001;
 
@@ -39,7 +43,7 @@ struct MeshFacts {
 struct AssemblyCounts {
   std::uint32_t shapes = 0;
   std::uint32_t parts = 0;
-  std::uint32_t lossBytes = 0;
+  std::uint32_t noteBytes = 0;
   std::uint32_t externalParts = 0;
   std::uint32_t rootNameBytes = 0;  ///< of the one product of the file that is no assembly; else 0
   std::uint32_t unused = 0;

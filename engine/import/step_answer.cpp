@@ -75,27 +75,38 @@ class StepDecoder {
     if (product.parts.empty() && product.externals.empty()) {
       return refusalOf(call_, "has no face that could be tessellated");
     }
-    const std::string losses = answer_.message.rest();
-    if (losses.size() != counts.lossBytes) return broken();
-    product.warnings = warningsOf(losses);
+    const std::string notes = answer_.message.rest();
+    if (notes.size() != counts.noteBytes) return broken();
+    product.warnings = warningsOf(notes);
     return product;
   }
 
  private:
   Diagnostic broken() const { return refusalOf(call_, "the importer failed on it"); }
 
-  /// A line each: the entity, a tab, what is missing.
-  Warnings warningsOf(const std::string& losses) const {
+  /// A line each: kind, tab, where, tab, what.
+  Warnings warningsOf(const std::string& notes) const {
     Warnings warnings;
-    std::istringstream lines(losses);
+    std::istringstream lines(notes);
     for (std::string line; std::getline(lines, line);) {
-      const std::size_t tab = std::min(line.find('\t'), line.size());
-      warnings.push_back({ErrorKind::MalformedInput, call_.file, line.substr(0, tab),
-                          line.substr(std::min(tab + 1, line.size())) +
-                              ": the part is not closed there; proofs take what is missing as free space",
-                          "Do not trust paths near it; export it again, or as a mesh."});
+      if (line.empty()) continue;
+      const std::size_t first = std::min(line.find('\t'), line.size());
+      const std::size_t second = std::min(line.find('\t', first + 1), line.size());
+      const std::string where = line.substr(std::min(first + 1, second), second - std::min(first + 1, second));
+      warnings.push_back(warningOf(line.front(), where, line.substr(std::min(second + 1, line.size()))));
     }
     return warnings;
+  }
+
+  Diagnostic warningOf(char kind, const std::string& where, const std::string& what) const {
+    if (kind == protocol::kHealedLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              "The deviation counts in every certificate; export the part as a mesh if it is too much."};
+    }
+    const std::string doubt = "Do not trust paths near it; export it again, or as a mesh.";
+    if (kind == protocol::kVolumeLine) return {ErrorKind::MalformedInput, call_.file, where, what, doubt};
+    return {ErrorKind::MalformedInput, call_.file, where,
+            what + ": the part is not closed there; proofs take what is missing as free space", doubt};
   }
 
   Outcome takeShape() {

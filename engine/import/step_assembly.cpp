@@ -271,6 +271,7 @@ StepAssembly readStepAssembly(std::istream& content, bool solidNames) {
   const std::vector<StepLoss> losses = lossesOf(reader);
   if (!losses.empty()) assign(losses, assembly.solids);
   assembly.losses = inLines(losses);
+  assembly.faceEntities = FaceEntities(reader);
   return assembly;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/import/step_face_entities.h"
 #include "engine/import/step_mirrors.h"
 
 namespace glissade {
@@ -35,6 +36,7 @@ struct StepAssembly {
   std::vector<StepSolid> solids;
   std::vector<StepExternalPart> externalParts;
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
+  FaceEntities faceEntities;
 };
 
 /// Reads a STEP file. Without `solidNames` the solids of a product that has several are numbered only. Throws

@@ -1,11 +1,10 @@
 #include "engine/import/step_tessellation.h"
 
 #include <BRepBndLib.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRepTools.hxx>
+#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <IMeshTools_Parameters.hxx>
+#include <GProp_GProps.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -70,6 +69,34 @@ void addFace(const TopoDS_Face& face, StepTriangles& triangles) {
   triangles.faces.push_back(recordOf(measuredFace(face, mesh, placement), mesh->NbTriangles()));
 }
 
+gp_XYZ vertexOf(const StepTriangles& triangles, std::uint32_t index) {
+  const double* at = &triangles.vertices[std::size_t{3} * index];
+  return {at[0], at[1], at[2]};
+}
+
+/// Slow, and needed for parts with healed faces only.
+void compareVolumes(const TopoDS_Shape& shape, StepTriangles& triangles) {
+  constexpr double kAccuracy = 1e-4;
+  if (triangles.healed.empty() || shape.ShapeType() != TopAbs_SOLID) return;
+  double deflection = 0.0;
+  for (const protocol::Face& face : triangles.faces) deflection = std::max(deflection, face.deflection);
+  double volume = 0.0;
+  double area = 0.0;
+  for (std::size_t i = 0; i < triangles.indices.size(); i += 3) {
+    const gp_XYZ a = vertexOf(triangles, triangles.indices[i]) - vertexOf(triangles, 0);
+    const gp_XYZ b = vertexOf(triangles, triangles.indices[i + 1]) - vertexOf(triangles, 0);
+    const gp_XYZ c = vertexOf(triangles, triangles.indices[i + 2]) - vertexOf(triangles, 0);
+    volume += a.Dot(b.Crossed(c)) / 6.0;
+    area += (b - a).Crossed(c - a).Modulus() / 2.0;
+  }
+  GProp_GProps exact;
+  BRepGProp::VolumeProperties(shape, exact, kAccuracy);
+  triangles.volume = volume;
+  triangles.exactVolume = exact.Mass();
+  triangles.volumeDiffers =
+      !(std::abs(volume - exact.Mass()) <= deflection * area + 2.0 * kAccuracy * std::abs(exact.Mass()));
+}
+
 void resize(protocol::Face& face, double scale, bool mirrored) {
   for (double& coordinate : face.point) coordinate *= scale;
   face.radius *= scale;
@@ -96,15 +123,16 @@ void resize(StepTriangles& triangles, double scale, bool mirrored) {
 StepTriangles tessellate(const TopoDS_Shape& shape, double deflection, double scale, bool mirrored) {
   StepTriangles triangles;
   const double asked = deflection > 0.0 ? deflection : usualDeflectionOf(shape, scale);
-  IMeshTools_Parameters parameters;
-  parameters.Deflection = kAsked * asked / scale;
-  parameters.Angle = kStepAngle;
-  parameters.InParallel = false;
-  BRepTools::Clean(shape);  // a face of two solids may have the triangles of the other
-  const BRepMesh_IncrementalMesh meshed(shape, parameters);
+  triangles.healed = meshAndHeal(shape, kAsked * asked / scale);
   for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
     addFace(TopoDS::Face(face.Current()), triangles);
   }
+  for (const HealedFace& healed : triangles.healed) {
+    if (healed.meshing == FaceMeshing::Failed && healed.fault != FaceFault::NoTriangles) {
+      ++triangles.record.facesWithoutMesh;
+    }
+  }
+  compareVolumes(shape, triangles);
   resize(triangles, scale, mirrored);
   triangles.record.vertices = static_cast<std::uint32_t>(triangles.vertices.size() / 3);
   triangles.record.triangles = static_cast<std::uint32_t>(triangles.indices.size() / 3);

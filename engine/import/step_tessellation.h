@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/import/import_protocol.h"
+#include "engine/import/step_healing.h"
 
 namespace glissade {
 
@@ -15,6 +16,12 @@ struct StepTriangles {
   std::vector<double> vertices;  ///< x y z, millimetres
   std::vector<std::uint32_t> indices;
   std::vector<import_protocol::Face> faces;  ///< of the triangles in their order
+  std::vector<HealedFace> healed;            ///< whose triangles were wrong at first
+  /// Of a solid with healed faces: its triangles and its faces enclose volumes that differ by more than the deflection
+  /// times the area.
+  bool volumeDiffers = false;
+  double volume = 0.0;       ///< of the triangles, cubic millimetres; where it differs
+  double exactVolume = 0.0;  ///< likewise, of the faces
 };
 
 /// Triangles that are about `deflection` (millimetres; 0: usualDeflection()) or less off the surface, of the shape

@@ -3267,12 +3267,100 @@
         <translation>il a plus de %1 pièces</translation>
     </message>
     <message>
+        <source>it has more than %1 faces</source>
+        <translation>il a plus de %1 faces</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is mirrored or scaled by its assembly and is in another file</source>
         <translation>«&#xa0;%1&#xa0;» est symétrisée ou mise à l&apos;échelle par son assemblage et se trouve dans un autre fichier</translation>
     </message>
     <message>
         <source>%1 more could not be made</source>
         <translation>%1 autres n&apos;ont pas pu être construits</translation>
+    </message>
+    <message>
+        <source>face %1 (%2)</source>
+        <translation>la face %1 (%2)</translation>
+    </message>
+    <message>
+        <source>face %1 (%2) of &apos;%3&apos;</source>
+        <translation>face %1 (%2) de «&#xa0;%3&#xa0;»</translation>
+    </message>
+    <message>
+        <source>B-spline surface</source>
+        <translation>surface B-spline</translation>
+    </message>
+    <message>
+        <source>Bezier surface</source>
+        <translation>surface de Bézier</translation>
+    </message>
+    <message>
+        <source>surface of revolution</source>
+        <translation>surface de révolution</translation>
+    </message>
+    <message>
+        <source>surface of extrusion</source>
+        <translation>surface d&apos;extrusion</translation>
+    </message>
+    <message>
+        <source>offset surface</source>
+        <translation>surface décalée</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>cône</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>sphère</translation>
+    </message>
+    <message>
+        <source>torus</source>
+        <translation>tore</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>cylindre</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE makes no triangles for it</source>
+        <translation>OpenCASCADE ne lui fait aucun triangle</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE&apos;s triangles leave its boundary open</source>
+        <translation>les triangles d&apos;OpenCASCADE laissent son contour ouvert</translation>
+    </message>
+    <message>
+        <source>OpenCASCADE&apos;s triangles overlap on it</source>
+        <translation>les triangles d&apos;OpenCASCADE s&apos;y recouvrent</translation>
+    </message>
+    <message>
+        <source>%1; it was triangulated from its boundaries, within %2 mm of its surface</source>
+        <translation>%1&#xa0;; elle a été triangulée à partir de ses contours, à %2&#xa0;mm de sa surface au plus</translation>
+    </message>
+    <message>
+        <source>%1, because its boundaries cross; it was triangulated between their points, within %2 mm of its surface</source>
+        <translation>%1, parce que ses contours se croisent&#xa0;; elle a été triangulée entre leurs points, à %2&#xa0;mm de sa surface au plus</translation>
+    </message>
+    <message>
+        <source>%1, and its boundaries cannot be triangulated</source>
+        <translation>%1, et ses contours ne peuvent pas être triangulés</translation>
+    </message>
+    <message>
+        <source>its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the deviation of the triangles explains</source>
+        <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
+    </message>
+    <message>
+        <source>%1 more faces were triangulated from their boundaries</source>
+        <translation>%1 autres faces ont été triangulées à partir de leurs contours</translation>
+    </message>
+    <message>
+        <source>The deviation counts in every certificate; export the part as a mesh if it is too much.</source>
+        <translation>L&apos;écart compte dans chaque certificat&#xa0;; exportez la pièce en maillage s&apos;il est trop grand.</translation>
     </message>
     <message>
         <source>standard input</source>

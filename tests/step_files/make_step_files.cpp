@@ -21,11 +21,16 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <cmath>
+#include <fstream>
 #include <gp_Ax2.hxx>
 #include <gp_GTrsf.hxx>
 #include <gp_Pln.hxx>
 #include <iostream>
+#include <iterator>
 #include <string>
+
+#include "tests/step_files/countersunk_ring.h"
 
 namespace {
 
@@ -83,6 +88,16 @@ TopoDS_Shape kindsOfFaces() {
   return all;
 }
 
+/// A disc with a hole that leaves 0.001 mm of its rim: the polygons of both circles cross.
+TopoDS_Shape discWithThinRim() {
+  constexpr double kAngle = 1.0;
+  constexpr double kDistance = 17.999;
+  const gp_Dir outwards(std::cos(kAngle), std::sin(kAngle), 0);
+  const gp_Pnt middle(kDistance * std::cos(kAngle), kDistance * std::sin(kAngle), -1);
+  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20.0, 2.0).Shape(),
+                         BRepPrimAPI_MakeCylinder(gp_Ax2(middle, gp_Dir(0, 0, 1), outwards), 2.0, 4.0).Shape());
+}
+
 /// A document of products, written as one STEP file.
 class Product {
  public:
@@ -133,6 +148,17 @@ void writePart(const std::string& file, const char* name, const TopoDS_Shape& sh
   Product product;
   product.part(name, shape);
   product.write(file, unit);
+}
+
+/// The box's file with other faces.
+void writeCountersunkRing(const std::string& box, const std::string& file) {
+  std::ifstream in(box, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string shell = "CLOSED_SHELL('',(";
+  const std::size_t faces = text.find(shell) + shell.size();
+  text.replace(faces, text.find(')', faces) - faces, kCountersunkRingFaces);
+  text.insert(text.rfind("ENDSEC;"), kCountersunkRing);
+  if (!(std::ofstream(file, std::ios::binary) << text)) throw std::string("cannot write " + file);
 }
 
 /// A plate with a hole and two pins: one in the hole, one lying beside it; and a pump of two parts.
@@ -218,6 +244,8 @@ void writeAll(const std::string& folder) {
   writePart(folder + "/edge.step", "edge", BRepBuilderAPI_MakeEdge(gp_Pnt(), gp_Pnt(10, 0, 0)));
   writePart(folder + "/cone.step", "cone", coneAt(gp_Ax2(gp_Pnt(5, -3, 7), gp_Dir(1, 2, 3))));
   writePart(folder + "/faces.step", "faces", kindsOfFaces());
+  writePart(folder + "/thin-rim.step", "disc", discWithThinRim());
+  writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
   writeSplit(folder);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <NCollection_DataMap.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS_Edge.hxx>
+#include <gp_Pnt.hxx>
+#include <set>
+#include <vector>
+
+namespace glissade {
+
+/// An edge as a polygon, along the edge's curve.
+struct EdgePolygon {
+  std::vector<double> parameters;  ///< of the curve
+  std::vector<gp_Pnt> points;      ///< in the frame of the shape
+};
+
+/// The polygons of edges, so that faces that share an edge get the same points bit by bit. Runs in the importing
+/// process only.
+class EdgePolygons {
+ public:
+  /// Edges that no triangle touches are divided so that they are within `deflection` (millimetres) of their curve.
+  explicit EdgePolygons(double deflection) : deflection_(deflection) {}
+
+  /// The triangles of a face that are not to be believed: their polygons are taken where there are no others.
+  void distrust(const Handle(Poly_Triangulation) & triangles) { distrusted_.insert(triangles.get()); }
+
+  /// The same at each call. Empty where the edge has no curve.
+  const EdgePolygon& of(const TopoDS_Edge& edge);
+
+ private:
+  EdgePolygon fromTriangles(const TopoDS_Edge& edge, bool trusted) const;
+  EdgePolygon divided(const TopoDS_Edge& edge) const;
+
+  double deflection_;
+  std::set<const Poly_Triangulation*> distrusted_;
+  NCollection_DataMap<TopoDS_Shape, EdgePolygon, TopTools_ShapeMapHasher> known_;
+};
+
+}  // namespace glissade

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <gp_Pnt.hxx>
+#include <gp_Pnt2d.hxx>
+#include <vector>
+
+#include "engine/import/step_edge_polygons.h"
+
+namespace glissade {
+
+/// A corner of a boundary as the surface and as space see it.
+struct BoundaryPoint {
+  gp_Pnt2d at;
+  gp_Pnt point;  ///< in the frame of the shape
+};
+
+/// An edge where a boundary of a face has it.
+struct BoundaryEdge {
+  TopoDS_Edge edge;  ///< as the boundary runs along it
+  std::vector<double> parameters;
+  std::vector<BoundaryPoint> points;  ///< along the boundary; the last one is the first of the next edge
+};
+
+using FaceBoundary = std::vector<BoundaryEdge>;
+
+/// The boundaries of a face that is not reversed. Empty where one of them is none. Runs in the importing process only.
+std::vector<FaceBoundary> boundariesOf(const TopoDS_Face& face, EdgePolygons& polygons);
+
+}  // namespace glissade

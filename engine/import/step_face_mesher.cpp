@@ -1,0 +1,225 @@
+#include "engine/import/step_face_mesher.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "engine/import/plane_mesh.h"
+#include "engine/import/step_face_boundary.h"
+
+namespace glissade {
+namespace {
+
+constexpr std::size_t kMostPoints = 100'000;  ///< of a face
+
+/// An edge of the boundary as indices of the face's points.
+struct EdgeNodes {
+  TopoDS_Edge edge;
+  std::vector<double> parameters;
+  std::vector<std::uint32_t> nodes;
+};
+
+class FaceMesher {
+ public:
+  FaceMesher(const TopoDS_Face& face, double deflection, EdgePolygons& polygons)
+      : face_(TopoDS::Face(face.Oriented(TopAbs_FORWARD))),
+        surface_(face_, false),
+        deflection_(deflection),
+        boundaries_(boundariesOf(face_, polygons)) {}
+
+  FaceMeshing run() {
+    if (boundaries_.empty()) return FaceMeshing::Failed;
+    chooseScales();
+    for (const FaceBoundary& boundary : boundaries_) addLoop(boundary);
+    const auto loops = triangulateLoops(inPlane_, loops_);
+    if (!loops) return FaceMeshing::Failed;
+    PlaneMesh mesh(inPlane_, loops->triangles);
+    if (loops->forced == 0) {
+      mesh.makeDelaunay();
+      refine(mesh);
+    }
+    removeTriangles();
+    addTriangles(mesh);
+    return loops->forced == 0 ? FaceMeshing::InParameters : FaceMeshing::BetweenPoints;
+  }
+
+ private:
+  /// Parameters times these are about millimetres.
+  void chooseScales() {
+    double alongU = 0.0;
+    double alongV = 0.0;
+    for (const FaceBoundary& boundary : boundaries_) {
+      for (const BoundaryEdge& edge : boundary) {
+        for (const BoundaryPoint& point : edge.points) {
+          gp_Pnt on;
+          gp_Vec du;
+          gp_Vec dv;
+          surface_.D1(point.at.X(), point.at.Y(), on, du, dv);
+          alongU = std::max(alongU, du.Magnitude());
+          alongV = std::max(alongV, dv.Magnitude());
+        }
+      }
+    }
+    if (alongU > 0.0 && alongV > 0.0) scales_ = {alongU, alongV};
+  }
+
+  /// Points of an edge but its last, which is the first of the next edge.
+  void addLoop(const FaceBoundary& boundary) {
+    PlaneLoop loop;
+    const std::size_t firstEdge = edges_.size();
+    for (const BoundaryEdge& edge : boundary) {
+      EdgeNodes nodes{edge.edge, edge.parameters, {}};
+      for (std::size_t i = 0; i + 1 < edge.points.size(); ++i) {
+        nodes.nodes.push_back(addPoint(edge.points[i]));
+        loop.push_back(nodes.nodes.back());
+      }
+      edges_.push_back(std::move(nodes));
+    }
+    for (std::size_t i = firstEdge; i < edges_.size(); ++i) {
+      const std::size_t next = i + 1 == edges_.size() ? firstEdge : i + 1;
+      edges_[i].nodes.push_back(edges_[next].nodes.front());
+    }
+    loops_.push_back(std::move(loop));
+  }
+
+  std::uint32_t addPoint(const BoundaryPoint& point) {
+    inPlane_.emplace_back(point.at.X() * scales_[0], point.at.Y() * scales_[1]);
+    inSpace_.push_back(point.point);
+    return static_cast<std::uint32_t>(inPlane_.size() - 1);
+  }
+
+  gp_Pnt onSurface(const PlanePoint& p) const { return surface_.Value(p.x() / scales_[0], p.y() / scales_[1]); }
+
+  /// Of the middles of its sides and of itself from the surface, in the parameters between its corners.
+  double deviationOf(const PlaneMesh& mesh, const TriangleIndices& t) const {
+    constexpr double kThird = 1.0 / 3.0;
+    constexpr std::array<std::array<double, 3>, 4> kSamples{
+        {{0.5, 0.5, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}, {kThird, kThird, kThird}}};
+    double most = 0.0;
+    for (const auto& share : kSamples) {
+      PlanePoint at = PlanePoint::Zero();
+      gp_XYZ flat;
+      for (std::size_t i = 0; i < 3; ++i) {
+        at += share[i] * mesh.points()[t[i]];
+        flat += share[i] * inSpace_[t[i]].XYZ();
+      }
+      most = std::max(most, onSurface(at).Distance(flat));
+    }
+    return most;
+  }
+
+  void refine(PlaneMesh& mesh) {
+    constexpr int kMostPasses = 12;
+    if (surface_.GetType() == GeomAbs_Plane) return;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      bool changed = false;
+      const std::size_t count = mesh.triangles().size();
+      for (std::size_t t = 0; t < count && inSpace_.size() < kMostPoints; ++t) {
+        if (deviationOf(mesh, mesh.triangles()[t]) <= deflection_ || !mesh.split(t)) continue;
+        inSpace_.push_back(onSurface(mesh.points().back()));
+        changed = true;
+      }
+      if (!changed) return;
+    }
+  }
+
+  void removeTriangles() const {
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) old = BRep_Tool::Triangulation(face_, location);
+    if (old.IsNull()) return;
+    const BRep_Builder builder;
+    for (TopExp_Explorer edge(face_, TopAbs_EDGE); edge.More(); edge.Next()) {
+      builder.UpdateEdge(TopoDS::Edge(edge.Current()), Handle(Poly_PolygonOnTriangulation)(), old, location);
+    }
+  }
+
+  void addTriangles(const PlaneMesh& mesh) const {
+    const TopLoc_Location location = face_.Location();
+    const gp_Trsf back = location.Transformation().Inverted();
+    std::vector<TriangleIndices> kept;
+    std::copy_if(mesh.triangles().begin(), mesh.triangles().end(), std::back_inserter(kept),
+                 [&](const TriangleIndices& t) { return !isWithoutArea(t); });
+    const Handle(Poly_Triangulation) triangles =
+        new Poly_Triangulation(static_cast<int>(inSpace_.size()), static_cast<int>(kept.size()), true);
+    for (std::size_t i = 0; i < inSpace_.size(); ++i) {
+      const int node = static_cast<int>(i) + 1;
+      triangles->SetNode(node, location.IsIdentity() ? inSpace_[i] : inSpace_[i].Transformed(back));
+      const PlanePoint& p = mesh.points()[i];
+      triangles->SetUVNode(node, gp_Pnt2d(p.x() / scales_[0], p.y() / scales_[1]));
+    }
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const auto [a, b, c] = kept[i];
+      triangles->SetTriangle(static_cast<int>(i) + 1,
+                             Poly_Triangle(static_cast<int>(a) + 1, static_cast<int>(b) + 1, static_cast<int>(c) + 1));
+    }
+    triangles->Deflection(deflection_);
+    const BRep_Builder builder;
+    builder.UpdateFace(face_, triangles);
+    for (std::size_t i = 0; i < edges_.size(); ++i) addPolygon(i, triangles, location);
+  }
+
+  /// Where a degenerated edge is, corners with different parameters are one point.
+  bool isWithoutArea(const TriangleIndices& t) const {
+    const auto same = [&](std::uint32_t a, std::uint32_t b) { return inSpace_[a].IsEqual(inSpace_[b], 0.0); };
+    return same(t[0], t[1]) || same(t[1], t[2]) || same(t[2], t[0]);
+  }
+
+  static Handle(Poly_PolygonOnTriangulation) polygonOf(EdgeNodes edge) {
+    if (edge.edge.Orientation() == TopAbs_REVERSED) {
+      std::reverse(edge.nodes.begin(), edge.nodes.end());
+      std::reverse(edge.parameters.begin(), edge.parameters.end());
+    }
+    const int count = static_cast<int>(edge.nodes.size());
+    TColStd_Array1OfInteger nodes(1, count);
+    TColStd_Array1OfReal parameters(1, count);
+    for (int i = 1; i <= count; ++i) {
+      nodes.SetValue(i, static_cast<int>(edge.nodes[static_cast<std::size_t>(i - 1)]) + 1);
+      parameters.SetValue(i, edge.parameters[static_cast<std::size_t>(i - 1)]);
+    }
+    return new Poly_PolygonOnTriangulation(nodes, parameters);
+  }
+
+  /// A seam is there twice.
+  void addPolygon(std::size_t index, const Handle(Poly_Triangulation) & triangles,
+                  const TopLoc_Location& location) const {
+    const TopoDS_Edge& edge = edges_[index].edge;
+    const auto other = std::find_if(edges_.begin(), edges_.end(), [&](const EdgeNodes& candidate) {
+      return &candidate != &edges_[index] && candidate.edge.IsSame(edge);
+    });
+    const BRep_Builder builder;
+    if (other == edges_.end()) {
+      builder.UpdateEdge(edge, polygonOf(edges_[index]), triangles, location);
+    } else if (edge.Orientation() == TopAbs_FORWARD) {
+      builder.UpdateEdge(edge, polygonOf(edges_[index]), polygonOf(*other), triangles, location);
+    }
+  }
+
+  TopoDS_Face face_;
+  BRepAdaptor_Surface surface_;
+  double deflection_;
+  std::vector<FaceBoundary> boundaries_;
+  std::array<double, 2> scales_{1.0, 1.0};
+  std::vector<PlanePoint> inPlane_;  ///< those of the boundaries, at first
+  std::vector<gp_Pnt> inSpace_;      ///< of all points; in the frame of the shape
+  std::vector<PlaneLoop> loops_;
+  std::vector<EdgeNodes> edges_;
+};
+
+}  // namespace
+
+FaceMeshing meshFace(const TopoDS_Face& face, double deflection, EdgePolygons& polygons) {
+  return FaceMesher(face, deflection, polygons).run();
+}
+
+}  // namespace glissade
