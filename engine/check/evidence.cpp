@@ -11,8 +11,8 @@ namespace glissade::check {
 namespace {
 
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
-constexpr double kClashOverlap = 1e-3;  ///< metres
-constexpr double kClashShare = 0.2;     ///< of the local thickness
+constexpr double kClashOverlap = 1e-3;      ///< metres
+constexpr double kClashShare = 0.2;         ///< of the local thickness
 
 /// One side of a pair: what was found of each face.
 struct Side {
@@ -26,6 +26,12 @@ struct Side {
     touches.assign(body.regions.count, false);
     own.assign(body.regions.count, 0.0);
     others.assign(body.regions.count, 0.0);
+  }
+
+  /// A touch of the triangle with these deflections says nothing that is not known of its face.
+  bool isKnown(std::uint32_t triangle, double ownDeflection, double otherDeflection) const {
+    const std::uint32_t region = body.regions.of[triangle];
+    return touches[region] && own[region] >= ownDeflection && others[region] >= otherDeflection;
   }
 
   void touch(std::uint32_t triangle, double ownDeflection, double otherDeflection) {
@@ -47,6 +53,7 @@ void findTouching(Side& one, Side& other, double spacing, const StopToken& stop)
     if (one.body.normals[i].dot(other.body.normals[k]) > kFacing) return !stop.stopRequested();
     const double ofOne = one.body.deflections[i];
     const double ofOther = other.body.deflections[k];
+    if (one.isKnown(i, ofOne, ofOther) && other.isKnown(k, ofOther, ofOne)) return true;
     const double near = ofOne + ofOther + off;
     const Triangle& a = one.body.tree.triangles()[i];
     const Triangle& b = other.body.tree.triangles()[k];

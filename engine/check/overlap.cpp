@@ -1,6 +1,7 @@
 #include "engine/check/overlap.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/check/deepest_points.h"
@@ -40,38 +41,49 @@ class DepthSearch {
     for (const Vector3& corner : part) deepest = std::max(deepest, meet(corner, normal));
     for (int i = 0; i < kMostWidenings; ++i) {
       const double reach = 2.0 * std::max(deepest, kLeastDepth);
-      const std::vector<Triangle> near = trianglesNear(part, reach);
-      if (near.empty() && deepest == 0.0) return;
-      for (const Vector3& p : deepestPoints(part, near)) {
-        if (isShallow(p, near)) continue;
-        deepest = std::max(deepest, meet(p, normal));
+      const std::vector<std::uint32_t> near = trianglesNear(part, reach);
+      if (deepest == 0.0 && noneFaces(near, normal)) return;
+      std::vector<Triangle> triangles;
+      for (const std::uint32_t t : near) triangles.push_back(body_.tree.triangles()[t]);
+      for (const Vector3& p : deepestPoints(part, triangles)) {
+        if (!isShallow(p, near, normal)) deepest = std::max(deepest, meet(p, normal));
       }
       if (deepest <= reach) return;
     }
   }
 
-  std::vector<Triangle> trianglesNear(const Triangle& part, double reach) const {
+  bool noneFaces(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
+    return std::none_of(near.begin(), near.end(),
+                        [&](std::uint32_t t) { return body_.normals[t].dot(normal) < kFacing; });
+  }
+
+  std::vector<std::uint32_t> trianglesNear(const Triangle& part, double reach) const {
     Box3 box(part[0]);
     box.extend(part[1]);
     box.extend(part[2]);
     box.min().array() -= reach;
     box.max().array() += reach;
-    std::vector<Triangle> near;
+    std::vector<std::uint32_t> near;
     body_.tree.visit(box, [&](std::uint32_t t) {
       const Triangle& triangle = body_.tree.triangles()[t];
       if (triangleDistance(part, triangle).squared <= reach * reach || trianglesMeet(part, triangle)) {
-        near.push_back(triangle);
+        near.push_back(t);
       }
       return true;
     });
     return near;
   }
 
-  /// The point is no deeper than what was met below every face.
-  bool isShallow(const Vector3& p, const std::vector<Triangle>& near) const {
-    return std::any_of(near.begin(), near.end(), [&](const Triangle& triangle) {
-      return (nearestPoint(triangle, p) - p).squaredNorm() <= kLeastDepth * kLeastDepth;
-    });
+  /// The point is no deeper than what was met below each of the faces that it can count for.
+  bool isShallow(const Vector3& p, const std::vector<std::uint32_t>& near, const Vector3& normal) const {
+    double met = std::numeric_limits<double>::infinity();
+    double distance = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t t : near) {
+      distance = std::min(distance, (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm());
+      if (body_.normals[t].dot(normal) < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
+    }
+    const double enough = std::max(std::isfinite(met) ? met : 0.0, kLeastDepth);
+    return distance <= enough * enough;
   }
 
   /// Depth of a point of the other surface, 0 outside. It counts for the face that is nearest, if that faces it.
