@@ -14,52 +14,51 @@ constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and roundi
 constexpr double kClashOverlap = 1e-3;      ///< metres
 constexpr double kClashShare = 0.2;         ///< of the local thickness
 
-/// One side of a pair: what was found of each face.
+/// One side of a pair, and what was measured of it.
 struct Side {
   const PlacedBody& body;
-  Overlap overlap;
-  std::vector<bool> touches{};
-  std::vector<double> own{};     ///< deflection of the face near the other body
-  std::vector<double> others{};  ///< deflection of the other body near the face
-
-  Side(const PlacedBody& placed, Overlap found) : body(placed), overlap(std::move(found)) {
-    touches.assign(body.regions.count, false);
-    own.assign(body.regions.count, 0.0);
-    others.assign(body.regions.count, 0.0);
-  }
-
-  /// A touch of the triangle with these deflections says nothing that is not known of its face.
-  bool isKnown(std::uint32_t triangle, double ownDeflection, double otherDeflection) const {
-    const std::uint32_t region = body.regions.of[triangle];
-    return touches[region] && own[region] >= ownDeflection && others[region] >= otherDeflection;
-  }
-
-  void touch(std::uint32_t triangle, double ownDeflection, double otherDeflection) {
-    const std::uint32_t region = body.regions.of[triangle];
-    touches[region] = true;
-    own[region] = std::max(own[region], ownDeflection);
-    others[region] = std::max(others[region], otherDeflection);
-  }
+  const MeasuredSide& measured;
 };
+
+MeasuredSide emptySide(const PlacedBody& body, Overlap overlap) {
+  const std::size_t count = body.regions.count;
+  return {std::move(overlap), std::vector<bool>(count, false), std::vector<double>(count, 0.0),
+          std::vector<double>(count, 0.0)};
+}
+
+/// A touch of the region with these deflections says nothing that is not known of it.
+bool isKnown(const MeasuredSide& side, std::uint32_t region, double own, double others) {
+  return side.touches[region] && side.own[region] >= own && side.others[region] >= others;
+}
+
+void touch(MeasuredSide& side, std::uint32_t region, double own, double others) {
+  side.touches[region] = true;
+  side.own[region] = std::max(side.own[region], own);
+  side.others[region] = std::max(side.others[region], others);
+}
 
 double largestOf(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
 }
 
-void findTouching(Side& one, Side& other, double spacing, const StopToken& stop) {
-  const double off = spacing + kTouchingSurfaces;
-  const double reach = off + largestOf(one.body.deflections) + largestOf(other.body.deflections);
-  one.body.tree.visitPairs(other.body.tree, reach, [&](std::uint32_t i, std::uint32_t k) {
-    if (one.body.normals[i].dot(other.body.normals[k]) > kFacing) return !stop.stopRequested();
-    const double ofOne = one.body.deflections[i];
-    const double ofOther = other.body.deflections[k];
-    if (one.isKnown(i, ofOne, ofOther) && other.isKnown(k, ofOther, ofOne)) return true;
+void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& measured, const StopToken& stop) {
+  const double off = one.spacing + other.spacing + kTouchingSurfaces;
+  const double reach = off + largestOf(one.deflections) + largestOf(other.deflections);
+  one.tree.visitPairs(other.tree, reach, [&](std::uint32_t i, std::uint32_t k) {
+    if (one.normals[i].dot(other.normals[k]) > kFacing) return !stop.stopRequested();
+    const double ofOne = one.deflections[i];
+    const double ofOther = other.deflections[k];
+    const std::uint32_t regionOfOne = one.regions.of[i];
+    const std::uint32_t regionOfOther = other.regions.of[k];
+    if (isKnown(measured.one, regionOfOne, ofOne, ofOther) && isKnown(measured.other, regionOfOther, ofOther, ofOne)) {
+      return true;
+    }
     const double near = ofOne + ofOther + off;
-    const Triangle& a = one.body.tree.triangles()[i];
-    const Triangle& b = other.body.tree.triangles()[k];
+    const Triangle& a = one.tree.triangles()[i];
+    const Triangle& b = other.tree.triangles()[k];
     if (triangleDistance(a, b).squared <= near * near || trianglesMeet(a, b)) {
-      one.touch(i, ofOne, ofOther);
-      other.touch(k, ofOther, ofOne);
+      touch(measured.one, regionOfOne, ofOne, ofOther);
+      touch(measured.other, regionOfOther, ofOther, ofOne);
     }
     return !stop.stopRequested();
   });
@@ -74,7 +73,8 @@ double sagittaInFit(const Side& side) {
   if (!side.body.mesh.faces.empty()) return 0.0;
   double most = 0.0;
   for (std::uint32_t r = 0; r < side.body.regions.count; ++r) {
-    if (side.touches[r] || side.overlap.depths[r] > 0.0) most = std::max(most, side.body.regions.sagitta[r]);
+    if (side.measured.touches[r] || side.measured.overlap.depths[r] > 0.0)
+      most = std::max(most, side.body.regions.sagitta[r]);
   }
   return most;
 }
@@ -102,9 +102,9 @@ AllowanceBound boundOf(const Side& side, const Side& other, double spacing, doub
   std::vector<double> sums(regions.count, 0.0);
   const double ofOther = addsSagitta(word) ? sagittaInFit(other) : 0.0;
   for (std::uint32_t r = 0; r < regions.count; ++r) {
-    const double overlap = side.overlap.depths[r];
-    if (overlap <= 0.0 && !side.touches[r]) continue;
-    Evidence evidence{overlap, side.own[r] + side.others[r], spacing, margin, 0.0};
+    const double overlap = side.measured.overlap.depths[r];
+    if (overlap <= 0.0 && !side.measured.touches[r]) continue;
+    Evidence evidence{overlap, side.measured.own[r] + side.measured.others[r], spacing, margin, 0.0};
     if (addsSagitta(word)) evidence.byPerson = sagittaByPerson(side, ofOther, r);
     if (word != nullptr && word->allowance) evidence = {0.0, 0.0, 0.0, 0.0, *word->allowance};
     bound.inFit = true;
@@ -120,10 +120,10 @@ AllowanceBound boundOf(const Side& side, const Side& other, double spacing, doub
 
 /// Why nothing is allowed for the pair; empty: nothing is wrong.
 std::string clashOf(const Side& one, const Side& other, const FitWords& fits, const PairWord* word) {
-  const double a = one.overlap.deepest;
-  const double b = other.overlap.deepest;
+  const double a = one.measured.overlap.deepest;
+  const double b = other.measured.overlap.deepest;
   const double overlap = a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
-  const double thickness = std::max(one.overlap.thickness, other.overlap.thickness);
+  const double thickness = std::max(one.measured.overlap.thickness, other.measured.overlap.thickness);
   if (overlap <= kClashOverlap && overlap <= kClashShare * thickness) return {};
   const bool said =
       word != nullptr && (word->accepted || word->allowance || (!word->kind.empty() && word->kind != "clash"));
@@ -142,12 +142,17 @@ double assembledMargin(double radius) {
   return std::max(kLeastMargin, kClearances * tolerance::kRequiredClearance * radius);
 }
 
-PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
-                    const StopToken& stop) {
+MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop) {
+  MeasuredPair measured{emptySide(one, overlapIn(one, other, stop)), emptySide(other, overlapIn(other, one, stop))};
+  findTouching(one, other, measured, stop);
+  return measured;
+}
+
+PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const MeasuredPair& measured, const FitWords& fits,
+                    const PairWord* word) {
   const double spacing = one.spacing + other.spacing;
-  Side a(one, overlapIn(one, other, stop));
-  Side b(other, overlapIn(other, one, stop));
-  findTouching(a, b, spacing, stop);
+  const Side a{one, measured.one};
+  const Side b{other, measured.other};
   // A body that gives way has no reference point to turn about: its own size counts, or that of the one that moves.
   const double sizeOfOther = std::max(one.radius, 0.5 * other.tree.box().diagonal().norm());
   PairBounds bounds{boundOf(a, b, spacing, assembledMargin(one.radius), word),

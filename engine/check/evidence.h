@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/stop_token.h"
+#include "engine/check/overlap.h"
 #include "engine/check/placed_body.h"
 #include "engine/check/product.h"
 
@@ -37,12 +38,27 @@ struct PairBounds {
   AllowanceBound other;
 };
 
+/// What was measured of the faces of one body against another one.
+struct MeasuredSide {
+  Overlap overlap;
+  std::vector<bool> touches;   ///< of each region
+  std::vector<double> own;     ///< deflection of the face near the other body, metres
+  std::vector<double> others;  ///< deflection of the other body near the face, metres
+};
+
+struct MeasuredPair {
+  MeasuredSide one;
+  MeasuredSide other;
+};
+
 /// Compares the pair, face by face (FaceRegions). A face is in the fit where the other surface is below it, or faces it
-/// and is not farther from it than files, coordinates and three micrometres may be off. Overlaps of more than a
-/// millimetre or a fifth of the local thickness are clashes, and nothing is allowed for them unless a person accepts
-/// them.
-PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
-                    const StopToken& stop);
+/// and is not farther from it than files, coordinates and three micrometres may be off.
+MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
+
+/// What the evidence gives. Overlaps of more than a millimetre or a fifth of the local thickness are clashes, and
+/// nothing is allowed for them unless a person accepts them.
+PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const MeasuredPair& measured, const FitWords& fits,
+                    const PairWord* word);
 
 /// What remains between bodies that touch where the product is assembled: a micrometre, or four of the clearances that
 /// a path has to keep for a body of this radius, if that is more.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/check/deepest_points.h"
+#include "engine/geometry/triangle_crossing.h"
 
 namespace glissade::check {
 namespace {
@@ -42,7 +43,7 @@ class DepthSearch {
     for (int i = 0; i < kMostWidenings; ++i) {
       const double reach = 2.0 * std::max(deepest, kLeastDepth);
       const std::vector<std::uint32_t> near = trianglesNear(part, reach);
-      if (deepest == 0.0 && noneFaces(near, normal)) return;
+      if (deepest == 0.0 && isOutside(part, normal, near)) return;
       std::vector<Triangle> triangles;
       for (const std::uint32_t t : near) triangles.push_back(body_.tree.triangles()[t]);
       for (const Vector3& p : deepestPoints(part, triangles)) {
@@ -52,9 +53,12 @@ class DepthSearch {
     }
   }
 
-  bool noneFaces(const std::vector<std::uint32_t>& near, const Vector3& normal) const {
-    return std::none_of(near.begin(), near.end(),
-                        [&](std::uint32_t t) { return body_.normals[t].dot(normal) < kFacing; });
+  /// The part does not pass through the surface, and its middle is not inside.
+  bool isOutside(const Triangle& part, const Vector3& normal, const std::vector<std::uint32_t>& near) {
+    const bool crosses = std::any_of(near.begin(), near.end(), [&](std::uint32_t t) {
+      return trianglesCross(part, body_.tree.triangles()[t], kLeastDepth);
+    });
+    return !crosses && meet((part[0] + part[1] + part[2]) / 3.0, normal) <= kLeastDepth;
   }
 
   std::vector<std::uint32_t> trianglesNear(const Triangle& part, double reach) const {

@@ -83,7 +83,7 @@ class PairFitter {
   void findBounds() {
     bool first = true;
     for (const Pose& end : question_.assembled) {
-      const PairBounds found = boundsOf(bodies_.at(question_.moving, end), other(), fits_, word_, stop_);
+      const PairBounds found = bodies_.boundsOf(bodies_.at(question_.moving, end), other(), fits_, word_, stop_);
       bounds_.one = first ? found.one : united(bounds_.one, found.one);
       bounds_.other = first ? found.other : united(bounds_.other, found.other);
       first = false;
@@ -220,6 +220,29 @@ const PlacedBody& PlacedBodies::at(const Body& body, const Pose& X_WB) {
   }
   entries_.push_back({body.mesh.get(), X_WB, std::make_unique<const PlacedBody>(body, X_WB)});
   return *entries_.back().placed;
+}
+
+PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other,
+                                                 const StopToken& stop) {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = pairs_.find({&one, &other});
+    if (known != pairs_.end()) return known->second;
+    const auto exchanged = pairs_.find({&other, &one});
+    if (exchanged != pairs_.end()) {
+      const MeasuredPair& pair = *exchanged->second;
+      return pairs_[{&one, &other}] = std::make_shared<const MeasuredPair>(MeasuredPair{pair.other, pair.one});
+    }
+  }
+  auto found = std::make_shared<const MeasuredPair>(measurePair(one, other, stop));
+  if (stop.stopRequested()) return found;
+  const std::lock_guard lock(mutex_);
+  return pairs_.try_emplace({&one, &other}, std::move(found)).first->second;
+}
+
+PairBounds PlacedBodies::boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits,
+                                  const PairWord* word, const StopToken& stop) {
+  return check::boundsOf(one, other, *measured(one, other, stop), fits, word);
 }
 
 PairFit fitOf(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/check/evidence.h"
@@ -47,12 +49,18 @@ struct PairQuestion {
   std::vector<Pose> path;                                     ///< of the moving body
 };
 
-/// Bodies placed once, for any number of pairs and threads.
+/// Bodies that are placed once, and pairs that are measured once, for any number of threads.
 class PlacedBodies {
  public:
   const PlacedBody& at(const Body& body, const Pose& X_WB);
+  /// What the evidence gives for two of these bodies, in this order. After a stop the pair is not remembered.
+  PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
+                      const StopToken& stop);
 
  private:
+  using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
+  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
+
   struct Entry {
     const TriangleMesh* mesh;
     Pose X_WB;
@@ -60,6 +68,7 @@ class PlacedBodies {
   };
   std::mutex mutex_;
   std::vector<Entry> entries_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
 };
 
 /// Takes the pair as the file says, as far as the meshes and the person's words bear it. Where the file states nothing

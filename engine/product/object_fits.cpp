@@ -196,7 +196,7 @@ class FitFinder {
     const check::PairWord* word = words_.about(question_.object.id, other.id);
     std::optional<check::PairBounds> bounds;
     for (const Pose& end : question_.ends) {
-      const check::PairBounds found = check::boundsOf(placed.at(own, end), fixed, words_, word, stop_);
+      const check::PairBounds found = placed.boundsOf(placed.at(own, end), fixed, words_, word, stop_);
       bounds = bounds ? check::PairBounds{united(bounds->one, found.one), united(bounds->other, found.other)} : found;
     }
     return *bounds;
@@ -236,8 +236,7 @@ class FitFinder {
     world = world && known == obstacle ? world->withObject(object) : worldOf(question_.obstacles[obstacle], object);
     known = obstacle;
     const auto query = world->makeQuery();
-    return std::all_of(ends.begin(), ends.end(),
-                       [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
+    return std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {

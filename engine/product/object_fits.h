@@ -25,7 +25,7 @@ struct Fit {
   std::size_t obstacle = 0;  ///< index
   ContactKind kind = ContactKind::Contact;
   Role role = Role::Other;
-  double overlap = 0.0;    ///< as measured, metres
+  double overlap = 0.0;  ///< as measured, metres
   /// Metres by which the object is taken thinner, of the face that moves farthest; of a refused clash, what it would
   /// take.
   double allowance = 0.0;

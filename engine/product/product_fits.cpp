@@ -13,7 +13,7 @@ check::AllowanceBound boundOf(const Contact& contact, const std::vector<ContactB
   };
   const ContactBody& a = bodies[contact.a];
   const ContactBody& b = bodies[contact.b];
-  return check::boundsOf(at(a), at(b), words, words.about(a.id, b.id), stop).one;
+  return placed.boundsOf(at(a), at(b), words, words.about(a.id, b.id), stop).one;
 }
 
 }  // namespace

@@ -11,6 +11,10 @@ namespace {
 
 PlacedBody placed(const Body& body) { return PlacedBody(body, body.X_WB); }
 
+PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word) {
+  return check::boundsOf(one, other, measurePair(one, other, {}), fits, word);
+}
+
 /// The largest distance from the surface of points of the other surface that are inside, by dense samples.
 double sampledDepth(const PlacedBody& body, const PlacedBody& other, int steps) {
   double deepest = 0.0;
@@ -57,7 +61,7 @@ TEST(Evidence, AnOverlapAtOneFacetIsNoneOfTheOthers) {
   const Body prism = test::checkBody("prism", test::prism(24, 0.02, 0.02, -half));
   const double inside = 0.02 * std::cos(half) - kOverlap;
   const Body bump = test::checkBody("bump", makeBox({0.01, 0.002, 0.01}), {inside + 0.005, 0.0, 0.01});
-  const AllowanceBound bound = boundsOf(placed(prism), placed(bump), {true, 0.0, {}}, nullptr, {}).one;
+  const AllowanceBound bound = boundsOf(placed(prism), placed(bump), {true, 0.0, {}}, nullptr).one;
   EXPECT_NEAR(bound.most, kOverlap + assembledMargin(placed(prism).radius), 3e-6);
   const auto thinner = std::count_if(bound.atMost.begin(), bound.atMost.end(), [](double each) { return each > 0.0; });
   EXPECT_EQ(thinner, 2) << "the two triangles of the facet";
@@ -98,7 +102,7 @@ TEST(Overlap, OfFacesThatCoincideIsNothing) {
 TEST(Evidence, APrismIsNoCylinder) {
   const Body knob = test::checkBody("knob", test::prism(12, 0.02, 0.02));
   const Body lip = test::checkBody("lip", test::holedPlate(12, 0.0192, 0.04, 0.015, 0.03));
-  const PairBounds bounds = boundsOf(placed(knob), placed(lip), {true, 0.0, {}}, nullptr, {});
+  const PairBounds bounds = boundsOf(placed(knob), placed(lip), {true, 0.0, {}}, nullptr);
   EXPECT_TRUE(bounds.one.refused.empty()) << bounds.one.refused;
   EXPECT_NEAR(bounds.one.largest.overlap, 0.0008 * std::cos(std::numbers::pi / 12), 2e-5);
   EXPECT_EQ(bounds.one.largest.deflection, 0.0);
@@ -112,48 +116,48 @@ TEST(Evidence, PairsThatAreApartHaveNone) {
   const PlacedBody near = placed(test::checkBody("near", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.020002}));
   const PlacedBody apart = placed(test::checkBody("apart", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.020004}));
   const FitWords on{true, 0.0, {}};
-  const PairBounds touching = boundsOf(a, near, on, nullptr, {});
+  const PairBounds touching = boundsOf(a, near, on, nullptr);
   EXPECT_TRUE(touching.one.inFit);
   EXPECT_DOUBLE_EQ(touching.one.most, assembledMargin(a.radius)) << "no more than the gap that remains";
   EXPECT_EQ(
       std::count_if(touching.one.atMost.begin(), touching.one.atMost.end(), [](double each) { return each > 0.0; }), 2)
       << "the face that touches, no other";
-  EXPECT_FALSE(boundsOf(a, apart, on, nullptr, {}).one.inFit);
-  EXPECT_EQ(boundsOf(a, apart, on, nullptr, {}).one.most, 0.0);
+  EXPECT_FALSE(boundsOf(a, apart, on, nullptr).one.inFit);
+  EXPECT_EQ(boundsOf(a, apart, on, nullptr).one.most, 0.0);
 }
 
 TEST(Evidence, AClashIsNothingUnlessAPersonAcceptsIt) {
   const PlacedBody a = placed(test::checkBody("a", makeBox({0.02, 0.02, 0.02})));
   const PlacedBody b = placed(test::checkBody("b", makeBox({0.02, 0.02, 0.02}), {0.0, 0.0, 0.0188}));
   const FitWords on{true, 0.0, {}};
-  const PairBounds clash = boundsOf(a, b, on, nullptr, {});
+  const PairBounds clash = boundsOf(a, b, on, nullptr);
   EXPECT_EQ(clash.one.most, 0.0);
   EXPECT_NE(clash.one.refused.find("1.2 mm"), std::string::npos);
   PairWord word{"a", "b"};
   word.accepted = true;
-  EXPECT_NEAR(boundsOf(a, b, on, &word, {}).one.most, 0.0012, 3e-5);
-  EXPECT_NEAR(boundsOf(a, b, {true, 0.0013, {}}, nullptr, {}).one.most, 0.0012, 3e-5);
+  EXPECT_NEAR(boundsOf(a, b, on, &word).one.most, 0.0012, 3e-5);
+  EXPECT_NEAR(boundsOf(a, b, {true, 0.0013, {}}, nullptr).one.most, 0.0012, 3e-5);
   PairWord hand{"a", "b"};
   hand.allowance = 0.003;
-  EXPECT_EQ(boundsOf(a, b, on, &hand, {}).one.most, 0.003);
+  EXPECT_EQ(boundsOf(a, b, on, &hand).one.most, 0.003);
 }
 
 TEST(Evidence, DeflectionIsWhatFilesStateAndNoGuess) {
   Body shaft = test::checkBody("shaft", test::prism(36, 0.01, 0.02));
   const Body hole = test::checkBody("hole", test::holedPlate(36, 0.01, 0.03, 0.0, 0.02));
   const FitWords on{true, 0.0, {}};
-  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 0.0);
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr).one.largest.deflection, 0.0);
   shaft.deflection = 2e-5;
-  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 2e-5);
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr).one.largest.deflection, 2e-5);
   TriangleMesh faced = *shaft.mesh;
   faced.faces = {SurfaceFace{.deflection = 3e-6}, SurfaceFace{.kind = SurfaceFace::Kind::Plane}};
   for (std::size_t t = 0; t < faced.triangles.size(); ++t) faced.faceOf.push_back(t % 4 < 2 ? 0 : 1);
   shaft.mesh = std::make_shared<const TriangleMesh>(faced);
-  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr, {}).one.largest.deflection, 3e-6) << "per face only";
+  EXPECT_EQ(boundsOf(placed(shaft), placed(hole), on, nullptr).one.largest.deflection, 3e-6) << "per face only";
   PairWord said{"shaft", "hole"};
   said.kind = "cylindrical";
   const double sagitta = 0.01 * (1.0 - std::cos(std::numbers::pi / 36));
-  EXPECT_NEAR(boundsOf(placed(shaft), placed(hole), on, &said, {}).one.largest.byPerson, sagitta, 1e-7)
+  EXPECT_NEAR(boundsOf(placed(shaft), placed(hole), on, &said).one.largest.byPerson, sagitta, 1e-7)
       << "of the hole, whose file states no faces";
 }
 

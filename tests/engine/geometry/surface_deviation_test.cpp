@@ -105,8 +105,10 @@ TEST(SurfaceDeviation, IsTheLargestDistanceOfManyPoints) {
         const double deviation = deviationFrom(face, corners);
         SCOPED_TRACE(testing::Message() << static_cast<int>(face.kind) << " " << size << " " << round);
         EXPECT_GE(deviation, largest - 1e-12);
+        // That of a torus is a bound made of samples. Triangles as large as the tube raise it by up to a sixth.
         const bool isTorus = face.kind == Kind::Torus;
-        EXPECT_LE(deviation, (isTorus ? 1.06 : 1.005) * largest + 1e-12);
+        const double tooMuch = size > 0.5 ? 1.17 : 1.06;
+        EXPECT_LE(deviation, (isTorus ? tooMuch : 1.005) * largest + 1e-12);
       }
     }
   }
