@@ -11,7 +11,6 @@ namespace glissade::check {
 namespace {
 
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
-constexpr double kClashOverlap = 1e-3;      ///< metres
 constexpr double kClashShare = 0.2;         ///< of the local thickness
 
 /// One side of a pair, and what was measured of it.

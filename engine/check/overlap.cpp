@@ -83,20 +83,25 @@ class DepthSearch {
     double met = std::numeric_limits<double>::infinity();
     double distance = std::numeric_limits<double>::infinity();
     for (const std::uint32_t t : near) {
+      const double cosine = body_.normals[t].dot(normal);
+      if (cosine > -kFacing) continue;
       distance = std::min(distance, (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm());
-      if (body_.normals[t].dot(normal) < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
+      if (cosine < kFacing) met = std::min(met, overlap_.depths[body_.regions.of[t]]);
     }
     const double enough = std::max(std::isfinite(met) ? met : 0.0, kLeastDepth);
     return distance <= enough * enough;
   }
 
-  /// Depth of a point of the other surface, 0 outside. It counts for the face that is nearest, if that faces it.
+  /// Depth of a point of the other surface, 0 outside. It counts for the face that is nearest, if that faces it. The
+  /// other side of a thin wall, which points the same way as the other surface, is passed over.
   double meet(const Vector3& p, const Vector3& normal) {
     if (!body_.tree.box().contains(p) || !body_.contains(p)) return 0.0;
     const TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
-    if (body_.normals[nearest.triangle].dot(normal) < kFacing) {
-      double& depth = overlap_.depths[body_.regions.of[nearest.triangle]];
-      depth = std::max(depth, nearest.distance);
+    const bool isOtherSide = body_.normals[nearest.triangle].dot(normal) > -kFacing;
+    const TriangleTree::Nearest counted = isOtherSide ? nearestNotBehind(p, normal) : nearest;
+    if (body_.normals[counted.triangle].dot(normal) < kFacing) {
+      double& depth = overlap_.depths[body_.regions.of[counted.triangle]];
+      depth = std::max(depth, counted.distance);
     }
     if (nearest.distance > overlap_.deepest) {
       overlap_.deepest = nearest.distance;
@@ -104,6 +109,22 @@ class DepthSearch {
       triangle_ = nearest.triangle;
     }
     return nearest.distance;
+  }
+
+  /// The nearest triangle within the largest overlap that is no clash, of those that do not point along the normal; any
+  /// triangle that does where there is none.
+  TriangleTree::Nearest nearestNotBehind(const Vector3& p, const Vector3& normal) const {
+    TriangleTree::Nearest nearest = body_.tree.nearest(p, std::numeric_limits<double>::infinity());
+    double least = kClashOverlap * kClashOverlap;
+    const Vector3 reach = Vector3::Constant(kClashOverlap);
+    body_.tree.visit(Box3(p - reach, p + reach), [&](std::uint32_t t) {
+      if (body_.normals[t].dot(normal) > -kFacing) return true;
+      const double squared = (nearestPoint(body_.tree.triangles()[t], p) - p).squaredNorm();
+      if (squared < least) nearest = {std::sqrt(squared), t};
+      least = std::min(least, squared);
+      return true;
+    });
+    return nearest;
   }
 
   void findThickness() {

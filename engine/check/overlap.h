@@ -7,6 +7,9 @@
 
 namespace glissade::check {
 
+/// Metres: a larger overlap is a clash.
+inline constexpr double kClashOverlap = 1e-3;
+
 /// How deep the surface of one body is below the faces of another one.
 struct Overlap {
   std::vector<double> depths;  ///< metres, of each region of the body; 0 where nothing is below it

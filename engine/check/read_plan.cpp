@@ -50,7 +50,9 @@ Plan planIn(const JsonCursor& at) {
   }
   if (const auto demands = at.find("sequence")) plan.demands = readDemands(*demands);
   if (const auto deflection = at.find("deflection_m")) plan.deflection = deflection->number();
-  if (!(plan.deflection >= 0.0)) at.at("deflection_m").fail("is below zero");
+  if (plan.deflection != 0.0 && !limits::isSize(plan.deflection)) {
+    at.at("deflection_m").fail("is neither 0 nor a size from 1e-12 to 1e9 m");
+  }
   if (const auto parts = at.find("parts")) plan.parts = parts->wholeNumber();
   if (const auto removed = at.find("removed")) plan.removed = removed->wholeNumber();
   if (const auto certified = at.find("certified")) plan.certified = certified->boolean();

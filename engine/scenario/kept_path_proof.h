@@ -22,8 +22,8 @@ struct KeptPathProof {
 };
 
 /// Certifies a kept path in the scenario, with the clearance that was required when it was kept, and out of what the
-/// edits of its problem forbid. On any thread; takes its time, and ends as Unknown where it is stopped, or where an edit
-/// forbids a place that is not there.
+/// edits of its problem forbid. On any thread; takes its time, and ends as Unknown where it is stopped, or where an
+/// edit forbids a place that is not there.
 KeptPathProof proveAgain(const KeptPath& kept, const LoadedScenario& scenario, const WorkWatch& watch = {});
 
 }  // namespace glissade

@@ -6,8 +6,8 @@
 
 #include "engine/base/file.h"
 #include "engine/base/printable_text.h"
-#include "engine/import/step_import.h"
 #include "engine/import/asset_path.h"
+#include "engine/import/step_import.h"
 
 namespace glissade {
 namespace {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
+#include "engine/import/asset_path.h"
 #include "engine/import/step_import.h"
 #include "engine/import/step_parts.h"
-#include "engine/import/asset_path.h"
 
 namespace glissade {
 namespace {

@@ -12,9 +12,7 @@ double valueOf(const std::map<std::string, double>& values, const std::string& i
   return known == values.end() ? 0.0 : known->second;
 }
 
-double deflectionOf(const LoadedScenario& scenario, const std::string& id) {
-  return valueOf(scenario.deflections, id);
-}
+double deflectionOf(const LoadedScenario& scenario, const std::string& id) { return valueOf(scenario.deflections, id); }
 
 }  // namespace
 

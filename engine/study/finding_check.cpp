@@ -131,7 +131,7 @@ const char* name(Verdict verdict) {
 }
 
 CheckedFinding checkFinding(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
-                     const StudyWords& words) {
+                            const StudyWords& words) {
   return Check(finding, study, summaries, words).run();
 }
 

@@ -25,6 +25,6 @@ struct CheckedFinding {
 };
 
 CheckedFinding checkFinding(const Finding& finding, const Study& study, const std::vector<CellSummary>& summaries,
-                     const StudyWords& words = {});
+                            const StudyWords& words = {});
 
 }  // namespace glissade

@@ -23,9 +23,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers.
-constexpr const char* kOtherwiseTranslated[] = {"engine/study/study_french.cpp", "engine/study/report_html.cpp",
-                                                "engine/study/svg_plot.cpp", "engine/study/plan_graph.cpp",
+/// Reports and plots of studies are translated by study_french.cpp; benchmarks are for developers. The command line
+/// prints the verdicts of the judge; the window shows only whether a path or a step is valid.
+constexpr const char* kOtherwiseTranslated[] = {"engine/check/",
+                                                "engine/study/study_french.cpp",
+                                                "engine/study/report_html.cpp",
+                                                "engine/study/svg_plot.cpp",
+                                                "engine/study/plan_graph.cpp",
                                                 "engine/study/benchmarks/"};
 
 /// Not for people to read in the window: names of random streams, keys of caches, rules and commands as they are typed,

@@ -39,12 +39,14 @@ TEST_F(SequenceWindow, WhatWasFoundIsKeptWhenPlanningIsStoppedAndGoesOn) {
           .arg(file("begun.json"))));
 }
 
+/// The stand is moved away from what stood on it: the step that states an allowance for the two is refuted.
 TEST_F(SequenceWindow, APlanIsProvedAgainWhenItIsOpenedAndWhenTheProductIsRearranged) {
   expectGood(runOnStand(QStringLiteral("plan-sequence all\nexport-sequence %1\nopen-sequence %1\n"
                                        "expect-sequence proved 10\nexpect-sequence refuted 0\n"
-                                       "place stand 0,0,1 0,0,0\nexpect-sequence proved 10\n"
+                                       "place stand 0,0,1 0,0,0\nexpect-sequence proved 9\n"
+                                       "expect-sequence refuted 1\n"
                                        "save %3\nopen %2\nexpect-sequence end none\n"
-                                       "open %3\nexpect-sequence end complete\nexpect-sequence proved 10\n")
+                                       "open %3\nexpect-sequence end complete\nexpect-sequence proved 9\n")
                             .arg(file("plan.json"), kSource + QStringLiteral("/samples/sliding-plane/scenario.json"),
                                  file("stand.json"))));
 }

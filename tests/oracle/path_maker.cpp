@@ -7,11 +7,11 @@
 #include <string>
 
 #include "engine/base/random_stream.h"
-#include "tests/engine/support/independent_check.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/scenario/path_text.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/session/session.h"
+#include "tests/engine/support/independent_check.h"
 
 namespace glissade {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/support/independent_check.h"
 #include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {

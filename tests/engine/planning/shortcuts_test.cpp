@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/support/independent_check.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/planner.h"
+#include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/test_host.h"
 #include "tests/engine/support/test_worlds.h"
 

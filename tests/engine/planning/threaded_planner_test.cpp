@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/engine/support/independent_check.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/geometry/primitives.h"
 #include "engine/planning/path_certificate.h"
 #include "engine/planning/screw_motion.h"
 #include "engine/planning/smoothing/shortcuts.h"
 #include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/test_host.h"
 
 namespace glissade {

@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "engine/base/file.h"
-#include "tests/engine/support/independent_check.h"
 #include "engine/geometry/primitives.h"
 #include "engine/scenario/scenario_io.h"
 #include "tests/engine/scenario/scenario_fixture.h"
+#include "tests/engine/support/independent_check.h"
 #include "tests/engine/support/mesh_files.h"
 #include "tests/engine/support/temporary_folder.h"
 

@@ -132,9 +132,7 @@ TEST_P(Forbidden, APlaceThatIsForbiddenWhileARunGoesOnIsNotOnItsPath) {
   }
 }
 
-std::vector<std::string> everyStrategy() {
-  return idsOf(makePlannerRegistry());
-}
+std::vector<std::string> everyStrategy() { return idsOf(makePlannerRegistry()); }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, Forbidden, testing::ValuesIn(everyStrategy()), [](const auto& parameter) {
   std::string name = parameter.param;
