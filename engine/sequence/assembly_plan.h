@@ -67,8 +67,9 @@ struct AssemblyStep {
   std::string method;
   std::size_t wave = 0;  ///< steps of one wave were found together, from 1
   StepProof proof;
-  std::vector<StepAllowance> allowances;  ///< against bodies that were there
-  std::vector<std::string> with{};        ///< ids of the other bodies of a group
+  /// Against bodies that were there, and those that may be there in another order (`after`).
+  std::vector<StepAllowance> allowances;
+  std::vector<std::string> with{};  ///< ids of the other bodies of a group
   /// Steps that have to be carried out before, by number from 1, ascending: their bodies would be in the way, or the
   /// order is demanded. Any order that keeps this of all steps is proved as well.
   std::vector<std::size_t> after{};

@@ -24,6 +24,9 @@ class DemandingTrial final : public RemovalTrial {
                                     const std::vector<std::size_t>& left, const StopToken& stop) override {
     return inner_.inTheWay(group, path, left, stop);
   }
+  std::vector<BodyFit> fitsWith(const BodyGroup& group, const BodySet& others) const override {
+    return inner_.fitsWith(group, others);
+  }
   std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                    const std::string& method, const BodySet& present, const StopToken& stop) override {
     return inner_.certified(group, path, method, present, stop);

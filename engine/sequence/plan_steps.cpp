@@ -63,6 +63,28 @@ std::vector<StepViolation> violationsOf(const BodyGroup& group, const BodySet& p
   return violations;
 }
 
+void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<BodyFit>& fits,
+                   const AssembledProduct& product) {
+  // Where both bodies are thinned, pitch and turns are said once.
+  std::set<std::pair<std::size_t, std::size_t>> threads;
+  for (const BodyFit& each : fits) {
+    const RigidBody& body = product.bodies[each.body];
+    const RigidBody& other = product.bodies[each.fit.obstacle];
+    Fit fit = each.fit;
+    if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
+    const std::string text = each.yields ? inWords(fit, other.name, body.name) : inWords(fit, body.name, other.name);
+    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, text};
+    if (each.body != group.front()) allowance.moving = body.id;
+    allowance.yields = each.yields;
+    if (fit.thread) {
+      allowance.pitch = fit.thread->rule.pitch;
+      allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);
+      allowance.text += turnsInWords(allowance.turns);
+    }
+    step.allowances.push_back(std::move(allowance));
+  }
+}
+
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       std::size_t afterSteps) {
   const AssembledProduct& product = question.product;
@@ -79,24 +101,7 @@ AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const Sequ
   step.proof = {afterSteps, certificate.tolerance, certificate.provedClearance, certificate.minClearance, {}};
   const int nearest = certificate.nearest.body;
   if (nearest >= 0) step.proof.nearest = product.bodies[static_cast<std::size_t>(nearest)].id;
-  std::set<std::pair<std::size_t, std::size_t>>
-      threads;  // where both bodies are thinned, pitch and turns are said once
-  for (const BodyFit& each : removed.fits) {
-    const RigidBody& body = product.bodies[each.body];
-    const RigidBody& other = product.bodies[each.fit.obstacle];
-    Fit fit = each.fit;
-    if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
-    const std::string text = each.yields ? inWords(fit, other.name, body.name) : inWords(fit, body.name, other.name);
-    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, text};
-    if (each.body != group.front()) allowance.moving = body.id;
-    allowance.yields = each.yields;
-    if (fit.thread) {
-      allowance.pitch = fit.thread->rule.pitch;
-      allowance.turns = turnsIn(fit.thread->rule, body, other, removed.path.points);
-      allowance.text += turnsInWords(allowance.turns);
-    }
-    step.allowances.push_back(std::move(allowance));
-  }
+  addAllowances(step, group, removed.fits, product);
   return step;
 }
 

@@ -12,6 +12,10 @@ std::vector<std::string> idsOf(const BodyGroup& bodies, const AssembledProduct& 
 /// The bodies of a step. Precondition: it is about this product.
 BodyGroup groupOf(const AssemblyStep& step, const AssembledProduct& product);
 
+/// States how the group is taken against others while it moves on the step's path.
+void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector<BodyFit>& fits,
+                   const AssembledProduct& product);
+
 /// The step that a group leaves by, proved when `afterSteps` had been carried out; without wave and predecessors.
 AssemblyStep makeStep(const BodyGroup& group, const Removed& removed, const SequenceQuestion& question,
                       std::size_t afterSteps);

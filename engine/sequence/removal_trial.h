@@ -56,6 +56,8 @@ class RemovalTrial {
   /// several threads at a time.
   virtual std::vector<std::size_t> inTheWay(const BodyGroup& group, const std::vector<PathPoint>& path,
                                             const std::vector<std::size_t>& left, const StopToken& stop) = 0;
+  /// How the group is taken against those of `others` that it fits.
+  virtual std::vector<BodyFit> fitsWith(const BodyGroup& /*group*/, const BodySet& /*others*/) const { return {}; }
   /// The motion certified while those of `present` are there; nothing where it is not. May be called as tryRemoval().
   virtual std::optional<Removed> certified(const BodyGroup& group, const std::vector<PathPoint>& path,
                                            const std::string& method, const BodySet& present,

@@ -1,5 +1,6 @@
 #include "engine/sequence/step_precedence.h"
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 
@@ -12,6 +13,42 @@ namespace {
 void demandAllEarlier(AssemblyStep& step, std::size_t index) {
   step.after.resize(index);
   std::iota(step.after.begin(), step.after.end(), std::size_t{1});
+}
+
+/// Steps that are carried out before each step in any order, by number from 1.
+std::vector<std::set<std::size_t>> allBefore(const AssemblyPlan& plan) {
+  std::vector<std::set<std::size_t>> before;
+  for (const AssemblyStep& step : plan.steps) {
+    std::set<std::size_t> own(step.after.begin(), step.after.end());
+    for (const std::size_t each : step.after) own.insert(before[each - 1].begin(), before[each - 1].end());
+    before.push_back(std::move(own));
+  }
+  return before;
+}
+
+bool isStated(const AssemblyStep& step, const BodyFit& fit, const AssembledProduct& product) {
+  return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const StepAllowance& each) {
+    const std::string& moving = each.moving.empty() ? step.body : each.moving;
+    return each.body == product.bodies[fit.fit.obstacle].id && moving == product.bodies[fit.body].id &&
+           each.yields == fit.yields;
+  });
+}
+
+/// Against bodies that leave earlier in the plan, and may leave later in another order.
+void addAllowancesOfOtherOrders(AssemblyPlan& plan, const std::vector<BodyGroup>& groups,
+                                const SequenceQuestion& question) {
+  const AssembledProduct& product = question.product;
+  const std::vector<std::set<std::size_t>> before = allBefore(plan);
+  for (std::size_t step = 0; step < plan.steps.size(); ++step) {
+    BodySet others(product.bodies.size(), false);
+    for (std::size_t earlier = 0; earlier < step; ++earlier) {
+      if (before[step].count(earlier + 1) != 0) continue;
+      for (const std::size_t body : groups[earlier]) others[body] = true;
+    }
+    std::vector<BodyFit> fits = question.trial.fitsWith(groups[step], others);
+    std::erase_if(fits, [&](const BodyFit& fit) { return isStated(plan.steps[step], fit, product); });
+    addAllowances(plan.steps[step], groups[step], fits, product);
+  }
 }
 
 }  // namespace
@@ -41,6 +78,7 @@ void addPrecedence(AssemblyPlan& plan, const SequenceQuestion& question, Sequenc
     plan.steps[step].after.assign(after.begin(), after.end());
     if (host.stopToken().stopRequested()) demandAllEarlier(plan.steps[step], step);
   });
+  addAllowancesOfOtherOrders(plan, groups, question);
 }
 
 void demandAllEarlier(AssemblyPlan& plan) {
