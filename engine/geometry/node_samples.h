@@ -37,7 +37,7 @@ template <int Parts>
 class TriangleSamples {
  public:
   /// Node (i, j): i of `Parts` shares of the first corner, j of the second, the rest of the third.
-  double& at(int i, int j) { return values_[static_cast<std::size_t>(i * (Parts + 1) + j)]; }
+  double& at(int i, int j) { return values_[numberOf(i, j)]; }
 
   /// That is to be expected on the whole triangle.
   double largest() const {
@@ -53,7 +53,12 @@ class TriangleSamples {
   }
 
  private:
-  double value(int i, int j) const { return values_[static_cast<std::size_t>(i * (Parts + 1) + j)]; }
+  static constexpr std::size_t kNodes = static_cast<std::size_t>(Parts) + 1;  ///< along a side
+
+  static std::size_t numberOf(int i, int j) {
+    return static_cast<std::size_t>(i) * kNodes + static_cast<std::size_t>(j);
+  }
+  double value(int i, int j) const { return values_[numberOf(i, j)]; }
   static bool isNode(int i, int j) { return i >= 0 && j >= 0 && i + j <= Parts; }
 
   /// Second difference along (di, dj); 0 where the node has no neighbour on one side.
@@ -62,7 +67,7 @@ class TriangleSamples {
     return std::abs(value(i - di, j - dj) - 2.0 * value(i, j) + value(i + di, j + dj));
   }
 
-  std::array<double, (Parts + 1) * (Parts + 1)> values_{};
+  std::array<double, kNodes * kNodes> values_{};
 };
 
 }  // namespace glissade

@@ -40,8 +40,8 @@ void addForbiddenRegions(const ForbiddenPlaces& places, JsonCursor::Json& json) 
   for (const ForbiddenPlace& place : places) {
     auto boxes = JsonCursor::Json::array();
     for (const Box3& box : place.boxes) {
-      const Vector3 least = box.min();
-      const Vector3 most = box.max();
+      const Vector3& least = box.min();
+      const Vector3& most = box.max();
       boxes.push_back({least.x(), least.y(), least.z(), most.x(), most.y(), most.z()});
     }
     regions.push_back({{"place", place.name}, {"boxes", std::move(boxes)}});
