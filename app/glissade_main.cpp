@@ -21,7 +21,7 @@ int startSibling(char** argv) {
   const auto sibling = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "glissade-offscreen";
   execv(sibling.c_str(), argv);
   std::cerr << "glissade: " << sibling.string() << " cannot be started: " << std::strerror(errno) << "\n";
-  return glissade::exitCode(glissade::ErrorKind::Internal);
+  return glissade::exitCode(glissade::ErrorKind::MalformedInput);
 }
 
 }  // namespace

@@ -144,5 +144,6 @@ case "$mode" in
     git rev-parse --verify --quiet "$2^{commit}" >/dev/null || { echo "lint.sh: there is no revision '$2'" >&2; exit 2; }
     changed_since "$2" | check_changed ;;
   --unrecorded) unrecorded | check_changed ;;
-  --record) unrecorded | check_changed && digests >"$record" ;;
+  # What is recorded is what was read: a file that changes meanwhile is checked the next time.
+  --record) found=$(digests); unrecorded | check_changed && echo "$found" >"$record" ;;
 esac

@@ -2,9 +2,13 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <optional>
+#include <string>
 
 #include "app/cli/check_command.h"
 #include "app/cli/convert_command.h"
@@ -373,15 +377,24 @@ int run(int argc, char** argv) {
   return runConvert(convert);
 }
 
+/// A reader that has ended, as head, wants no more: that is no error.
+std::optional<Diagnostic> unwritten(PrintableOutput& output) {
+  const int error = output.flush();
+  if (error == 0 || error == EPIPE) return std::nullopt;
+  return Diagnostic{ErrorKind::Unwritable, "standard output", "",
+                    std::string("cannot be written: ") + std::strerror(error), "Send it to another file."};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
-  const PrintableOutput output(std::cout);
+  PrintableOutput output(std::cout);
   const PrintableOutput errors(std::cerr);
   int status = 0;
-  const auto why = glissade::guarded("running the command", [&] { status = run(argc, argv); });
+  auto why = glissade::guarded("running the command", [&] { status = run(argc, argv); });
+  if (!why && status == 0) why = unwritten(output);
   if (!why) return status;
   std::cerr << "glissade-cli: " << glissade::toString(*why) << "\n";
   return glissade::exitCode(why->kind);

@@ -1,5 +1,7 @@
 #include "app/cli/printable_output.h"
 
+#include <cerrno>
+
 #include "engine/base/printable_text.h"
 
 namespace glissade::cli {
@@ -27,13 +29,23 @@ std::streamsize PrintableOutput::xsputn(const char* text, std::streamsize size) 
   return size;
 }
 
-int PrintableOutput::sync() { return writePending() && target_->pubsync() == 0 ? 0 : -1; }
+int PrintableOutput::sync() { return writePending() && noteError(target_->pubsync() == 0) ? 0 : -1; }
+
+int PrintableOutput::flush() {
+  (void)sync();
+  return error_;
+}
+
+bool PrintableOutput::noteError(bool written) {
+  if (!written && error_ == 0) error_ = errno;
+  return written;
+}
 
 bool PrintableOutput::writePending() {
   const std::string shown = printableText(pending_);
   pending_.clear();
   const auto size = static_cast<std::streamsize>(shown.size());
-  return target_->sputn(shown.data(), size) == size;
+  return noteError(target_->sputn(shown.data(), size) == size);
 }
 
 }  // namespace glissade::cli

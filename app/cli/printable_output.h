@@ -12,6 +12,8 @@ class PrintableOutput final : private std::streambuf {
  public:
   explicit PrintableOutput(std::ostream& stream);
   ~PrintableOutput() override;
+  /// Writes what is pending. What the system said of the first text that could not be written (an errno); 0: nothing.
+  int flush();
   PrintableOutput(const PrintableOutput&) = delete;
   PrintableOutput& operator=(const PrintableOutput&) = delete;
 
@@ -20,10 +22,12 @@ class PrintableOutput final : private std::streambuf {
   std::streamsize xsputn(const char* text, std::streamsize size) override;
   int sync() override;
   bool writePending();
+  bool noteError(bool written);
 
   std::ostream& stream_;
   std::streambuf* target_;
   std::string pending_;  ///< written to this one and not yet to the target
+  int error_ = 0;        ///< of the first write that failed
 };
 
 }  // namespace glissade::cli

@@ -39,7 +39,7 @@ const char* nameOf(Step step) {
 
 Diagnostic cannotStart(const std::string& program, const Failure& failure) {
   const bool missing = failure.step == Step::Load && failure.error != ENOMEM && failure.error != EAGAIN;
-  return {ErrorKind::Internal, program, "",
+  return {missing ? ErrorKind::MalformedInput : ErrorKind::LimitReached, program, "",
           std::string("cannot be started: ") + nameOf(failure.step) + ": " + std::strerror(failure.error),
           missing ? "Install the program again." : "Run fewer programs at once, or free some memory."};
 }

@@ -8,7 +8,8 @@ int exitCode(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::NoPath: return 1;
     case ErrorKind::Usage: return 2;
-    case ErrorKind::MalformedInput: return 3;
+    case ErrorKind::MalformedInput:
+    case ErrorKind::Unwritable: return 3;
     case ErrorKind::InCollision: return 4;
     case ErrorKind::LimitReached: return 5;
     case ErrorKind::Interrupted: return 130;

@@ -13,10 +13,11 @@ enum class ErrorKind {
   InCollision,     ///< start or goal penetrates a body
   LimitReached,    ///< time, step or sample limit reached
   Interrupted,     ///< stopped by the user
-  Internal         ///< a fault of ours, or of the machine (disk full, no context)
+  Unwritable,      ///< a file, a folder or a stream takes nothing: a full disk, a read-only folder, a pipe
+  Internal         ///< a defect of the program
 };
 
-/// The documented process exit code of an error: 1 no path, 2 usage, 3 malformed input,
+/// The documented process exit code of an error: 1 no path, 2 usage, 3 malformed input or unwritable,
 /// 4 in collision, 5 limit reached, 130 interrupted, 70 internal.
 int exitCode(ErrorKind kind);
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 Diagnostic warning(const SaveTarget& target, const std::string& reason, const std::string& advice) {
-  return {ErrorKind::Internal, target.file, "", "was saved, but " + reason, advice};
+  return {ErrorKind::Unwritable, target.file, "", "was saved, but " + reason, advice};
 }
 
 SaveResult changed(const SaveTarget& target) {
@@ -82,7 +82,7 @@ Result<std::optional<std::string>> presentContent(const SaveTarget& target, cons
   auto content = readFile(target.path, kMostBytes);
   if (content) return std::optional<std::string>(std::move(*content));
   Diagnostic why = content.error();
-  why.kind = ErrorKind::Internal;
+  why.kind = ErrorKind::Unwritable;
   why.file = target.file;
   why.reason = "cannot be saved over the present file: " + why.reason;
   return why;

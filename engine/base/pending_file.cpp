@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <ctime>
 #include <filesystem>
 #include <random>
 #include <utility>
@@ -38,14 +37,20 @@ bool isTemporaryName(const std::string& name, const std::string& file) {
   return is(kPrefix) || is(fs::path(file).filename().string() + kFormerInfix);
 }
 
-/// Its writer is gone. Age as well as the lock, because a file exists for a moment before it is locked.
-bool isAbandoned(const std::string& path) {
-  constexpr time_t kOldSeconds = 60;
+/// Removes a temporary file whose writer is gone: nobody holds it locked. Where the file system has no locks, it stays.
+void removeAbandoned(const std::string& path) {
   const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};
-  if (!descriptor.valid() || ::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
-  const bool old = std::time(nullptr) - status.st_mtim.tv_sec > kOldSeconds;
-  return old && status.st_uid == ::geteuid() && ::flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0;
+  if (!descriptor.valid() || ::fstat(descriptor.get(), &status) != 0 || !S_ISREG(status.st_mode)) return;
+  if (status.st_uid != ::geteuid() || ::flock(descriptor.get(), LOCK_EX | LOCK_NB) != 0) return;
+  ::unlink(path.c_str());
+}
+
+/// Locks a new file. False where another save took it for abandoned before it was locked.
+bool lock(const Descriptor& file) {
+  if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+  struct stat status {};
+  return ::fstat(file.get(), &status) == 0 && status.st_nlink > 0;
 }
 
 }  // namespace
@@ -60,10 +65,13 @@ Result<PendingFile> PendingFile::create(const std::string& folder, const std::st
     constexpr int kMostTries = 100;
     name = (fs::path(folder) / kPrefix).string() + randomLetters();
     descriptor = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
-    const bool taken = errno == EEXIST && tries < kMostTries;
-    if (!descriptor.valid() && !taken) return saveError(file, "the folder takes no new file", errno);
+    const bool taken = descriptor.valid() ? !lock(descriptor) : errno == EEXIST;
+    if (taken && tries < kMostTries) {
+      descriptor = Descriptor();
+    } else if (!descriptor.valid() || taken) {
+      return saveError(file, "the folder takes no new file", taken ? EEXIST : errno);
+    }
   }
-  (void)::flock(descriptor.get(), LOCK_EX | LOCK_NB);  // without a lock its age protects it
   return PendingFile(std::move(descriptor), std::move(name), file);
 }
 
@@ -74,7 +82,6 @@ PendingFile::~PendingFile() {
 Outcome PendingFile::write(const std::string& content) {
   if (!writeAll(descriptor_.get(), content)) return saveError(file_, "writing failed", errno);
   if (::fsync(descriptor_.get()) != 0) return saveError(file_, "flushing to the disk failed", errno);
-  if (!descriptor_.close()) return saveError(file_, "closing failed", errno);
   const auto written = readFile(name_, content.size());
   if (!written || *written != content) return saveError(file_, "what was written reads back differently", EIO);
   return Done{};
@@ -93,7 +100,7 @@ void removeStrayFiles(const std::string& folder, const std::string& file) {
   std::error_code trouble;
   for (fs::directory_iterator at(folder, trouble), end; !trouble && at != end; at.increment(trouble)) {
     const std::string path = at->path().string();
-    if (isTemporaryName(at->path().filename().string(), file) && isAbandoned(path)) ::unlink(path.c_str());
+    if (isTemporaryName(at->path().filename().string(), file)) removeAbandoned(path);
   }
 }
 

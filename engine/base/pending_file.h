@@ -9,8 +9,8 @@
 
 namespace glissade {
 
-/// A new file under a temporary name, which a rename makes the file that is needed. Removed where that does
-/// not happen. Private to the functions that write files.
+/// A new file under a temporary name, which a rename makes the file that is needed. It is locked for as long as this
+/// value lives, and removed where it is not renamed. Private to the functions that write files.
 class PendingFile {
  public:
   /// A locked file in `folder`. Its permissions are `mode` without those that the process's umask takes away.
@@ -21,7 +21,7 @@ class PendingFile {
   PendingFile& operator=(PendingFile&&) = delete;
 
   int descriptor() const { return descriptor_.get(); }
-  /// Writes the whole content, flushes it to the disk, closes the file, reads it back and compares.
+  /// Writes the whole content, flushes it to the disk, reads it back and compares.
   Outcome write(const std::string& content);
   /// Gives it the name and flushes the folder. Errors: the name was not given. False: it was given, but a
   /// power cut now may undo that.
@@ -36,8 +36,8 @@ class PendingFile {
   std::string file_;
 };
 
-/// Removes the temporary files in a folder that killed programs have left: those that nobody holds locked and
-/// that are older than a minute. `file` is the file that is saved there; former versions derived names from it.
+/// Removes the temporary files in a folder that killed programs have left: those that nobody holds locked. `file` is
+/// the file that is saved there; former versions derived names from it.
 void removeStrayFiles(const std::string& folder, const std::string& file);
 
 }  // namespace glissade

@@ -33,7 +33,7 @@ std::string adviceFor(int error) {
 }
 
 Diagnostic refused(const std::string& file, const std::string& reason, const std::string& advice) {
-  return {ErrorKind::Internal, file, "", "cannot be saved: " + reason, kUntouched + advice};
+  return {ErrorKind::Unwritable, file, "", "cannot be saved: " + reason, kUntouched + advice};
 }
 
 Result<std::string> followLinks(const std::string& file) {

@@ -83,7 +83,7 @@ Result<ImporterAnswer> callImporter(const ImporterCall& call, std::string_view c
   const ImporterRefusal why = refused ? refusalIn(answer.message.rest()) : ImporterRefusal();
   if (header.kind == protocol::kNotConfined) {
     return Diagnostic{
-        ErrorKind::Internal, call.file, "",
+        ErrorKind::MalformedInput, call.file, "",
         "was not read: the importing process cannot give up its rights (" + why.reason + ")",
         "Files are read only where the kernel permits seccomp filters: use another machine or container."};
   }

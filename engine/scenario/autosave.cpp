@@ -27,7 +27,7 @@ constexpr const char* kEditsEnding = ".edits";
 constexpr const char* kEditsFormat = "glissade-unsaved-edits";
 
 Diagnostic unusable(const std::string& folder, const std::string& what) {
-  return {ErrorKind::Internal, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
+  return {ErrorKind::Unwritable, folder, "", what + ": " + std::strerror(errno), "Edits are not saved automatically."};
 }
 
 /// Another program may have taken a file for abandoned before it was locked, and removed it.

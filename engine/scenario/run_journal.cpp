@@ -24,7 +24,7 @@ constexpr const char* kEnding = ".journal";
 constexpr const char* kFirst = R"({"format":"glissade-run",)";
 
 Diagnostic failed(const std::string& file, const std::string& what) {
-  return {ErrorKind::Internal, file, "", what + ": " + std::strerror(errno), "The run is not recorded on disk."};
+  return {ErrorKind::Unwritable, file, "", what + ": " + std::strerror(errno), "The run is not recorded on disk."};
 }
 
 std::string withChecksum(Json line) {

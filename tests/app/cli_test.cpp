@@ -1,5 +1,6 @@
 // glissade-cli as its user runs it: exit codes, messages, JSON, files.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -214,6 +215,25 @@ TEST_F(Cli, BytesThatAreNoUtf8AndControlCharactersDoNoHarm) {
   const Finished made = run("new " + (folder / "made.json").string() + " --moves '" + part + "'");
   EXPECT_EQ(made.exitCode, 3);
   EXPECT_NE(made.err.find("UTF-8"), std::string::npos) << made.err;
+}
+
+/// Exit code 70 is for defects of the program.
+TEST_F(Cli, ATargetThatTakesNothingEndsWithExitCode3AndItsReason) {
+  const std::string file = scenario([](Json&) {});
+  ASSERT_EQ(::mkfifo((folder / "pipe.csv").c_str(), 0600), 0);
+  fs::create_directory(folder / "folder.csv");
+  const std::string within = write("file", "x") + "/a.csv";
+  for (const std::string& target : {(folder / "none/a.csv").string(), (folder / "pipe.csv").string(),
+                                    (folder / "folder.csv").string(), within, std::string("/proc/a.csv")}) {
+    const Finished plan = run("plan " + file + " --out " + target);
+    EXPECT_EQ(plan.exitCode, 3) << target << "\n" << plan.err;
+    EXPECT_NE(plan.err.find("cannot be saved"), std::string::npos) << plan.err;
+  }
+  const Finished full = run("info " + file + " > /dev/full");
+  EXPECT_EQ(full.exitCode, 3);
+  EXPECT_NE(full.err.find("standard output: cannot be written: No space left on device"), std::string::npos)
+      << full.err;
+  EXPECT_EQ(run("info " + file + " --json > /dev/full").exitCode, 3);
 }
 
 TEST_F(Cli, LengthsBeyondTheLimitAreWrongUsage) {

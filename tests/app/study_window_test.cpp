@@ -155,7 +155,7 @@ TEST_F(StudyWindow, APlotIsSavedAsItIsSeen) {
   while (!xml.atEnd()) xml.readNext();
   EXPECT_FALSE(xml.hasError());
   EXPECT_GT(difference(QImage(picture), QImage(part)).share, 0.001);
-  EXPECT_EQ(run({}, QStringLiteral("study %1\nstudy-save-plot /nowhere/plot.svg\n").arg(out())).exitCode, 70);
+  EXPECT_EQ(run({}, QStringLiteral("study %1\nstudy-save-plot /nowhere/plot.svg\n").arg(out())).exitCode, 3);
 }
 
 TEST_F(StudyWindow, WhatIsNotThereIsSaid) {

@@ -15,6 +15,7 @@ TEST(Diagnostic, ExitCodesAreTheDocumentedOnes) {
   EXPECT_EQ(exitCode(ErrorKind::NoPath), 1);
   EXPECT_EQ(exitCode(ErrorKind::Usage), 2);
   EXPECT_EQ(exitCode(ErrorKind::MalformedInput), 3);
+  EXPECT_EQ(exitCode(ErrorKind::Unwritable), 3);
   EXPECT_EQ(exitCode(ErrorKind::InCollision), 4);
   EXPECT_EQ(exitCode(ErrorKind::LimitReached), 5);
   EXPECT_EQ(exitCode(ErrorKind::Interrupted), 130);

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -11,9 +12,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <functional>
+#include <thread>
 
+#include "engine/base/descriptor.h"
 #include "engine/base/file.h"
 #include "engine/base/file_versions.h"
 #include "tests/engine/support/temporary_folder.h"
@@ -238,14 +242,31 @@ TEST(SaveFile, TellsTheTruthOnAFullDisk) {
 TEST(SaveFile, RemovesWhatKilledSavesHaveLeft) {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.json", "old");
-  for (const char* name : {".glissade-saving-abcdef", "a.json.saving-ABCdef"}) makeOld(folder.write(name, "x"), 3600);
-  folder.write(".glissade-saving-fresh2", "of a save that goes on");
-  makeOld(folder.write(".glissade-saving-not-ours", "x"), 3600);
-  makeOld(folder.write("b.json.saving-ABCdef", "x"), 3600);
+  for (const char* name : {".glissade-saving-abcdef", "a.json.saving-ABCdef"}) folder.write(name, "x");
+  const Descriptor goesOn(::open(folder.write(".glissade-saving-held22", "x").c_str(), O_RDONLY));
+  ASSERT_EQ(::flock(goesOn.get(), LOCK_EX), 0);
+  folder.write(".glissade-saving-not-ours", "x");
+  folder.write("b.json.saving-ABCdef", "x");
   ASSERT_TRUE(saveFile(file, "new"));
   EXPECT_THAT(namesIn(folder.path()),
-              testing::UnorderedElementsAre("a.json", ".glissade-saving-fresh2", ".glissade-saving-not-ours",
+              testing::UnorderedElementsAre("a.json", ".glissade-saving-held22", ".glissade-saving-not-ours",
                                             "b.json.saving-ABCdef"));
+}
+
+/// A save never takes the new file of another save for one that a killed program has left.
+TEST(SaveFile, SavesOfOneFolderAtOnceDoNotDisturbEachOther) {
+  const TemporaryFolder folder;
+  constexpr int kSaves = 200;
+  std::atomic<int> failed{0};
+  const auto saveOften = [&](const std::string& name) {
+    for (int i = 0; i < kSaves; ++i) failed += saveFile(folder / name, std::to_string(i)) ? 0 : 1;
+  };
+  std::thread other(saveOften, "a.json");
+  saveOften("b.json");
+  other.join();
+  EXPECT_EQ(failed, 0);
+  EXPECT_THAT(namesIn(folder.path()), testing::UnorderedElementsAre("a.json", "b.json"));
+  EXPECT_EQ(readWhole(folder / "a.json"), std::to_string(kSaves - 1));
 }
 
 TEST(SaveFile, KeepsTheLastEarlierVersions) {
