@@ -13,12 +13,6 @@ namespace {
 constexpr double kTouchingSurfaces = 3e-6;  ///< metres: what fitting and rounding leave
 constexpr double kClashShare = 0.2;         ///< of the local thickness
 
-/// One side of a pair, and what was measured of it.
-struct Side {
-  const PlacedBody& body;
-  const MeasuredSide& measured;
-};
-
 MeasuredSide emptySide(const PlacedBody& body, Overlap overlap) {
   const std::size_t count = body.regions.count;
   return {std::move(overlap), std::vector<bool>(count, false), std::vector<double>(count, 0.0),
@@ -68,7 +62,7 @@ bool addsSagitta(const PairWord* word) {
 }
 
 /// The largest sagitta of the facets of a side that are in the fit; 0 where the file states its faces.
-double sagittaInFit(const Side& side) {
+double sagittaInFit(const MeasuredBody& side) {
   if (!side.body.mesh.faces.empty()) return 0.0;
   double most = 0.0;
   for (std::uint32_t r = 0; r < side.body.regions.count; ++r) {
@@ -79,7 +73,7 @@ double sagittaInFit(const Side& side) {
 }
 
 /// The sagittas of the faces that a person calls cylinders: of bodies whose files state no faces.
-double sagittaByPerson(const Side& side, double ofOther, std::uint32_t region) {
+double sagittaByPerson(const MeasuredBody& side, double ofOther, std::uint32_t region) {
   if (side.body.regions.sagitta[region] <= 0.0) return 0.0;
   return ofOther + (side.body.mesh.faces.empty() ? side.body.regions.sagitta[region] : 0.0);
 }
@@ -95,7 +89,8 @@ std::vector<double> withNextFacets(const FaceRegions& regions, const std::vector
   return most;
 }
 
-AllowanceBound boundOf(const Side& side, const Side& other, double spacing, double margin, const PairWord* word) {
+AllowanceBound boundOf(const MeasuredBody& side, const MeasuredBody& other, double spacing, double margin,
+                       const PairWord* word) {
   const FaceRegions& regions = side.body.regions;
   AllowanceBound bound;
   std::vector<double> sums(regions.count, 0.0);
@@ -118,7 +113,7 @@ AllowanceBound boundOf(const Side& side, const Side& other, double spacing, doub
 }
 
 /// Why nothing is allowed for the pair; empty: nothing is wrong.
-std::string clashOf(const Side& one, const Side& other, const FitWords& fits, const PairWord* word) {
+std::string clashOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word) {
   const double a = one.measured.overlap.deepest;
   const double b = other.measured.overlap.deepest;
   const double overlap = a > 0.0 && b > 0.0 ? std::min(a, b) : std::max(a, b);
@@ -147,17 +142,14 @@ MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const S
   return measured;
 }
 
-PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const MeasuredPair& measured, const FitWords& fits,
-                    const PairWord* word) {
-  const double spacing = one.spacing + other.spacing;
-  const Side a{one, measured.one};
-  const Side b{other, measured.other};
+PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word) {
+  const double spacing = one.body.spacing + other.body.spacing;
   // A body that gives way has no reference point to turn about: its own size counts, or that of the one that moves.
-  const double sizeOfOther = std::max(one.radius, 0.5 * other.tree.box().diagonal().norm());
-  PairBounds bounds{boundOf(a, b, spacing, assembledMargin(one.radius), word),
-                    boundOf(b, a, spacing, assembledMargin(sizeOfOther), word)};
+  const double sizeOfOther = std::max(one.body.radius, other.body.halfDiagonal);
+  PairBounds bounds{boundOf(one, other, spacing, assembledMargin(one.body.radius), word),
+                    boundOf(other, one, spacing, assembledMargin(sizeOfOther), word)};
   if (!bounds.one.inFit && !bounds.other.inFit) return bounds;
-  const std::string refused = clashOf(a, b, fits, word);
+  const std::string refused = clashOf(one, other, fits, word);
   if (refused.empty()) return bounds;
   for (AllowanceBound* bound : {&bounds.one, &bounds.other}) {
     bound->refused = refused;

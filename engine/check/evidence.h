@@ -55,10 +55,15 @@ struct MeasuredPair {
 /// and is not farther from it than files, coordinates and three micrometres may be off.
 MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
 
+/// One body of a pair, and what was measured of it.
+struct MeasuredBody {
+  const PlacedBody& body;
+  const MeasuredSide& measured;
+};
+
 /// What the evidence gives. Overlaps of more than a millimetre or a fifth of the local thickness are clashes, and
 /// nothing is allowed for them unless a person accepts them.
-PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const MeasuredPair& measured, const FitWords& fits,
-                    const PairWord* word);
+PairBounds boundsOf(const MeasuredBody& one, const MeasuredBody& other, const FitWords& fits, const PairWord* word);
 
 /// What remains between bodies that touch where the product is assembled: a micrometre, or four of the clearances that
 /// a path has to keep for a body of this radius, if that is more.

@@ -68,8 +68,6 @@ class PairFitter {
   }
 
  private:
-  const PlacedBody& other() { return bodies_.at(question_.other, question_.other.X_WB); }
-
   std::vector<StatedAllowance> ofPair() const {
     std::vector<StatedAllowance> own;
     if (!question_.stated) return own;
@@ -83,7 +81,8 @@ class PairFitter {
   void findBounds() {
     bool first = true;
     for (const Pose& end : question_.assembled) {
-      const PairBounds found = bodies_.boundsOf(bodies_.at(question_.moving, end), other(), fits_, word_, stop_);
+      const PairBounds found =
+          bodies_.boundsOf({question_.moving, end}, {question_.other, question_.other.X_WB}, fits_, word_, stop_);
       bounds_.one = first ? found.one : united(bounds_.one, found.one);
       bounds_.other = first ? found.other : united(bounds_.other, found.other);
       first = false;
@@ -163,7 +162,8 @@ class PairFitter {
     Result<Thread> found(Diagnostic{});
     Pose assembled;
     for (const Pose& end : question_.assembled) {
-      found = threadAxis(bodies_.at(question_.moving, end), other(), said);
+      found =
+          threadAxis(bodies_.at({question_.moving, end}), bodies_.at({question_.other, question_.other.X_WB}), said);
       assembled = end;
       if (found) break;
     }
@@ -212,38 +212,6 @@ class PairFitter {
 };
 
 }  // namespace
-
-const PlacedBody& PlacedBodies::at(const Body& body, const Pose& X_WB) {
-  const std::lock_guard lock(mutex_);
-  for (const Entry& entry : entries_) {
-    if (entry.mesh == body.mesh.get() && entry.X_WB == X_WB) return *entry.placed;
-  }
-  entries_.push_back({body.mesh.get(), X_WB, std::make_unique<const PlacedBody>(body, X_WB)});
-  return *entries_.back().placed;
-}
-
-PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other,
-                                                 const StopToken& stop) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto known = pairs_.find({&one, &other});
-    if (known != pairs_.end()) return known->second;
-    const auto exchanged = pairs_.find({&other, &one});
-    if (exchanged != pairs_.end()) {
-      const MeasuredPair& pair = *exchanged->second;
-      return pairs_[{&one, &other}] = std::make_shared<const MeasuredPair>(MeasuredPair{pair.other, pair.one});
-    }
-  }
-  auto found = std::make_shared<const MeasuredPair>(measurePair(one, other, stop));
-  if (stop.stopRequested()) return found;
-  const std::lock_guard lock(mutex_);
-  return pairs_.try_emplace({&one, &other}, std::move(found)).first->second;
-}
-
-PairBounds PlacedBodies::boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits,
-                                  const PairWord* word, const StopToken& stop) {
-  return check::boundsOf(one, other, *measured(one, other, stop), fits, word);
-}
 
 PairFit fitOf(const PairQuestion& question, const FitWords& fits, PlacedBodies& bodies, const StopToken& stop) {
   return PairFitter(question, fits, bodies, stop).take();

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "engine/check/evidence.h"
 #include "engine/check/path.h"
+#include "engine/check/placed_bodies.h"
 #include "engine/check/thread.h"
 
 namespace glissade::check {
@@ -47,28 +44,6 @@ struct PairQuestion {
   const std::optional<std::vector<StatedAllowance>>& stated;  ///< of the path or the step
   std::string first;                                          ///< id of who moves where an allowance names nobody
   std::vector<Pose> path;                                     ///< of the moving body
-};
-
-/// Bodies that are placed once, and pairs that are measured once, for any number of threads.
-class PlacedBodies {
- public:
-  const PlacedBody& at(const Body& body, const Pose& X_WB);
-  /// What the evidence gives for two of these bodies, in this order. After a stop the pair is not remembered.
-  PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word,
-                      const StopToken& stop);
-
- private:
-  using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
-  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
-
-  struct Entry {
-    const TriangleMesh* mesh;
-    Pose X_WB;
-    std::unique_ptr<const PlacedBody> placed;
-  };
-  std::mutex mutex_;
-  std::vector<Entry> entries_;
-  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
 };
 
 /// Takes the pair as the file says, as far as the meshes and the person's words bear it. Where the file states nothing

@@ -9,7 +9,8 @@ PlacedBody::PlacedBody(const Body& body, const Pose& X_WB)
       tree(mesh),
       regions(faceRegionsOf(mesh)),
       spacing(body.spacing),
-      radius(radiusAboutOrigin(*body.mesh)) {
+      radius(radiusAboutOrigin(*body.mesh)),
+      halfDiagonal(0.5 * boundingBox(*body.mesh).diagonal().norm()) {
   const TriangleMesh whole = welded(mesh);
   const EdgeFacts edges = edgeFactsOf(whole);
   if (edges.open == 0) interior.emplace(whole, edges.consistentlyOriented);

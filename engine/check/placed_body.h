@@ -24,7 +24,8 @@ struct PlacedBody {
   std::vector<Vector3> normals;           ///< unit, outwards; zero of a triangle without area
   std::vector<double> deflections;        ///< of each triangle, metres
   double spacing = 0.0;
-  double radius = 0.0;  ///< about the frame of the mesh, metres
+  double radius = 0.0;        ///< about the frame of the mesh, metres
+  double halfDiagonal = 0.0;  ///< of the box along the axes of the mesh, metres
 
   bool contains(const Vector3& p) const { return interior && interior->contains(p); }
 };

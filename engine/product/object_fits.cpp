@@ -192,11 +192,11 @@ class FitFinder {
     check::PlacedBodies& placed = question_.placed != nullptr ? *question_.placed : placed_;
     const RigidBody& other = question_.obstacles[obstacle];
     const check::Body own = measuredBody(question_.object, question_.obstacles.size());
-    const check::PlacedBody& fixed = placed.at(measuredBody(other, obstacle), other.X_WB);
+    const check::Body fixed = measuredBody(other, obstacle);
     const check::PairWord* word = words_.about(question_.object.id, other.id);
     std::optional<check::PairBounds> bounds;
     for (const Pose& end : question_.ends) {
-      const check::PairBounds found = placed.boundsOf(placed.at(own, end), fixed, words_, word, stop_);
+      const check::PairBounds found = placed.boundsOf({own, end}, {fixed, other.X_WB}, words_, word, stop_);
       bounds = bounds ? check::PairBounds{united(bounds->one, found.one), united(bounds->other, found.other)} : found;
     }
     return *bounds;

@@ -5,7 +5,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
-#include "engine/check/pair_fit.h"
+#include "engine/check/placed_bodies.h"
 #include "engine/collision/collision_query.h"
 #include "engine/collision/thread_rule.h"
 #include "engine/product/contact_report.h"

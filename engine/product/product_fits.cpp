@@ -1,6 +1,6 @@
 #include "engine/product/product_fits.h"
 
-#include "engine/check/pair_fit.h"
+#include "engine/check/placed_bodies.h"
 
 namespace glissade {
 namespace {
@@ -8,12 +8,12 @@ namespace {
 /// What the evidence gives for taking body `a` of the contact thinner.
 check::AllowanceBound boundOf(const Contact& contact, const std::vector<ContactBody>& bodies,
                               const check::FitWords& words, check::PlacedBodies& placed, const StopToken& stop) {
-  const auto at = [&](const ContactBody& body) -> const check::PlacedBody& {
-    return placed.at({body.id, body.id, body.mesh, body.X_WB, 0.0, body.deflection}, body.X_WB);
+  const auto measured = [&](const ContactBody& body) {
+    return check::Body{body.id, body.id, body.mesh, body.X_WB, 0.0, body.deflection};
   };
-  const ContactBody& a = bodies[contact.a];
-  const ContactBody& b = bodies[contact.b];
-  return placed.boundsOf(at(a), at(b), words, words.about(a.id, b.id), stop).one;
+  const check::Body a = measured(bodies[contact.a]);
+  const check::Body b = measured(bodies[contact.b]);
+  return placed.boundsOf({a, a.X_WB}, {b, b.X_WB}, words, words.about(a.id, b.id), stop).one;
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 PlacedBody placed(const Body& body) { return PlacedBody(body, body.X_WB); }
 
 PairBounds boundsOf(const PlacedBody& one, const PlacedBody& other, const FitWords& fits, const PairWord* word) {
-  return check::boundsOf(one, other, measurePair(one, other, {}), fits, word);
+  const MeasuredPair pair = measurePair(one, other, {});
+  return check::boundsOf({one, pair.one}, {other, pair.other}, fits, word);
 }
 
 /// The largest distance from the surface of points of the other surface that are inside, by dense samples.

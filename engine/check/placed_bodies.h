@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "engine/base/stop_token.h"
+#include "engine/check/evidence.h"
+#include "engine/check/placed_body.h"
+#include "engine/check/product.h"
+
+namespace glissade::check {
+
+/// A body where it is compared with others; it may be assembled elsewhere.
+struct Placement {
+  const Body& body;
+  Pose X_WB;
+};
+
+/// Bodies that are prepared once, and pairs that are measured once, for any number of threads. Pairs of the same two
+/// meshes that are at the same pose relative to each other, to 60 picometres, are one pair.
+class PlacedBodies {
+ public:
+  const PlacedBody& at(const Placement& placement);
+  /// What the evidence gives for the two bodies, in this order. After a stop the pair is not remembered.
+  PairBounds boundsOf(const Placement& one, const Placement& other, const FitWords& fits, const PairWord* word,
+                      const StopToken& stop);
+
+ private:
+  using MeasuredPtr = std::shared_ptr<const MeasuredPair>;
+  MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
+
+  struct Entry {
+    const TriangleMesh* mesh;
+    Pose X_WB;
+    std::unique_ptr<const PlacedBody> placed;
+  };
+  std::mutex mutex_;
+  std::vector<Entry> entries_;
+  std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
+};
+
+}  // namespace glissade::check
