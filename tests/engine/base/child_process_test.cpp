@@ -253,7 +253,7 @@ TEST(ChildProcess, AProgramThatCannotBeRunIsAnError) {
     command.program = program;
     const auto end = runChild(command);
     ASSERT_FALSE(end.ok()) << program;
-    EXPECT_EQ(end.error().kind, ErrorKind::Internal);
+    EXPECT_EQ(end.error().kind, ErrorKind::MalformedInput);
     EXPECT_EQ(end.error().file, program);
     EXPECT_THAT(end.error().reason, HasSubstr("cannot be started: its file cannot be run: "));
     EXPECT_FALSE(end.error().advice.empty());

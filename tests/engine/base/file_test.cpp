@@ -78,7 +78,7 @@ TEST(WriteFileAtomically, FailuresNameTheFileAndLeaveNothingBehind) {
   for (const std::string& file : {folder / "missing/a.json", folder / "folder"}) {
     const Outcome outcome = writeFileAtomically(file, "new");
     ASSERT_FALSE(outcome.ok()) << file;
-    EXPECT_EQ(outcome.error().kind, ErrorKind::Internal);
+    EXPECT_EQ(outcome.error().kind, ErrorKind::Unwritable);
     EXPECT_EQ(outcome.error().file, file);
   }
   EXPECT_EQ(filesIn(folder), 1);
