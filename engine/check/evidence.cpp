@@ -36,8 +36,7 @@ double largestOf(const std::vector<double>& values) {
 
 void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& measured, const StopToken& stop) {
   const double off = one.spacing + other.spacing + kTouchingSurfaces;
-  const double reach = off + largestOf(one.deflections) + largestOf(other.deflections);
-  one.tree.visitPairs(other.tree, reach, [&](std::uint32_t i, std::uint32_t k) {
+  one.tree.visitPairs(other.tree, touchingReach(one, other), [&](std::uint32_t i, std::uint32_t k) {
     if (one.normals[i].dot(other.normals[k]) > kFacing) return !stop.stopRequested();
     const double ofOne = one.deflections[i];
     const double ofOther = other.deflections[k];
@@ -134,6 +133,10 @@ double assembledMargin(double radius) {
   constexpr double kLeastMargin = 1e-6;
   constexpr double kClearances = 4.0;
   return std::max(kLeastMargin, kClearances * tolerance::kRequiredClearance * radius);
+}
+
+double touchingReach(const PlacedBody& one, const PlacedBody& other) {
+  return one.spacing + other.spacing + kTouchingSurfaces + largestOf(one.deflections) + largestOf(other.deflections);
 }
 
 MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop) {

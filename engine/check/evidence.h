@@ -51,6 +51,9 @@ struct MeasuredPair {
   MeasuredSide other;
 };
 
+/// Metres: bodies that are farther from each other do not touch, whatever files and coordinates are off.
+double touchingReach(const PlacedBody& one, const PlacedBody& other);
+
 /// Compares the pair, face by face (FaceRegions). A face is in the fit where the other surface is below it, or faces it
 /// and is not farther from it than files, coordinates and three micrometres may be off.
 MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);

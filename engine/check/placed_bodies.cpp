@@ -27,6 +27,25 @@ bool isFirst(const Body& one, const Body& other) {
   return triangles != others ? triangles > others : one.id < other.id;
 }
 
+Box3 grown(const Box3& box, double reach) {
+  return Box3(box.min() - Vector3::Constant(reach), box.max() + Vector3::Constant(reach));
+}
+
+Box3 placed(const Box3& box, const Pose& X) {
+  Box3 around;
+  for (const auto corner : {Box3::BottomLeftFloor, Box3::BottomRightFloor, Box3::TopLeftFloor, Box3::TopRightFloor,
+                            Box3::BottomLeftCeil, Box3::BottomRightCeil, Box3::TopLeftCeil, Box3::TopRightCeil}) {
+    around.extend(X * box.corner(corner));
+  }
+  return around;
+}
+
+AllowanceBound noBound(const Body& body) {
+  AllowanceBound none;
+  none.atMost.assign(body.mesh->triangles.size(), 0.0);
+  return none;
+}
+
 }  // namespace
 
 const PlacedBody& PlacedBodies::at(const Placement& placement) {
@@ -57,8 +76,13 @@ PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, 
   const bool inOrder = isFirst(one.body, other.body);
   const Placement& first = inOrder ? one : other;
   const Placement& second = inOrder ? other : one;
+  const Pose relative = rounded(inverse(first.X_WB) * second.X_WB);
   const PlacedBody& a = at({first.body, Pose::identity()});
-  const PlacedBody& b = at({second.body, rounded(inverse(first.X_WB) * second.X_WB)});
+  const PlacedBody& own = at({second.body, Pose::identity()});
+  if (!grown(a.tree.box(), touchingReach(a, own)).intersects(placed(own.tree.box(), relative))) {
+    return {noBound(one.body), noBound(other.body)};
+  }
+  const PlacedBody& b = at({second.body, relative});
   const MeasuredPtr pair = measured(a, b, stop);
   const MeasuredBody ofFirst{a, pair->one};
   const MeasuredBody ofSecond{b, pair->other};
