@@ -174,11 +174,13 @@ class Trapped {
   }
 
   /// The exact solids share a volume where the flange is in the lip, and a free body shares none but that of its fit.
-  /// Where the body is in the lip depends on its shape: a dovetail is as wide as the lip near its bottom only.
+  /// Where the body is in the lip depends on its shape: a dovetail is as wide as the lip near
+  /// its bottom only, and meets a thin lip just before it leaves.
   void checkVolume(const TrappedPair& pair) {
     ++tried_["volumes"];
     bool shared = false;
-    for (const double share : {0.9, 0.6, 0.3}) shared = shared || commonVolume(pair, share * pair.top) > 0.0;
+    for (const double share : {0.999, 0.99, 0.9, 0.6, 0.3})
+      shared = shared || commonVolume(pair, share * pair.top) > 0.0;
     if (pair.isTrapped() && !shared) find("volumes", "the exact solids share nothing in the lip");
   }
 
