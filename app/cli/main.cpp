@@ -377,7 +377,7 @@ int run(int argc, char** argv) {
   return runConvert(convert);
 }
 
-/// A reader that has ended, as head, wants no more: that is no error.
+/// Nothing, or why standard output could not be written. A pipe whose reader has ended, such as head, is no error.
 std::optional<Diagnostic> unwritten(PrintableOutput& output) {
   const int error = output.flush();
   if (error == 0 || error == EPIPE) return std::nullopt;

@@ -12,7 +12,7 @@ class PrintableOutput final : private std::streambuf {
  public:
   explicit PrintableOutput(std::ostream& stream);
   ~PrintableOutput() override;
-  /// Writes what is pending. What the system said of the first text that could not be written (an errno); 0: nothing.
+  /// Writes what is pending. Returns the errno of the first write that failed, or 0.
   int flush();
   PrintableOutput(const PrintableOutput&) = delete;
   PrintableOutput& operator=(const PrintableOutput&) = delete;

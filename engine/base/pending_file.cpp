@@ -56,23 +56,20 @@ bool lock(const Descriptor& file) {
 }  // namespace
 
 PendingFile::PendingFile(PendingFile&& other) noexcept
-    : descriptor_(std::move(other.descriptor_)), name_(std::exchange(other.name_, {})), file_(std::move(other.file_)) {}
+    : descriptor_(std::move(other.descriptor_)),
+      lock_(std::move(other.lock_)),
+      name_(std::exchange(other.name_, {})),
+      file_(std::move(other.file_)) {}
 
 Result<PendingFile> PendingFile::create(const std::string& folder, const std::string& file, mode_t mode) {
-  std::string name;
-  Descriptor descriptor;
-  for (int tries = 0; !descriptor.valid(); ++tries) {
-    constexpr int kMostTries = 100;
-    name = (fs::path(folder) / kPrefix).string() + randomLetters();
-    descriptor = Descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
-    const bool taken = descriptor.valid() ? !lock(descriptor) : errno == EEXIST;
-    if (taken && tries < kMostTries) {
-      descriptor = Descriptor();
-    } else if (!descriptor.valid() || taken) {
-      return saveError(file, "the folder takes no new file", taken ? EEXIST : errno);
-    }
+  constexpr int kMostTries = 100;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    std::string name = (fs::path(folder) / kPrefix).string() + randomLetters();
+    Descriptor descriptor(::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    if (!descriptor.valid() && errno != EEXIST) return saveError(file, "the folder takes no new file", errno);
+    if (descriptor.valid() && lock(descriptor)) return PendingFile(std::move(descriptor), std::move(name), file);
   }
-  return PendingFile(std::move(descriptor), std::move(name), file);
+  return saveError(file, "the folder takes no new file", EEXIST);
 }
 
 PendingFile::~PendingFile() {
@@ -82,6 +79,9 @@ PendingFile::~PendingFile() {
 Outcome PendingFile::write(const std::string& content) {
   if (!writeAll(descriptor_.get(), content)) return saveError(file_, "writing failed", errno);
   if (::fsync(descriptor_.get()) != 0) return saveError(file_, "flushing to the disk failed", errno);
+  lock_ =
+      Descriptor(::fcntl(descriptor_.get(), F_DUPFD_CLOEXEC, 0));  // the lock is of the open file, not of a descriptor
+  if (!lock_.valid() || !descriptor_.close()) return saveError(file_, "closing failed", errno);
   const auto written = readFile(name_, content.size());
   if (!written || *written != content) return saveError(file_, "what was written reads back differently", EIO);
   return Done{};

@@ -21,7 +21,7 @@ class PendingFile {
   PendingFile& operator=(PendingFile&&) = delete;
 
   int descriptor() const { return descriptor_.get(); }
-  /// Writes the whole content, flushes it to the disk, reads it back and compares.
+  /// Writes the whole content, flushes it to the disk, closes the file, reads it back and compares.
   Outcome write(const std::string& content);
   /// Gives it the name and flushes the folder. Errors: the name was not given. False: it was given, but a
   /// power cut now may undo that.
@@ -32,6 +32,7 @@ class PendingFile {
       : descriptor_(std::move(descriptor)), name_(std::move(name)), file_(std::move(file)) {}
 
   Descriptor descriptor_;
+  Descriptor lock_;   ///< keeps the file locked once it was written and closed
   std::string name_;  ///< empty once it was renamed, or was moved from
   std::string file_;
 };

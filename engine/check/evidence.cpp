@@ -30,10 +30,6 @@ void touch(MeasuredSide& side, std::uint32_t region, double own, double others) 
   side.others[region] = std::max(side.others[region], others);
 }
 
-double largestOf(const std::vector<double>& values) {
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
 void findTouching(const PlacedBody& one, const PlacedBody& other, MeasuredPair& measured, const StopToken& stop) {
   const double off = one.spacing + other.spacing + kTouchingSurfaces;
   one.tree.visitPairs(other.tree, touchingReach(one, other), [&](std::uint32_t i, std::uint32_t k) {
@@ -136,7 +132,7 @@ double assembledMargin(double radius) {
 }
 
 double touchingReach(const PlacedBody& one, const PlacedBody& other) {
-  return one.spacing + other.spacing + kTouchingSurfaces + largestOf(one.deflections) + largestOf(other.deflections);
+  return one.spacing + other.spacing + kTouchingSurfaces + one.largestDeflection + other.largestDeflection;
 }
 
 MeasuredPair measurePair(const PlacedBody& one, const PlacedBody& other, const StopToken& stop) {

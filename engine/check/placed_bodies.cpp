@@ -10,7 +10,8 @@ double rounded(double number) {
   return std::round(number / kStep) * kStep + 0.0;  // no -0
 }
 
-/// Of all poses that are the same but for rounding, one: what is measured does not depend on which came first.
+/// The same pose for all poses that differ by rounding errors only. So no result depends on which of congruent pairs is
+/// measured first.
 Pose rounded(const Pose& pose) {
   const auto& q = pose.orientation;
   const Quaternion same = q.w() < 0.0 ? Quaternion(-q.coeffs()) : q;
@@ -20,24 +21,12 @@ Pose rounded(const Pose& pose) {
   return {{rounded(p.x()), rounded(p.y()), rounded(p.z())}, Quaternion(coefficients).normalized()};
 }
 
-/// The first of two stays in its own frame, and the second is placed relative to it: that is done for each pair.
+/// Of a pair, the first body stays in its own frame and is prepared once. The second body is prepared for each relative
+/// pose, so the larger mesh is the first.
 bool isFirst(const Body& one, const Body& other) {
   const std::size_t triangles = one.mesh->triangles.size();
   const std::size_t others = other.mesh->triangles.size();
   return triangles != others ? triangles > others : one.id < other.id;
-}
-
-Box3 grown(const Box3& box, double reach) {
-  return Box3(box.min() - Vector3::Constant(reach), box.max() + Vector3::Constant(reach));
-}
-
-Box3 placed(const Box3& box, const Pose& X) {
-  Box3 around;
-  for (const auto corner : {Box3::BottomLeftFloor, Box3::BottomRightFloor, Box3::TopLeftFloor, Box3::TopRightFloor,
-                            Box3::BottomLeftCeil, Box3::BottomRightCeil, Box3::TopLeftCeil, Box3::TopRightCeil}) {
-    around.extend(X * box.corner(corner));
-  }
-  return around;
 }
 
 AllowanceBound noBound(const Body& body) {
@@ -51,11 +40,12 @@ AllowanceBound noBound(const Body& body) {
 const PlacedBody& PlacedBodies::at(const Placement& placement) {
   const TriangleMesh* mesh = placement.body.mesh.get();
   const std::lock_guard lock(mutex_);
-  for (const Entry& entry : entries_) {
-    if (entry.mesh == mesh && entry.X_WB == placement.X_WB) return *entry.placed;
+  std::vector<Entry>& entries = entries_[mesh];
+  for (const Entry& entry : entries) {
+    if (entry.X_WB == placement.X_WB) return *entry.placed;
   }
-  entries_.push_back({mesh, placement.X_WB, std::make_unique<const PlacedBody>(placement.body, placement.X_WB)});
-  return *entries_.back().placed;
+  entries.push_back({placement.X_WB, std::make_unique<const PlacedBody>(placement.body, placement.X_WB)});
+  return *entries.back().placed;
 }
 
 PlacedBodies::MeasuredPtr PlacedBodies::measured(const PlacedBody& one, const PlacedBody& other,
@@ -79,7 +69,8 @@ PairBounds PlacedBodies::boundsOf(const Placement& one, const Placement& other, 
   const Pose relative = rounded(inverse(first.X_WB) * second.X_WB);
   const PlacedBody& a = at({first.body, Pose::identity()});
   const PlacedBody& own = at({second.body, Pose::identity()});
-  if (!grown(a.tree.box(), touchingReach(a, own)).intersects(placed(own.tree.box(), relative))) {
+  const Box3 box = own.tree.box().transformed(toIsometry(relative));
+  if (a.tree.box().exteriorDistance(box) > touchingReach(a, own)) {
     return {noBound(one.body), noBound(other.body)};
   }
   const PlacedBody& b = at({second.body, relative});

@@ -33,12 +33,11 @@ class PlacedBodies {
   MeasuredPtr measured(const PlacedBody& one, const PlacedBody& other, const StopToken& stop);
 
   struct Entry {
-    const TriangleMesh* mesh;
     Pose X_WB;
     std::unique_ptr<const PlacedBody> placed;
   };
   std::mutex mutex_;
-  std::vector<Entry> entries_;
+  std::map<const TriangleMesh*, std::vector<Entry>> entries_;
   std::map<std::pair<const PlacedBody*, const PlacedBody*>, MeasuredPtr> pairs_;
 };
 

@@ -1,5 +1,7 @@
 #include "engine/check/placed_body.h"
 
+#include <algorithm>
+
 #include "engine/geometry/mesh_edges.h"
 
 namespace glissade::check {
@@ -23,6 +25,7 @@ PlacedBody::PlacedBody(const Body& body, const Pose& X_WB)
     normals.emplace_back(doubled.norm() > 0.0 ? Vector3(doubled.normalized()) : Vector3(Vector3::Zero()));
     const bool stated = !mesh.faces.empty();
     deflections.push_back(stated ? mesh.deflectionOf(t) : (regions.curved[t] ? body.deflection : 0.0));
+    largestDeflection = std::max(largestDeflection, deflections.back());
   }
   for (Vector3& normal : normals) normal *= volume < 0.0 ? -1.0 : 1.0;
 }

@@ -23,6 +23,7 @@ struct PlacedBody {
   std::optional<SolidInterior> interior;  ///< nothing where the surface is not closed
   std::vector<Vector3> normals;           ///< unit, outwards; zero of a triangle without area
   std::vector<double> deflections;        ///< of each triangle, metres
+  double largestDeflection = 0.0;         ///< of all triangles, metres
   double spacing = 0.0;
   double radius = 0.0;        ///< about the frame of the mesh, metres
   double halfDiagonal = 0.0;  ///< of the box along the axes of the mesh, metres
