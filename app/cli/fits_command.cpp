@@ -5,10 +5,11 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
-#include "engine/product/product_fits.h"
+#include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
 
 namespace glissade::cli {
@@ -18,16 +19,29 @@ using Json = nlohmann::ordered_json;
 
 Json coordinates(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// What is taken thinner while one of the bodies moves past the other.
+Json toJson(const PairWay& way, const std::string& moving, const std::string& other) {
+  Json json{{"moving", moving}, {"thinner", Json::array()}};
+  for (const Fit& fit : way.taken) {
+    if (!fit.thinned) continue;
+    json["thinner"].push_back({{"body", fit.yields ? other : moving}, {"allowance_m", fit.allowance}});
+  }
+  if (!way.refused.empty()) json["refused"] = way.refused;
+  return json;
+}
+
 Json toJson(const PairFit& row) {
   const Contact& contact = row.contact;
   Json json{{"a", row.a},
             {"b", row.b},
-            {"kind", kindName(row.decision.kind)},
+            {"kind", kindName(contact.kind)},
             {"gap_m", contact.gap},
             {"overlap_m", contact.overlap},
             {"uncertainty_m", contact.uncertainty},
-            {"allowance_m", row.allowance()},
-            {"status", statusName(row.status())}};
+            {"thinner", row.thinner()},
+            {"allowance_m", row.way().allowance()},
+            {"status", statusName(row.status())},
+            {"ways", {toJson(row.ways[0], row.a, row.b), toJson(row.ways[1], row.b, row.a)}}};
   if (contact.axis) {
     json["axis"] = {{"point", coordinates(contact.axis->point)},
                     {"direction", coordinates(contact.axis->direction)},
@@ -51,31 +65,52 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 void printCsv(const std::vector<PairFit>& rows) {
-  std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status\n";
+  std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status,thinner,refused\n";
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
-    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(row.decision.kind) << ","
+    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(contact.kind) << ","
               << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(row.allowance()) << "," << statusName(row.status()) << "\n";
+              << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(row.thinner()))
+              << "," << quoted(row.way().refused) << "\n";
   }
+}
+
+/// "a by 0.0130 mm", "both by ...", "clash" or nothing.
+std::string thinnerInWords(const PairFit& row) {
+  if (row.status() == FitStatus::Clash) return "clash";
+  const std::vector<std::string> thinner = row.thinner();
+  if (thinner.empty()) return {};
+  std::ostringstream text;
+  text << (thinner.size() > 1 ? "both" : thinner.front() == row.a ? "a" : "b") << " by " << std::fixed
+       << std::setprecision(4) << 1e3 * row.way().allowance() << " mm";
+  return text.str();
 }
 
 void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
   std::size_t width = 1;
   for (const PairFit& row : rows) width = std::max(width, row.a.size());
-  std::cout << std::left << std::fixed << std::setprecision(3);
+  std::cout << std::left << std::setw(42) << "kind        gap or overlap" << std::setw(19) << "taken thinner"
+            << std::setw(static_cast<int>(width) + 2) << "a" << "b\n"
+            << std::fixed << std::setprecision(3);
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
     const bool overlaps = contact.overlap > 0.0;
-    std::cout << std::setw(12) << kindName(row.decision.kind) << (overlaps ? "overlap " : "gap     ") << std::right
+    std::cout << std::setw(12) << kindName(contact.kind) << (overlaps ? "overlap " : "gap     ") << std::right
               << std::setw(8) << 1e3 * (overlaps ? contact.overlap : contact.gap) << " mm";
     if (contact.uncertainty > 0.0) {
       std::cout << " +- " << 1e3 * contact.uncertainty;
     } else {
       std::cout << "         ";
     }
-    std::cout << "  " << std::left << std::setw(static_cast<int>(width)) << row.a << "  " << row.b << "\n";
+    std::cout << "  " << std::left << std::setw(17) << thinnerInWords(row) << "  "
+              << std::setw(static_cast<int>(width)) << row.a << "  " << row.b << "\n";
   }
   std::cout << rows.size() << " pairs of " << bodies << " bodies";
   const char* separator = ": ";
@@ -103,12 +138,16 @@ int runFits(const FitsOptions& options) {
   const auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
   if (!loaded) return reportError(loaded.error(), options.format);
   reportWarnings(loaded->warnings);
-  const AssembledProduct& product = loaded->product;
-  const std::vector<PairFit> rows =
-      findProductFits(contactBodiesOf(product), product.fits, options.limits, interrupt.token());
-  if (interrupt.requested()) {
-    return reportError({ErrorKind::Interrupted, options.file, "", "was interrupted", "Start again."}, options.format);
+  AssembledProduct product = loaded->product;
+  product.bodies = aboutTheirMiddles(std::move(product.bodies));
+  ThreadTeam alone(0);
+  const auto table = FitTable::find(product, alone, interrupt.token(), options.limits);
+  if (!table) {
+    Diagnostic why = table.error();
+    why.file = options.file;
+    return reportError(why, options.format);
   }
+  const std::vector<PairFit>& rows = table->pairs();
   if (options.format == Format::Json) {
     printPairs(rows);
   } else if (options.csv) {

@@ -4,6 +4,7 @@
 
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
+#include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_file.h"
 #include "engine/scenario/unit_guess.h"
@@ -34,7 +35,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
   const auto clear =
-      moveToClearance(loaded.problem.world->withVariants({}), start, loaded.parameters[ParameterId::RequiredClearance]);
+      moveToClearance(wholeWorld(loaded), start, loaded.parameters[ParameterId::RequiredClearance]);
   if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();

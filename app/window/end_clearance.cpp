@@ -1,6 +1,7 @@
 #include "app/window/end_clearance.h"
 
 #include "engine/planning/automatic/move_to_clearance.h"
+#include "engine/scenario/scenario_fits.h"
 
 namespace glissade {
 
@@ -10,7 +11,7 @@ Result<std::vector<MovedEnd>> endsMovedClear(const LoadedScenario& scenario, dou
     const AssemblyItem item{end, {}};
     const auto before = poseOf(scenario.scenario, item);
     if (!before) continue;
-    const auto clear = moveToClearance(scenario.problem.world->withVariants({}), *before, required, stop);
+    const auto clear = moveToClearance(wholeWorld(scenario), *before, required, stop);
     if (!clear) {
       Diagnostic why = clear.error();
       why.location = end == AssemblyItem::Kind::Start ? "start" : "goal";

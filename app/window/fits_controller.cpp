@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/scenario/scenario_fits.h"
+#include "engine/product/fit_table.h"
+#include "engine/scenario/product_file.h"
 
 namespace glissade {
 namespace {
@@ -60,11 +61,15 @@ void FitsController::find() {
   if (!scenario) return;
   bench_.actions["panel.fits"]->trigger();
   bench_.work.run(tr("Looking for fits"), [this, scenario](const WorkWatch& watch) -> BackgroundTask::Delivery {
-    const auto fits = std::make_shared<const std::vector<PairFit>>(
-        findProductFits(contactBodiesOf(*scenario), scenario->scenario.fits, {}, watch.stop));
-    return [this, scenario, fits] {
+    ThreadTeam alone(0);
+    const auto table = std::make_shared<const Result<FitTable>>(FitTable::find(productOf(*scenario), alone, watch.stop));
+    return [this, scenario, table] {
       if (bench_.document.scenario() != scenario) return;
-      panel_->setFits(fits);
+      if (!*table) {
+        bench_.messages.showError(tr("The fits cannot be found"), table->error());
+        return;
+      }
+      panel_->setFits(std::make_shared<const std::vector<PairFit>>((*table)->pairs()));
       enableActions();
     };
   });

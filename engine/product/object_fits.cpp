@@ -6,9 +6,8 @@
 #include <memory>
 #include <sstream>
 
-#include "engine/geometry/thinned_mesh.h"
 #include "engine/product/common_axis.h"
-#include "engine/product/fit_rules.h"
+#include "engine/product/fit_words.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
 #include "engine/product/thread_pitch.h"
@@ -23,7 +22,7 @@ std::string millimetres(double metres) {
   return text.str();
 }
 
-/// A contact of the object with an obstacle, and at which of the ends.
+/// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
 struct FoundContact {
   Contact contact;
   std::vector<Pose> at;
@@ -45,12 +44,57 @@ std::vector<Pose> onAxis(const ContactAxis& axis, const Pose& first, const std::
   return same;
 }
 
+/// The same contact with its bodies exchanged.
+Contact exchanged(Contact contact) {
+  std::swap(contact.a, contact.b);
+  if (contact.axis) {
+    std::swap(contact.axis->radiusA, contact.axis->radiusB);
+    contact.axis->shaftIsA = !contact.axis->shaftIsA;
+  }
+  return contact;
+}
+
 double measured(const Contact& contact) { return contact.overlap + contact.deviation; }
 
-/// The object's place in the coaxial pair; it is `b`, as the last of all bodies.
+/// The object's place in the coaxial pair; it is `b`.
 Fit::Role roleOf(const Contact& contact) {
   if (!contact.axis) return Fit::Role::Other;
   return contact.axis->shaftIsA ? Fit::Role::Hole : Fit::Role::Shaft;
+}
+
+/// Each face by its allowance, and none by more than `most` (metres).
+std::vector<double> limited(std::vector<double> allowances, double most) {
+  for (double& each : allowances) each = std::min(each, most);
+  return allowances;
+}
+
+/// What a person's word and the evidence make of a contact.
+struct Decision {
+  ContactKind kind = ContactKind::Contact;
+  bool refused = false;  ///< a clash that nobody accepted
+  bool given = false;    ///< a person gave the allowance
+};
+
+/// Whether an overlap is a clash is decided by the evidence, which is measured face by face. A smaller limit that was
+/// asked for still gives the pair its kind.
+Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& settings,
+                const check::AllowanceBound& bound, const ContactLimits& limits) {
+  const bool small = settings.acceptedClash > 0.0 && contact.overlap <= settings.acceptedClash;
+  const bool accepted = small || (edit != nullptr && edit->accepted);
+  Decision decision{contact.kind, false, edit != nullptr && edit->allowance};
+  const bool usual = limits.clashOverlap == ContactLimits().clashOverlap;
+  if (contact.kind == ContactKind::Clash && bound.refused.empty() && !accepted && usual) {
+    decision.kind = ContactKind::Overlap;
+  }
+  if (!bound.refused.empty()) decision.kind = ContactKind::Clash;
+  if (edit != nullptr && edit->kind) decision.kind = *edit->kind;
+  decision.refused = !decision.given && !bound.refused.empty();
+  return decision;
+}
+
+/// That has to be accepted.
+double overlapOf(const Contact& contact, const check::PairBounds& bounds) {
+  return std::max({contact.overlap, bounds.one.largest.overlap, bounds.other.largest.overlap});
 }
 
 class FitFinder {
@@ -58,8 +102,11 @@ class FitFinder {
   FitFinder(const FitQuestion& question, const StopToken& stop)
       : question_(question),
         stop_(stop),
-        gap_(assembledGap(radiusAboutOrigin(*question.object.mesh))),
-        words_(wordsOf(question.settings)) {}
+        object_(question.product.bodies[question.object]),
+        ends_(question.ends.empty() ? std::vector<Pose>{object_.X_WB} : question.ends),
+        tools_(question.tools != nullptr ? *question.tools : ownTools_),
+        gap_(assembledGap(radiusAboutOrigin(*object_.mesh))),
+        words_(wordsOf(question.product.fits)) {}
 
   Result<ObjectFits> find() {
     if (const Outcome known = checkBodies(); !known) return known.error();
@@ -68,13 +115,14 @@ class FitFinder {
     if (const Outcome sound = checkAllowances(); !sound) return sound.error();
     for (const auto& [obstacle, found] : contacts_) {
       if (stop_.stopRequested()) break;
-      decide(obstacle, found);
+      resolve(obstacle, found);
     }
     return std::move(fits_);
   }
 
  private:
-  const std::vector<FitEdit>& edits() const { return question_.settings.pairs; }
+  const std::vector<FitEdit>& edits() const { return question_.product.fits.pairs; }
+  const RigidBody& body(std::size_t index) const { return question_.product.bodies[index]; }
 
   static Diagnostic refused(std::size_t edit, const std::string& reason, const std::string& advice) {
     return {ErrorKind::MalformedInput, "", "/fits/pairs/" + std::to_string(edit), reason, advice};
@@ -83,13 +131,9 @@ class FitFinder {
   Outcome checkBodies() const {
     for (std::size_t i = 0; i < edits().size(); ++i) {
       for (const std::string& id : {edits()[i].a, edits()[i].b}) {
-        const bool known =
-            id == question_.object.id || std::any_of(question_.obstacles.begin(), question_.obstacles.end(),
-                                                     [&](const RigidBody& body) { return body.id == id; });
-        if (!known) {
-          return refused(i, "names the body '" + id + "', which is not there",
-                         "See 'glissade-cli fits' for the names.");
-        }
+        if (question_.product.indexOf(id)) continue;
+        return refused(i, "names the body '" + id + "', which is not there",
+                       "See 'glissade-cli fits' for the names.");
       }
     }
     return Done{};
@@ -97,76 +141,75 @@ class FitFinder {
 
   void findContactsAtEnds() {
     if (question_.contacts != nullptr) {
-      for (const Contact& contact : *question_.contacts) {
-        contacts_.emplace(contact.a, FoundContact{contact, {question_.ends.front()}, question_.ends.front()});
-      }
+      for (const Contact& contact : *question_.contacts) addContact(contact, ends_.front());
       return;
     }
-    std::vector<ContactBody> bodies;
-    for (std::size_t i = 0; i < question_.obstacles.size(); ++i) {
-      const RigidBody& body = question_.obstacles[i];
-      bodies.push_back({body.id, body.mesh, body.X_WB, question_.deflections[i]});
-    }
-    bodies.push_back({question_.object.id, question_.object.mesh, {}, question_.deflections.back()});
-    ContactLimits limits;
-    limits.only = bodies.size() - 1;
-    for (const Pose& end : question_.ends) {
-      bodies.back().X_WB = end;
-      for (const Contact& contact : findContacts(bodies, limits, stop_).contacts) {
-        FoundContact& found = contacts_.try_emplace(contact.a, FoundContact{contact, {}, end}).first->second;
-        if (measured(contact) > measured(found.contact)) found = {contact, std::move(found.at), end};
-        found.at.push_back(end);
-      }
+    std::vector<ContactBody> bodies = contactBodiesOf(question_.product);
+    ContactLimits limits = question_.limits;
+    limits.only = question_.object;
+    for (const Pose& end : ends_) {
+      bodies[question_.object].X_WB = end;
+      for (const Contact& contact : findContacts(bodies, limits, stop_).contacts) addContact(contact, end);
     }
   }
 
-  Outcome checkAllowances() {
+  void addContact(const Contact& found, const Pose& end) {
+    if (found.a != question_.object && found.b != question_.object) return;
+    const Contact contact = found.b == question_.object ? found : exchanged(found);
+    FoundContact& known = contacts_.try_emplace(contact.a, FoundContact{contact, {}, end}).first->second;
+    if (measured(contact) > measured(known.contact)) known = {contact, std::move(known.at), end};
+    known.at.push_back(end);
+  }
+
+  Outcome checkAllowances() const {
     for (std::size_t i = 0; i < edits().size(); ++i) {
       const FitEdit& edit = edits()[i];
       if (!edit.allowance || *edit.allowance == 0.0) continue;
-      if (edit.a != question_.object.id && edit.b != question_.object.id) continue;
-      const std::string& other = edit.a == question_.object.id ? edit.b : edit.a;
-      const bool touches = std::any_of(contacts_.begin(), contacts_.end(),
-                                       [&](const auto& entry) { return question_.obstacles[entry.first].id == other; });
-      if (!touches) {
+      if (edit.a != object_.id && edit.b != object_.id) continue;
+      const std::size_t other = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
+      if (contacts_.count(other) == 0) {
         return refused(i,
                        "allows for '" + edit.a + "' and '" + edit.b + "', which do not touch where they are assembled",
                        "Remove the allowance.");
       }
-      const double most = thinnable() ? kMostThinning * thinnable()->thickness() : 0.0;
+      const double most = kMostThinning * std::max(thicknessOf(object_), thicknessOf(body(other)));
       if (*edit.allowance > most) {
         return refused(i,
-                       "allows " + millimetres(*edit.allowance) + ", more than the thickness of '" +
-                           question_.object.id + "' gives",
+                       "allows " + millimetres(*edit.allowance) + ", more than the thickness of '" + edit.a +
+                           "' or of '" + edit.b + "' gives",
                        "Give at most " + millimetres(most) + ".");
       }
     }
     return Done{};
   }
 
-  ContactBody contactBody(const RigidBody& body, const Pose& X_WB) const { return {body.id, body.mesh, X_WB, 0.0}; }
+  double thicknessOf(const RigidBody& body) const {
+    const ThinnableMesh* thinnable = tools_.thinnable.of(body.mesh);
+    return thinnable != nullptr ? thinnable->thickness() : 0.0;
+  }
+
+  static ContactBody contactBody(const RigidBody& body, const Pose& X_WB) { return {body.id, body.mesh, X_WB, 0.0}; }
 
   /// Pairs that a person calls a thread need not touch.
   Outcome addMarkedThreads() {
-    for (std::size_t obstacle = 0; obstacle < question_.obstacles.size(); ++obstacle) {
-      const RigidBody& other = question_.obstacles[obstacle];
-      const FitEdit* edit = editOf(question_.settings, question_.object.id, other.id);
-      if (edit == nullptr || edit->kind != ContactKind::Thread) continue;
+    for (const FitEdit& edit : edits()) {
+      if (edit.kind != ContactKind::Thread || (edit.a != object_.id && edit.b != object_.id)) continue;
+      const std::size_t obstacle = *question_.product.indexOf(edit.a == object_.id ? edit.b : edit.a);
       const auto known = contacts_.find(obstacle);
       if (known != contacts_.end() && known->second.contact.axis) continue;
-      FoundContact found{
-          Contact{obstacle, question_.obstacles.size(), ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
+      FoundContact found{Contact{obstacle, question_.object, ContactKind::Clearance, 0, 0, 0, 0, 0, {}}, {}, {}};
       if (known != contacts_.end()) found = known->second;
-      for (const Pose& end : question_.ends) {
-        const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(question_.object, end));
+      for (const Pose& end : ends_) {
+        const RigidBody& other = body(obstacle);
+        const auto axis = commonAxisOf(contactBody(other, other.X_WB), contactBody(object_, end));
         if (!axis) continue;
         if (!found.contact.axis) found.measuredAt = end;
         if (!found.contact.axis) found.contact.axis = axis;
         if (known == contacts_.end()) found.at.push_back(end);
       }
       if (!found.contact.axis) {
-        return refused(static_cast<std::size_t>(edit - edits().data()),
-                       "calls '" + edit->a + "' and '" + edit->b +
+        return refused(static_cast<std::size_t>(&edit - edits().data()),
+                       "calls '" + edit.a + "' and '" + edit.b +
                            "' a thread, but no shaft of the one is on the axis of a hole of the other",
                        "Give another kind.");
       }
@@ -175,68 +218,68 @@ class FitFinder {
     return Done{};
   }
 
-  const ThinnableMesh* thinnable() {
-    if (!measuredObject_) {
-      measuredObject_ = true;
-      thinnable_ = ThinnableMesh::of(*question_.object.mesh);
-    }
-    return thinnable_ ? &*thinnable_ : nullptr;
+  check::Body measuredBody(std::size_t index) const {
+    const RigidBody& own = body(index);
+    return {own.id, own.name, own.mesh, own.X_WB, question_.product.spacingOf(index),
+            question_.product.deflections[index]};
   }
 
-  check::Body measuredBody(const RigidBody& body, std::size_t number) const {
-    const double spacing = question_.spacings.empty() ? 0.0 : question_.spacings[number];
-    return {body.id, body.name, body.mesh, body.X_WB, spacing, question_.deflections[number]};
-  }
-
-  check::PairBounds boundsWith(std::size_t obstacle) {
-    check::PlacedBodies& placed = question_.placed != nullptr ? *question_.placed : placed_;
-    const RigidBody& other = question_.obstacles[obstacle];
-    const check::Body own = measuredBody(question_.object, question_.obstacles.size());
-    const check::Body fixed = measuredBody(other, obstacle);
-    const check::PairWord* word = words_.about(question_.object.id, other.id);
+  check::PairBounds boundsWith(std::size_t obstacle) const {
+    const check::Body own = measuredBody(question_.object);
+    const check::Body fixed = measuredBody(obstacle);
+    const check::PairWord* word = words_.about(own.id, fixed.id);
     std::optional<check::PairBounds> bounds;
-    for (const Pose& end : question_.ends) {
-      const check::PairBounds found = placed.boundsOf({own, end}, {fixed, other.X_WB}, words_, word, stop_);
+    for (const Pose& end : ends_) {
+      const check::PairBounds found = tools_.placed.boundsOf({own, end}, {fixed, fixed.X_WB}, words_, word, stop_);
       bounds = bounds ? check::PairBounds{united(bounds->one, found.one), united(bounds->other, found.other)} : found;
     }
     return *bounds;
   }
 
-  void decide(std::size_t obstacle, const FoundContact& found) {
-    const FitEdit* edit = editOf(question_.settings, question_.object.id, question_.obstacles[obstacle].id);
-    const auto bounds = std::make_shared<const check::PairBounds>(boundsWith(obstacle));
-    const FitDecision decision = decideFit(found.contact, edit, question_.settings, bounds->one);
-    Fit fit{obstacle, decision.kind, roleOf(found.contact), found.contact.overlap, decision.allowance};
-    fit.evidence = bounds->one.largest;
+  void resolve(std::size_t obstacle, const FoundContact& found) {
+    const FitEdit* edit = editOf(question_.product.fits, object_.id, body(obstacle).id);
+    const check::PairBounds bounds = boundsWith(obstacle);
+    const Decision decision =
+        decide(found.contact, edit, question_.product.fits, bounds.one, question_.limits);
+    Contact& contact = fits_.contacts.emplace_back(found.contact);
+    contact.kind = decision.kind;
+    if (found.contact.kind == ContactKind::Clash && decision.kind == ContactKind::Overlap) {
+      contact.overlap = std::min(contact.overlap, std::max(bounds.one.largest.overlap, bounds.other.largest.overlap));
+    }
+    Fit fit{obstacle, decision.kind, roleOf(contact), contact.overlap};
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
-      refuse(fit, "overlap by " + millimetres(fit.overlap) + ", which is a clash",
-             "Accept it (--accept-clashes " + millimetresUp(fit.overlap) + "), or mend the parts.");
-    } else if (found.contact.kind == ContactKind::Clearance || bounds->one.most <= 0.0) {
-      fit.allowance = 0.0;
+      const double overlap = overlapOf(found.contact, bounds);
+      fit.allowance = overlap + found.contact.deviation;
+      refuse(fit, "overlap by " + millimetres(overlap) + ", which is a clash",
+             "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
+    } else if (found.contact.kind == ContactKind::Clearance || (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
     } else if (decision.given || !isClearInThread(fit, found)) {
-      fit.bounds = bounds;
-      takeThinner(fit, found.at);
+      takeThinner(fit, bounds, found.at);
     }
   }
 
   /// The object moves clear in a thread that is modelled: it is taken as it is.
   bool isClearInThread(const Fit& fit, const FoundContact& found) {
     if (fit.kind != ContactKind::Contact) return false;
-    const RigidBody& other = question_.obstacles[fit.obstacle];
-    return isFree(question_.object.mesh, fit.obstacle, found.at) &&
-           !findModelledThreads(*question_.object.mesh, found.measuredAt, other, found.contact.gap).empty();
+    const RigidBody& other = body(fit.obstacle);
+    return isFree(object_.mesh, fit.obstacle, other.mesh, found.at) &&
+           !findModelledThreads(*object_.mesh, found.measuredAt, other, found.contact.gap).empty();
   }
 
-  /// The object taken so, and alone with its obstacle.
-  bool isFree(const MeshPtr& object, std::size_t obstacle, const std::vector<Pose>& ends) {
-    auto& [known, world] = alone_;
-    world = world && known == obstacle ? world->withObject(object) : worldOf(question_.obstacles[obstacle], object);
-    known = obstacle;
-    const auto query = world->makeQuery();
+  /// Taken to be these meshes, the object and the obstacle are apart.
+  bool isFree(const MeshPtr& object, std::size_t obstacle, const MeshPtr& mesh, const std::vector<Pose>& ends) {
+    const auto query = pairOf(object, obstacle, mesh)->makeQuery();
     return std::all_of(ends.begin(), ends.end(), [&](const Pose& end) { return query->clearAbove(end, 0.5 * gap_); });
+  }
+
+  CollisionWorldPtr pairOf(const MeshPtr& object, std::size_t obstacle, const MeshPtr& mesh) const {
+    if (tools_.prepared) return tools_.prepared->world(object, {{obstacle, object, mesh}});
+    RigidBody other = body(obstacle);
+    other.mesh = mesh;
+    return question_.world ? question_.world->updated({other}, object) : CollisionWorld::build({other}, object);
   }
 
   FitThread threadOf(const FoundContact& found, const FitEdit* edit) const {
@@ -262,13 +305,14 @@ class FitFinder {
   }
 
   bool mayTurn(const ThreadRule& rule, const ContactAxis& axis, const FitEdit* edit) const {
-    if (edit != nullptr && !edit->turned.empty()) return edit->turned == question_.object.id;
+    if (edit != nullptr && !edit->turned.empty()) return edit->turned == object_.id;
     if (!rule.objectIsShaft) return true;
     std::vector<const RigidBody*> others;
-    for (std::size_t i = 0; i < question_.obstacles.size(); ++i) {
-      if (static_cast<int>(i) != rule.obstacle) others.push_back(&question_.obstacles[i]);
+    const auto nut = static_cast<std::size_t>(rule.obstacle);
+    for (std::size_t i = 0; i < question_.product.bodies.size(); ++i) {
+      if (i != nut && i != question_.object) others.push_back(&body(i));
     }
-    return !isLooseNut(question_.obstacles[static_cast<std::size_t>(rule.obstacle)], axis, others, stop_);
+    return !isLooseNut(body(nut), axis, others, stop_);
   }
 
   /// An option's value that is not below it.
@@ -278,57 +322,84 @@ class FitFinder {
     return text.str();
   }
 
-  void refuse(const Fit& fit, const std::string& reason, const std::string& advice) {
-    fits_.clashes.push_back(fit);
+  void refuse(Fit fit, const std::string& reason, const std::string& advice) {
+    fit.refused = reason;
     fits_.warnings.push_back({ErrorKind::InCollision, "",
-                              "'" + question_.object.name + "' and '" + question_.obstacles[fit.obstacle].name + "'",
-                              reason, advice});
+                              "'" + object_.name + "' and '" + body(fit.obstacle).name + "'", reason, advice});
+    fits_.clashes.push_back(std::move(fit));
   }
 
-  /// What the evidence gives, or less of it where the object has no place for that: the deviation of free surfaces is
-  /// an estimate. Down to the overlap as measured and the gap.
-  void takeThinner(Fit fit, const std::vector<Pose>& ends) {
-    if (thinnable() == nullptr) {
-      refuse(fit, "touch, and the object cannot be taken thinner because its surface is not closed",
-             "Close the object's surface.");
+  void takeThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
+    const RigidBody& other = body(fit.obstacle);
+    const bool otherFirst = givesWayFirst(other, object_);
+    for (const bool yields : {otherFirst, !otherFirst}) {
+      if (const auto taken = takenAlone(fit, yields, bounds, ends)) {
+        fits_.allowed.push_back(*taken);
+        return;
+      }
+    }
+    if (takeBothThinner(fit, bounds, ends)) return;
+    if (tools_.thinnable.of(object_.mesh) == nullptr && tools_.thinnable.of(other.mesh) == nullptr) {
+      refuse(fit, "touch, and neither can be taken thinner because the surfaces of both are not closed",
+             "Close the surface of one of them.");
       return;
     }
-    constexpr double kShare = 0.25;
-    const double most = fit.allowance;
-    const double least = std::min(most, fit.evidence.overlap + gap_);
-    for (double allowance = most;; allowance = std::max(least, kShare * allowance)) {
-      auto mesh = thinnable()->thinned(limited(fit.bounds->one.atMost, allowance));
-      if (mesh) {
-        fit.thinned = std::make_shared<const TriangleMesh>(std::move(*mesh));
-        fit.allowance = allowance;
-        if (isFree(fit.thinned, fit.obstacle, ends)) {
-          fits_.allowed.push_back(std::move(fit));
-          return;
-        }
-      }
-      if (allowance <= least) break;
-    }
-    fit.allowance = most;
-    fit.thinned = nullptr;
-    refuse(fit,
-           "fit so that the object would have to be taken " + millimetres(fit.allowance) +
-               " thinner, which its local thickness or its shape does not give: it counts as a clash",
+    Fit wanted = fit;
+    wanted.allowance = std::max(bounds.one.most, bounds.other.most);
+    refuse(wanted,
+           "fit so that one of them would have to be taken " + millimetres(wanted.allowance) +
+               " thinner, which the local thickness or the shape of neither gives: it counts as a clash",
            "Mend the parts.");
   }
 
-  CollisionWorldPtr worldOf(const RigidBody& obstacle, const MeshPtr& object) const {
-    return question_.world ? question_.world->updated({obstacle}, object) : CollisionWorld::build({obstacle}, object);
+  /// One of the two bodies is taken thinner by what the evidence gives, or by less where it has no place for that: the
+  /// deviation of free surfaces is an estimate. Down to the overlap as measured and the gap.
+  std::optional<Fit> takenAlone(const Fit& fit, bool yields, const check::PairBounds& bounds,
+                                const std::vector<Pose>& ends) {
+    constexpr double kShare = 0.25;
+    const check::AllowanceBound& bound = yields ? bounds.other : bounds.one;
+    const double least = std::min(bound.most, bound.largest.overlap + gap_);
+    for (double allowance = bound.most;; allowance = std::max(least, kShare * allowance)) {
+      if (const auto taken = thinned(fit, yields, bound, allowance)) {
+        const MeshPtr& object = yields ? object_.mesh : taken->thinned;
+        const MeshPtr& other = yields ? taken->thinned : body(fit.obstacle).mesh;
+        if (isFree(object, fit.obstacle, other, ends)) return taken;
+      }
+      if (allowance <= least) return std::nullopt;
+    }
+  }
+
+  bool takeBothThinner(const Fit& fit, const check::PairBounds& bounds, const std::vector<Pose>& ends) {
+    const auto own = thinned(fit, false, bounds.one, bounds.one.most);
+    const auto others = thinned(fit, true, bounds.other, bounds.other.most);
+    if (!own || !others) return false;
+    if (!isFree(own->thinned, fit.obstacle, others->thinned, ends)) return false;
+    fits_.allowed.push_back(*own);
+    fits_.allowed.push_back(*others);
+    return true;
+  }
+
+  /// Nothing where the body has no place for the allowance.
+  std::optional<Fit> thinned(Fit fit, bool yields, const check::AllowanceBound& bound, double allowance) const {
+    if (allowance <= 0.0) return std::nullopt;
+    const MeshPtr& whole = yields ? body(fit.obstacle).mesh : object_.mesh;
+    fit.thinned = tools_.thinnable.thinned(whole, limited(bound.atMost, allowance));
+    if (!fit.thinned) return std::nullopt;
+    fit.yields = yields;
+    fit.allowance = allowance;
+    fit.evidence = bound.largest;
+    return fit;
   }
 
   const FitQuestion& question_;
   const StopToken& stop_;
+  const RigidBody& object_;
+  std::vector<Pose> ends_;
+  FitTools ownTools_;
+  FitTools& tools_;
   double gap_;
   std::map<std::size_t, FoundContact> contacts_;  ///< by obstacle
-  bool measuredObject_ = false;
-  std::optional<ThinnableMesh> thinnable_;
-  std::pair<std::size_t, CollisionWorldPtr> alone_{};  ///< an obstacle alone with the object, as it was last asked of
   check::FitWords words_;
-  check::PlacedBodies placed_;
   ObjectFits fits_;
 };
 
@@ -338,71 +409,14 @@ Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& 
   return FitFinder(question, stop).find();
 }
 
-namespace {
-
-/// The fits as variants of the object. `screwed`: those of threads, too.
-std::vector<ObjectVariant> variantsOf(const std::vector<Fit>& fits, bool screwed) {
-  std::vector<ObjectVariant> variants;
-  for (const Fit& fit : fits) {
-    if (!fit.thinned || (fit.thread && !screwed)) continue;
-    ObjectVariant variant;
-    variant.object = fit.thinned;
-    variant.obstacles.push_back(static_cast<int>(fit.obstacle));
-    variants.push_back(std::move(variant));
-  }
-  return variants;
-}
-
-}  // namespace
-
-std::vector<double> limited(std::vector<double> allowances, double most) {
-  for (double& each : allowances) each = std::min(each, most);
-  return allowances;
-}
-
-CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits) {
-  CollisionWorldPtr screwed = world->withVariants(variantsOf(fits, true));
-  const std::vector<ThreadRule> rules = threadRulesOf(fits);
-  if (rules.empty()) return screwed;
-  std::vector<ThreadPair> pairs;
-  for (const ThreadRule& rule : rules) {
-    pairs.emplace_back(rule, world->object(), world->obstacles()[static_cast<std::size_t>(rule.obstacle)]);
-  }
-  return screwed->withThreads(std::move(pairs), world->withVariants(variantsOf(fits, false)));
-}
-
-std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits) {
-  std::vector<ThreadRule> rules;
-  for (const Fit& fit : fits) {
-    if (!fit.thread) continue;
-    rules.push_back(fit.thread->rule);
-    rules.back().obstacle = static_cast<int>(fit.obstacle);
-  }
-  return rules;
+bool givesWayFirst(const RigidBody& body, const RigidBody& other) {
+  constexpr double kAlike = 1e-6;
+  const double own = boundingBox(*body.mesh).diagonal().norm();
+  const double others = boundingBox(*other.mesh).diagonal().norm();
+  if (std::abs(own - others) <= kAlike * std::max(own, others)) return body.id < other.id;
+  return own < others;
 }
 
 double assembledGap(double objectRadius) { return check::assembledMargin(objectRadius); }
-
-std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
-  std::string where = " against " + obstacle;
-  if (fit.role == Fit::Role::Shaft) {
-    where = (fit.kind == ContactKind::Thread ? " in the tapped hole of " : " in the hole of ") + obstacle;
-  } else if (fit.role == Fit::Role::Hole) {
-    where = (fit.kind == ContactKind::Thread ? " on the thread of " : " on the shaft of ") + obstacle;
-  }
-  std::string words =
-      object + " taken " + millimetres(fit.allowance) + " thinner" + where + " (" + kindName(fit.kind) + ")";
-  if (!fit.thread) return words;
-  words += ", pitch " + millimetres(fit.thread->rule.pitch);
-  return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";
-}
-
-std::string turnsInWords(double turns) {
-  if (turns <= 0.0) return {};
-  std::ostringstream text;
-  text.precision(3);
-  text << ", " << turns << " turns";
-  return text.str();
-}
 
 }  // namespace glissade

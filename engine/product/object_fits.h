@@ -1,93 +1,63 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/check/placed_bodies.h"
-#include "engine/collision/collision_query.h"
-#include "engine/collision/thread_rule.h"
-#include "engine/product/contact_report.h"
+#include "engine/collision/prepared_bodies.h"
+#include "engine/product/assembled_product.h"
+#include "engine/product/fit.h"
+#include "engine/product/thinnable_bodies.h"
 
 namespace glissade {
 
-/// A thread that comes apart by turning only.
-struct FitThread {
-  ThreadRule rule;   ///< its obstacle is that of the fit
-  std::string size;  ///< that the pitch was taken for, as "M10"; empty where a person gave it
-};
-
-/// How the object is taken against one obstacle that it fits.
-struct Fit {
-  enum class Role { Other, Shaft, Hole };  ///< the object's, where the two are coaxial
-
-  std::size_t obstacle = 0;  ///< index
-  ContactKind kind = ContactKind::Contact;
-  Role role = Role::Other;
-  double overlap = 0.0;  ///< as measured, metres
-  /// Metres by which the object is taken thinner, of the face that moves farthest; of a refused clash, what it would
-  /// take.
-  double allowance = 0.0;
-  check::Evidence evidence{};         ///< for the largest allowance that may be taken
-  std::optional<FitThread> thread{};  ///< where a person has marked the pair as a thread
-  MeshPtr thinned{};                  ///< the object taken so; null where it is whole
-  /// What the evidence gives to both sides; null where nothing may be allowed.
-  std::shared_ptr<const check::PairBounds> bounds{};
-};
-
+/// What becomes of the pairs of the object with the bodies that it touches.
 struct ObjectFits {
-  std::vector<Fit> allowed;  ///< by obstacle
-  std::vector<Fit> clashes;  ///< that nobody accepted, by obstacle: the whole object counts against these
-  Warnings warnings;         ///< one for each clash, and where the object cannot be thinned
+  std::vector<Fit> allowed;       ///< by obstacle; two of one obstacle where both bodies are taken thinner
+  std::vector<Fit> clashes;       ///< pairs that no motion of the object passes, by obstacle: both bodies are whole
+  std::vector<Contact> contacts;  ///< by obstacle, which is `a`; with the kinds and overlaps that count
+  Warnings warnings;              ///< one for each clash
 };
 
-/// What a scenario asks about the fits of its object.
+/// What was prepared of the bodies of a product; for any number of threads.
+struct FitTools {
+  check::PlacedBodies placed;
+  ThinnableBodies thinnable;
+  std::shared_ptr<PreparedBodies> prepared{};  ///< of the product's bodies; null: there are none
+};
+
+/// What is asked about the fits of one body of a product, while it moves.
 struct FitQuestion {
-  const std::vector<RigidBody>& obstacles;
-  const RigidBody& object;
-  std::vector<Pose> ends;           ///< configurations in which the product may be assembled: start and goal
-  std::vector<double> deflections;  ///< as of ContactBody, of each obstacle, and of the object last
-  const FitSettings& settings;
-  /// The contacts of the object at its only end, where they are known: `b` is the object, `a` the obstacle's index.
-  const std::vector<Contact>* contacts = nullptr;
-  /// A world of the obstacles: what it has prepared is not prepared again. Null: there is none.
+  const AssembledProduct& product;
+  std::size_t object;        ///< the body that moves
+  std::vector<Pose> ends{};  ///< configurations in which the product may be assembled; empty: where the object is
+  const std::vector<Contact>* contacts = nullptr;  ///< of the product, where they are known
+  ContactLimits limits{};                          ///< that contacts are found with
+  /// A world with the other bodies as obstacles: what it has prepared is not prepared again. Null: there is none.
   CollisionWorldPtr world{};
-  std::vector<double> spacings{};         ///< of the coordinates, of each obstacle, and of the object last; or empty
-  check::PlacedBodies* placed = nullptr;  ///< bodies that were prepared for being measured; null: there are none
+  FitTools* tools = nullptr;  ///< null: there are none
 };
 
-/// The fits of the object with all obstacles that it touches at one of the ends. Nothing is allowed for others. A face
-/// of the object is taken thinner by no more than the evidence for it (check::boundsOf()): the overlap as measured, the
-/// deflections and the coordinate spacing that the files state, assembledGap(), and what a person says; by less where
-/// the object has no place for that and less is enough. A clash is allowed where it is accepted. Where no allowance
-/// makes the pair free at the ends, the pair is a clash. A pair that is marked as a thread is one although it does not
-/// touch.
+/// The fits of the object with all bodies that it touches at one of the ends. Nothing is allowed for others.
+///
+/// The smaller body of the pair is taken thinner; where it has no place for that, the other one; where neither has
+/// place for all of it, both. A face is taken thinner by no more than the evidence for it (check::boundsOf()): the
+/// overlap as measured, the deflections and the coordinate spacing that the files state, assembledGap(), and what a
+/// person says; by less where the body has no place for that and less is enough. A clash is allowed where it is
+/// accepted. Where no allowance makes the pair free at the ends, the pair is a clash. A pair that is marked as a thread
+/// is one although it does not touch.
 ///
 /// Errors: MalformedInput with "/fits/pairs/<index>" as place: a body that is not there, an allowance above what the
-/// object's thickness can give, an allowance for a pair that does not touch, a thread without a common axis. After a
-/// stop the fits are incomplete.
+/// thickness of both bodies can give, an allowance for a pair that does not touch, a thread without a common axis.
+/// After a stop the fits are incomplete.
 Result<ObjectFits> findObjectFits(const FitQuestion& question, const StopToken& stop = {});
 
-/// The world where the object is thinned by each allowance against its own obstacle, and where threads come apart by
-/// turning only.
-CollisionWorldPtr withFits(const CollisionWorldPtr& world, const std::vector<Fit>& fits);
-
-/// The rules of the fits that are threads.
-std::vector<ThreadRule> threadRulesOf(const std::vector<Fit>& fits);
-
-/// Each face by its allowance, and none by more than `most` (metres).
-std::vector<double> limited(std::vector<double> allowances, double most);
+/// Whether the body gives way first: the one whose box has the shorter diagonal; of equal ones, the first by id.
+bool givesWayFirst(const RigidBody& body, const RigidBody& other);
 
 /// What an allowance leaves between two bodies that touch, metres: a micrometre, or four of the clearances that a path
 /// has to keep for an object of this radius, if that is more.
 double assembledGap(double objectRadius);
-
-/// "screw taken 0.41 mm thinner in the tapped hole of plate (thread)"; with the pitch, where the thread is known:
-/// "..., pitch 1.5 mm (ISO coarse, M10)".
-std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle);
-
-/// ", 9.3 turns", to be added to the words; nothing where there are none.
-std::string turnsInWords(double turns);
 
 }  // namespace glissade

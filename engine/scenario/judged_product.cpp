@@ -1,6 +1,6 @@
 #include "engine/scenario/judged_product.h"
 
-#include "engine/product/fit_rules.h"
+#include "engine/product/fit_words.h"
 
 namespace glissade {
 namespace {
@@ -106,6 +106,7 @@ check::Path judgedPath(const std::vector<PathPoint>& points, const LoadedScenari
   check::Path path{judgedPoints(points), std::vector<check::StatedAllowance>()};
   for (const Fit& fit : scenario.fits.allowed) {
     check::StatedAllowance allowance{scenario.object.id, scenario.obstacles[fit.obstacle].id, fit.allowance};
+    allowance.yields = fit.yields;
     if (fit.thread) allowance.pitch = fit.thread->rule.pitch;
     path.allowances->push_back(std::move(allowance));
   }

@@ -10,10 +10,11 @@ namespace glissade {
 
 struct LoadedScenario;
 
-/// By how much the object was taken thinner against one obstacle.
+/// By how much the object was taken thinner against one obstacle, or the obstacle against the object.
 struct KeptAllowance {
-  std::string body;   ///< id of the obstacle
-  double metres = 0;  ///< > 0
+  std::string body;     ///< id of the obstacle
+  double metres = 0;    ///< > 0
+  bool yields = false;  ///< the obstacle was taken thinner
 
   friend bool operator==(const KeptAllowance&, const KeptAllowance&) = default;
 };

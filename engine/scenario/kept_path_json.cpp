@@ -29,8 +29,10 @@ PathPoint readPoint(const JsonCursor& at) {
 }
 
 KeptAllowance readKeptAllowance(const JsonCursor& at) {
-  at.allowOnly({"body", "allowance"});
-  return {at.at("body").nonEmptyText(), at.at("allowance").length()};
+  at.allowOnly({"body", "allowance", "yields"});
+  KeptAllowance allowance{at.at("body").nonEmptyText(), at.at("allowance").length()};
+  if (const auto yields = at.find("yields")) allowance.yields = yields->boolean();
+  return allowance;
 }
 
 /// Lengths that a path keeps: 0 or more.
@@ -84,7 +86,8 @@ Json toJson(const KeptPath& path) {
   if (path.clearance >= 0.0) json["clearance"] = path.clearance;
   json["proved_clearance"] = path.provedClearance;
   for (const KeptAllowance& given : path.allowances) {
-    json["allowances"].push_back({{"body", given.body}, {"allowance", given.metres}});
+    Json& allowance = json["allowances"].emplace_back(Json{{"body", given.body}, {"allowance", given.metres}});
+    if (given.yields) allowance["yields"] = true;
   }
   if (!path.problemSha256.empty()) json["problem_sha256"] = path.problemSha256;
   json["configurations"] = Json::array();

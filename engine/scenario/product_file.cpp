@@ -5,6 +5,7 @@
 
 #include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
+#include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/scenario_io.h"
 #include "engine/scenario/sequence_knowledge.h"
 #include "engine/scenario/unit_guess.h"
@@ -29,29 +30,17 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
     loaded.product.bodies.push_back({name, name, Mobility::Mobile, solid.mesh, solid.X_BP});
     if (solid.colour) loaded.product.bodies.back().colour = *solid.colour;
     loaded.product.deflections.push_back(solid.deflection);
+    loaded.product.spacings.push_back(solid.coordinateSpacing);
   }
   loaded.product.fits.on = true;
   return loaded;
-}
-
-/// With the frames that the scenario gives the bodies.
-AssembledProduct bodiesOfScenario(const LoadedScenario& scenario) {
-  AssembledProduct product;
-  product.bodies = scenario.obstacles;
-  product.bodies.push_back(scenario.object);
-  for (const RigidBody& body : product.bodies) {
-    const auto known = scenario.deflections.find(body.id);
-    product.deflections.push_back(known == scenario.deflections.end() ? 0.0 : known->second);
-  }
-  product.fits = scenario.scenario.fits;
-  return product;
 }
 
 Result<ProductFile> productOfScenario(const std::string& file, const StopToken& stop) {
   auto scenario = loadScenario(file, stop);
   if (!scenario) return scenario.error();
   ProductFile loaded;
-  loaded.product = bodiesOfScenario(*scenario);
+  loaded.product = bodiesOf(*scenario);
   auto demands = knownDemands(scenario->scenario, loaded.product.bodies);
   if (!demands) {
     Diagnostic why = demands.error();
@@ -73,7 +62,7 @@ double largestTwo(std::vector<double> values) {
 }  // namespace
 
 AssembledProduct productOf(const LoadedScenario& scenario) {
-  AssembledProduct product = bodiesOfScenario(scenario);
+  AssembledProduct product = bodiesOf(scenario);
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   return product;
 }

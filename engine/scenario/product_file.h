@@ -5,7 +5,7 @@
 #include "engine/base/result.h"
 #include "engine/base/stop_token.h"
 #include "engine/scenario/scenario.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
 
 namespace glissade {

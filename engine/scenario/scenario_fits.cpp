@@ -4,6 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "engine/product/fitted_world.h"
+
 namespace glissade {
 namespace {
 
@@ -12,22 +14,27 @@ double valueOf(const std::map<std::string, double>& values, const std::string& i
   return known == values.end() ? 0.0 : known->second;
 }
 
-double deflectionOf(const LoadedScenario& scenario, const std::string& id) { return valueOf(scenario.deflections, id); }
-
 }  // namespace
+
+AssembledProduct bodiesOf(const LoadedScenario& scenario) {
+  AssembledProduct product;
+  product.bodies = scenario.obstacles;
+  product.bodies.push_back(scenario.object);
+  for (const RigidBody& body : product.bodies) {
+    product.deflections.push_back(valueOf(scenario.deflections, body.id));
+    product.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
+  }
+  product.fits = scenario.scenario.fits;
+  return product;
+}
 
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
   scenario.fits = {};
   scenario.fitsPending = false;
   if (scenario.scenario.fits.on) {
-    FitQuestion question{scenario.obstacles, scenario.object, {scenario.problem.start}, {}, scenario.scenario.fits};
+    const AssembledProduct product = bodiesOf(scenario);
+    FitQuestion question{product, scenario.obstacles.size(), {scenario.problem.start}};
     if (const Pose* goal = std::get_if<Pose>(&scenario.problem.goal)) question.ends.push_back(*goal);
-    for (const RigidBody& body : scenario.obstacles) question.deflections.push_back(deflectionOf(scenario, body.id));
-    question.deflections.push_back(deflectionOf(scenario, scenario.object.id));
-    for (const RigidBody& body : scenario.obstacles) {
-      question.spacings.push_back(valueOf(scenario.coordinateSpacings, body.id));
-    }
-    question.spacings.push_back(valueOf(scenario.coordinateSpacings, scenario.object.id));
     question.world = scenario.problem.world;
     auto fits = findObjectFits(question, stop);
     if (!fits) {
@@ -37,18 +44,12 @@ Outcome applyFits(LoadedScenario& scenario, const StopToken& stop) {
     }
     scenario.fits = std::move(*fits);
   }
-  scenario.problem.world = withFits(scenario.problem.world, scenario.fits.allowed);
+  scenario.problem.world = withFits(scenario.problem.world, scenario.object.mesh, scenario.fits.allowed);
   return Done{};
 }
 
-std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario) {
-  std::vector<ContactBody> bodies;
-  for (const RigidBody& body : scenario.obstacles) {
-    bodies.push_back({body.id, body.mesh, body.X_WB, deflectionOf(scenario, body.id)});
-  }
-  const RigidBody& object = scenario.object;
-  bodies.push_back({object.id, object.mesh, object.X_WB, deflectionOf(scenario, object.id)});
-  return bodies;
+CollisionWorldPtr wholeWorld(const LoadedScenario& scenario) {
+  return scenario.problem.world->updated(scenario.obstacles, scenario.object.mesh);
 }
 
 double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenario, const Fit& fit) {
@@ -83,6 +84,7 @@ nlohmann::ordered_json allowancesJson(const LoadedScenario& scenario, const std:
                     {"spacing_m", fit.evidence.spacing},
                     {"margin_m", fit.evidence.margin},
                     {"text", words[i]}});
+    if (fit.yields) list.back()["yields"] = true;
     if (fit.evidence.byPerson > 0.0) list.back()["by_person_m"] = fit.evidence.byPerson;
     if (!fit.thread) continue;
     list.back()["pitch_m"] = fit.thread->rule.pitch;

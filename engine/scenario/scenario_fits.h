@@ -5,10 +5,13 @@
 #include <vector>
 
 #include "engine/planning/path.h"
-#include "engine/product/contact_report.h"
+#include "engine/product/assembled_product.h"
 #include "engine/scenario/scenario.h"
 
 namespace glissade {
+
+/// The obstacles in their order, then the object at its start, in the frames that the scenario gives them.
+AssembledProduct bodiesOf(const LoadedScenario& scenario);
 
 /// Finds the fits of the object as `scenario.scenario.fits` asks, and thins the object in the problem's world by what
 /// they allow; fits that there were are replaced. The product is taken as assembled in the start and, where it is a
@@ -16,8 +19,8 @@ namespace glissade {
 /// Errors: as of findObjectFits(), with the scenario's file.
 Outcome applyFits(LoadedScenario& scenario, const StopToken& stop = {});
 
-/// The bodies of the product: the obstacles in their order, then the object at its start.
-std::vector<ContactBody> contactBodiesOf(const LoadedScenario& scenario);
+/// The problem's world without fits: clearance is required of every pair.
+CollisionWorldPtr wholeWorld(const LoadedScenario& scenario);
 
 /// What a certificate of this scenario's object is about, for each fit in words: "nut taken 0.021 mm thinner on the
 /// shaft of bolt (cylindrical)". Empty where the whole object is meant. Of threads with the turns of the path in them,

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

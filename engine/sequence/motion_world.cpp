@@ -12,7 +12,7 @@ double usualClearance(double radius) { return ParameterValues(radius)[ParameterI
 }  // namespace
 
 MotionWorlds::MotionWorlds(const AssembledProduct& product, const ProductFits& fits)
-    : product_(product), fits_(fits), prepared_(product.bodies) {}
+    : product_(product), fits_(fits), prepared_(*fits.prepared()) {}
 
 const MovingObject& MotionWorlds::object(const BodyGroup& group) {
   {

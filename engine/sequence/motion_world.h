@@ -66,7 +66,7 @@ class MotionWorlds {
 
   const AssembledProduct& product_;
   const ProductFits& fits_;
-  PreparedBodies prepared_;
+  PreparedBodies& prepared_;
   std::mutex mutex_;  ///< of what follows
   std::map<BodyGroup, MovingObject> objects_;
   /// By the mesh of a whole group: some of its bodies as they are taken against an obstacle.

@@ -7,7 +7,7 @@
 
 #include "engine/base/result.h"
 #include "engine/environment/body_class.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/demanded_steps.h"
 
 namespace glissade {

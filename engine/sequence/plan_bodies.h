@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

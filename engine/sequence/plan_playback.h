@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/geometry/se3_metric.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

@@ -72,10 +72,9 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     const RigidBody& other = product.bodies[each.fit.obstacle];
     Fit fit = each.fit;
     if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
-    const std::string text = each.yields ? inWords(fit, other.name, body.name) : inWords(fit, body.name, other.name);
-    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, text};
+    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.name, other.name)};
     if (each.body != group.front()) allowance.moving = body.id;
-    allowance.yields = each.yields;
+    allowance.yields = fit.yields;
     if (fit.thread) {
       allowance.pitch = fit.thread->rule.pitch;
       allowance.turns = turnsIn(fit.thread->rule, body, other, step.path);

@@ -5,7 +5,7 @@
 
 #include "engine/base/thread_team.h"
 #include "engine/product/contact_report.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/static_equilibrium.h"

@@ -30,7 +30,7 @@ bool isStated(const AssemblyStep& step, const BodyFit& fit, const AssembledProdu
   return std::any_of(step.allowances.begin(), step.allowances.end(), [&](const StepAllowance& each) {
     const std::string& moving = each.moving.empty() ? step.body : each.moving;
     return each.body == product.bodies[fit.fit.obstacle].id && moving == product.bodies[fit.body].id &&
-           each.yields == fit.yields;
+           each.yields == fit.fit.yields;
   });
 }
 

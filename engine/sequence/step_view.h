@@ -5,7 +5,7 @@
 
 #include "engine/base/work_watch.h"
 #include "engine/geometry/triangle_tree.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 
 namespace glissade {

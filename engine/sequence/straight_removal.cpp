@@ -92,11 +92,12 @@ StraightRemoval::Lines& StraightRemoval::linesOf(std::size_t body) {
     lines.lines.push_back(newLine(body, lines.others, direction));
   }
   lines.own = lines.lines.size();
-  for (const Fit& fit : fits_.fitsOf(body)) lines.order.push_back(fit.obstacle);
-  for (std::size_t other = 0; other < product_.bodies.size(); ++other) {
+  const auto add = [&](std::size_t other) {
     const bool listed = std::find(lines.order.begin(), lines.order.end(), other) != lines.order.end();
     if (other != body && !listed) lines.order.push_back(other);
-  }
+  };
+  for (const Fit& fit : fits_.fitsOf(body)) add(fit.obstacle);
+  for (std::size_t other = 0; other < product_.bodies.size(); ++other) add(other);
   lines.known = true;
   return lines;
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/fastener_kind.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/tool_kind.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/study/study_words.h"
 

@@ -107,8 +107,11 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
   std::vector<std::string> texts;
   for (const StepAllowance& allowance : step.allowances) {
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
-    texts.push_back(words_("taken %1 thinner against %2 (%3)",
-                           {length_(allowance.allowance), shortName(other.name), words_(kindName(allowance.kind))}));
+    const std::string length = length_(allowance.allowance);
+    const std::string kind = words_(kindName(allowance.kind));
+    texts.push_back(allowance.yields
+                        ? words_("%1 taken %2 thinner (%3)", {shortName(other.name), length, kind})
+                        : words_("taken %1 thinner against %2 (%3)", {length, shortName(other.name), kind}));
   }
   return texts;
 }

@@ -4351,8 +4351,8 @@
         <translation>Supprimez l&apos;amincissement.</translation>
     </message>
     <message>
-        <source>allows %1, more than the thickness of &apos;%2&apos; gives</source>
-        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de «&#xa0;%2&#xa0;»</translation>
+        <source>allows %1, more than the thickness of &apos;%2&apos; or of &apos;%3&apos; gives</source>
+        <translation>admet %1, plus que n&apos;en permet l&apos;épaisseur de «&#xa0;%2&#xa0;» ou de «&#xa0;%3&#xa0;»</translation>
     </message>
     <message>
         <source>Give at most %1.</source>
@@ -4375,16 +4375,16 @@
         <translation>Acceptez-la (--accept-clashes %1), ou corrigez les pièces.</translation>
     </message>
     <message>
-        <source>touch, and the object cannot be taken thinner because its surface is not closed</source>
-        <translation>se touchent, et l&apos;objet ne peut pas être aminci car sa surface n&apos;est pas fermée</translation>
+        <source>touch, and neither can be taken thinner because the surfaces of both are not closed</source>
+        <translation>se touchent, et aucun des deux ne peut être aminci car leurs surfaces ne sont pas fermées</translation>
     </message>
     <message>
-        <source>Close the object&apos;s surface.</source>
-        <translation>Fermez la surface de l&apos;objet.</translation>
+        <source>Close the surface of one of them.</source>
+        <translation>Fermez la surface de l&apos;un des deux.</translation>
     </message>
     <message>
-        <source>fit so that the object would have to be taken %1 thinner, which its local thickness or its shape does not give: it counts as a clash</source>
-        <translation>s&apos;ajustent de telle sorte que l&apos;objet devrait être aminci de %1, ce que son épaisseur locale ou sa forme ne permet pas&#xa0;: c&apos;est une collision</translation>
+        <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
+        <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une collision</translation>
     </message>
     <message>
         <source>Mend the parts.</source>
@@ -7984,6 +7984,14 @@
 <context>
     <name>glissade::FitsPanel</name>
     <message>
+        <source>%1 is taken %2 thinner</source>
+        <translation>%1 est amincie de %2</translation>
+    </message>
+    <message>
+        <source>Both bodies are taken as they are</source>
+        <translation>Les deux pièces sont prises telles quelles</translation>
+    </message>
+    <message>
         <source>clear</source>
         <translation>dégagé</translation>
     </message>
@@ -8225,6 +8233,10 @@
     <message>
         <source>taken %1 thinner against %2</source>
         <translation>aminci de %1 face à %2</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner</source>
+        <translation>amincissement de %2 de %1</translation>
     </message>
     <message>
         <source>The path is proved again in the background.</source>
@@ -9111,6 +9123,10 @@
     <message>
         <source>taken %1 thinner against %2</source>
         <translation>aminci de %1 face à %2</translation>
+    </message>
+    <message>
+        <source>%1 taken %2 thinner</source>
+        <translation>amincissement de %2 de %1</translation>
     </message>
     <message>
         <source>(thread), pitch %1, %2 turns</source>

@@ -13,9 +13,11 @@ PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, b
   fit.b = b;
   fit.contact.kind = kind;
   fit.contact.overlap = overlap;
-  fit.decision.kind = kind;
-  fit.decision.allowance = overlap + 1e-6;
-  fit.decision.refused = refused;
+  Fit taken;
+  taken.allowance = overlap + 1e-6;
+  taken.thinned = std::make_shared<const TriangleMesh>();
+  if (!refused) fit.ways[0].taken.push_back(taken);
+  if (refused) fit.ways[0].refused = "overlap by 2 mm, which is a clash";
   return fit;
 }
 
@@ -50,6 +52,13 @@ TEST_F(FitsPanelTest, AllPairsAreRowsAndTheFilterLeavesSome) {
   EXPECT_EQ(shown(), 3);
 }
 
+TEST_F(FitsPanelTest, TipsSayWhichBodyGivesWayAndWhyNothingPasses) {
+  QStringList tips;
+  for (int i = 0; i < 3; ++i) tips << table().topLevelItem(i)->toolTip(4);
+  EXPECT_TRUE(tips.contains(QStringLiteral("nut is taken 0.001 mm thinner"))) << tips.join('|').toStdString();
+  EXPECT_TRUE(tips.contains(QStringLiteral("overlap by 2 mm, which is a clash"))) << tips.join('|').toStdString();
+}
+
 TEST_F(FitsPanelTest, LengthsAreSortedByTheirValues) {
   for (int column = 0; column < table().columnCount(); ++column) {
     if (table().headerItem()->text(column) == QStringLiteral("Allowance"))
@@ -65,7 +74,7 @@ TEST_F(FitsPanelTest, TheChosenPairIsThatOfTheRowHoweverItIsSorted) {
   ASSERT_TRUE(panel.choose(QStringLiteral("plate"), QStringLiteral("screw")));
   EXPECT_EQ(changed.size(), 1);
   ASSERT_NE(panel.chosen(), nullptr);
-  EXPECT_EQ(panel.chosen()->decision.kind, ContactKind::Thread);
+  EXPECT_EQ(panel.chosen()->contact.kind, ContactKind::Thread);
   table().sortByColumn(0, Qt::DescendingOrder);
   EXPECT_EQ(panel.chosen()->a, "screw");
   EXPECT_FALSE(panel.choose(QStringLiteral("nut"), QStringLiteral("plate")));

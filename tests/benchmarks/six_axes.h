@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/base/stop_token.h"
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

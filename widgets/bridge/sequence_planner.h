@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/sequence/assembled_product.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"

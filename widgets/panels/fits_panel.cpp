@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
 
 namespace glissade {
@@ -59,6 +60,18 @@ QString amountText(const Contact& contact) {
                          : contact.gap > 0.0   ? FitsPanel::tr("%1 gap").arg(lengthText(contact.gap))
                                                : FitsPanel::tr("touches");
   return contact.uncertainty > 0.0 ? amount + QStringLiteral(" ± ") + lengthText(contact.uncertainty) : amount;
+}
+
+/// Which body gives way, or why nothing passes.
+QString wayText(const PairFit& fit) {
+  if (!fit.way().refused.empty()) return engineText(fit.way().refused);
+  QStringList lines;
+  for (const Fit& taken : fit.way().taken) {
+    if (!taken.thinned) continue;
+    const std::string& thinner = taken.yields == fit.givesWayFirstIsA ? fit.b : fit.a;
+    lines << FitsPanel::tr("%1 is taken %2 thinner").arg(QString::fromStdString(thinner), lengthText(taken.allowance));
+  }
+  return lines.isEmpty() ? FitsPanel::tr("Both bodies are taken as they are") : lines.join(QLatin1Char('\n'));
 }
 
 }  // namespace
@@ -140,12 +153,14 @@ void FitsPanel::resizeEvent(QResizeEvent* event) {
 void FitsPanel::addRow(std::size_t index) {
   const PairFit& fit = (*fits_)[index];
   auto* row = new FitItem(table_);
-  row->setText(Kind, contactKindText(fit.decision.kind));
+  row->setText(Kind, contactKindText(fit.contact.kind));
   setLength(*row, Amount, signedGap(fit.contact), signedLengthText(signedGap(fit.contact)));
   row->setToolTip(Amount, amountText(fit.contact));
-  setLength(*row, Allowance, fit.allowance(),
-            fit.allowance() > 0.0 ? lengthText(fit.allowance()) : QStringLiteral("–"));
+  const double allowance = fit.way().allowance();
+  setLength(*row, Allowance, allowance, allowance > 0.0 ? lengthText(allowance) : QStringLiteral("–"));
+  row->setToolTip(Allowance, wayText(fit));
   row->setText(Status, statusText(fit.status()));
+  row->setToolTip(Status, wayText(fit));
   row->setText(BodyA, QString::fromStdString(fit.a));
   row->setText(BodyB, QString::fromStdString(fit.b));
   row->setToolTip(BodyA, row->text(BodyA));

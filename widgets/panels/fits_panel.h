@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/product/product_fits.h"
+#include "engine/product/fit_table.h"
 #include "widgets/commands/action_catalogue.h"
 
 namespace glissade {

@@ -37,8 +37,10 @@ QIcon swatch(const QColor& colour) {
 QString allowanceTip(const KeptPath& path) {
   QStringList lines;
   for (const KeptAllowance& allowance : path.allowances) {
-    lines << KeptPathsPanel::tr("taken %1 thinner against %2")
-                 .arg(lengthText(allowance.metres), QString::fromStdString(allowance.body));
+    const QString body = QString::fromStdString(allowance.body);
+    const QString length = lengthText(allowance.metres);
+    lines << (allowance.yields ? KeptPathsPanel::tr("%1 taken %2 thinner").arg(body, length)
+                               : KeptPathsPanel::tr("taken %1 thinner against %2").arg(length, body));
   }
   return lines.join(QLatin1Char('\n'));
 }

@@ -27,8 +27,10 @@ QString nameOf(int body, const LoadedScenario& scenario) {
 }
 
 QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
-  QString text = PathPanel::tr("taken %1 thinner against %2")
-                     .arg(lengthText(fit.allowance), nameOf(static_cast<int>(fit.obstacle), scenario));
+  const QString body = nameOf(static_cast<int>(fit.obstacle), scenario);
+  const QString length = lengthText(fit.allowance);
+  QString text = fit.yields ? PathPanel::tr("%1 taken %2 thinner").arg(body, length)
+                            : PathPanel::tr("taken %1 thinner against %2").arg(length, body);
   if (!fit.thread) return text;
   const double turns = turnsOn(points, scenario, fit);
   return text + QStringLiteral(" ") +

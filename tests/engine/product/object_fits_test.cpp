@@ -4,31 +4,24 @@
 
 #include "engine/geometry/primitives.h"
 #include "engine/geometry/thinned_mesh.h"
-#include "tests/engine/product/ring.h"
+#include "tests/engine/product/screwed_parts.h"
 #include "tests/engine/support/random_pose.h"
 
 namespace glissade {
 namespace {
 
-RigidBody placed(const std::string& id, const TriangleMesh& mesh, const Pose& X_WB) {
-  RigidBody body;
-  body.id = body.name = id;
-  body.mesh = std::make_shared<const TriangleMesh>(mesh);
-  body.X_WB = X_WB;
-  return body;
-}
-
 /// A screw in a plate's tapped hole, its head on the plate, and a block far away, all turned and placed at random.
 struct Screwed {
   explicit Screwed(double shaft, RandomStream& random) {
     const Pose place = randomPose(random, 0.3);
-    obstacles = {placed("plate", test::makeRing(0.0021, 0.02, 0.01, 40), place),
-                 placed("block", makeBox({0.01, 0.01, 0.01}), place * Pose::translation({0.1, 0.0, 0.0}))};
-    object = placed("screw", test::makeRing(0.0, shaft, 0.03, 37), place);
+    obstacles = {test::partAt("plate", test::makeRing(0.0021, 0.02, 0.01, 40), place),
+                 test::partAt("block", makeBox({0.01, 0.01, 0.01}), place * Pose::translation({0.1, 0.0, 0.0}))};
+    object = test::partAt("screw", test::makeRing(0.0, shaft, 0.03, 37), place);
   }
 
   Result<ObjectFits> find(const FitSettings& settings) const {
-    return findObjectFits({obstacles, object, {object.X_WB}, {0.0, 0.0, 0.0}, settings});
+    const AssembledProduct product = test::productOf(obstacles, object, settings);
+    return findObjectFits({product, obstacles.size()});
   }
 
   std::vector<RigidBody> obstacles;
@@ -58,7 +51,7 @@ TEST(ObjectFits, AllowsAThreadWhatItOverlapsByAndLeavesAGap) {
     EXPECT_TRUE(fits->clashes.empty());
     const auto world = CollisionWorld::build(screwed.obstacles, screwed.object.mesh);
     EXPECT_TRUE(world->makeQuery()->collides(screwed.object.X_WB));
-    const auto thinned = withFits(world, fits->allowed);
+    const auto thinned = withFits(world, screwed.object.mesh, fits->allowed);
     EXPECT_TRUE(thinned->makeQuery()->clearAbove(screwed.object.X_WB, 0.5 * assembledGap(0.015)));
   }
 }
@@ -79,7 +72,7 @@ TEST(ObjectFits, AllowsNothingToBodiesThatStandApart) {
   ASSERT_TRUE(fits);
   EXPECT_TRUE(fits->allowed.empty());
   const auto world = CollisionWorld::build(screwed.obstacles, screwed.object.mesh);
-  EXPECT_EQ(withFits(world, fits->allowed), world);
+  EXPECT_EQ(withFits(world, screwed.object.mesh, fits->allowed), world);
 }
 
 TEST(ObjectFits, AClashNeedsAPersonsWord) {
@@ -103,16 +96,19 @@ TEST(ObjectFits, AClashNeedsAPersonsWord) {
   EXPECT_EQ(screwed.find(one)->allowed.size(), 1U);
 }
 
-TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsIsAClash) {
-  const auto plate = placed("plate", test::makeRing(0.0021, 0.02, 0.01, 40), Pose::identity());
-  const auto tube = placed("tube", test::makeRing(0.0019, 0.0024, 0.03, 40), Pose::identity());
-  const std::vector<RigidBody> obstacles{plate};
-  const FitSettings settings = switchedOn();
-  const auto fits = findObjectFits({obstacles, tube, {tube.X_WB}, {0.0, 0.0}, settings});
-  ASSERT_TRUE(fits);
-  EXPECT_TRUE(fits->allowed.empty());
-  EXPECT_EQ(fits->clashes.size(), 1U);
-  EXPECT_EQ(fits->warnings.size(), 1U);
+/// A tube in a thin bush, and in a plate that has place for what neither tube nor bush has.
+TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsOfBothIsAClash) {
+  const auto tube = test::partAt("tube", test::makeRing(0.0019, 0.0024, 0.03, 40), Pose::identity());
+  for (const auto& [outer, fits] : {std::pair(0.0025, false), std::pair(0.02, true)}) {
+    const auto host = test::partAt("host", test::makeRing(0.0021, outer, 0.01, 40), Pose::identity());
+    const AssembledProduct product = test::productOf({host}, tube, switchedOn());
+    const auto found = findObjectFits({product, 1});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->allowed.size(), fits ? 1U : 0U);
+    EXPECT_EQ(found->clashes.size(), fits ? 0U : 1U);
+    EXPECT_EQ(found->warnings.size(), found->clashes.size());
+    if (fits) EXPECT_TRUE(found->allowed.front().yields) << "the tube has no place for it";
+  }
 }
 
 TEST(ObjectFits, WhatAPersonSaysGoesBeforeWhatWasMeasured) {
@@ -148,17 +144,47 @@ TEST(ObjectFits, BadSettingsGetOneClearMessage) {
   EXPECT_NE(reasonOf({"screw", "block", {}, 0.0001, false}).find("do not touch"), std::string::npos);
 }
 
-TEST(ObjectFits, AnOpenSurfaceCannotBeThinnedAndThatIsSaid) {
+TriangleMesh opened(const TriangleMesh& mesh) {
+  TriangleMesh open = mesh;
+  open.triangles.pop_back();
+  return open;
+}
+
+TEST(ObjectFits, TheOtherBodyGivesWayForAnOpenSurfaceAndWhereBothAreOpenThatIsSaid) {
   RandomStream random(6, "open");
   Screwed screwed(0.0021, random);
-  TriangleMesh open = *screwed.object.mesh;
-  open.triangles.pop_back();
-  screwed.object.mesh = std::make_shared<const TriangleMesh>(open);
-  const auto fits = screwed.find(switchedOn());
+  screwed.object.mesh = std::make_shared<const TriangleMesh>(opened(*screwed.object.mesh));
+  const auto one = screwed.find(switchedOn());
+  ASSERT_TRUE(one);
+  ASSERT_EQ(one->allowed.size(), 1U);
+  EXPECT_TRUE(one->allowed.front().yields);
+  screwed.obstacles[0].mesh = std::make_shared<const TriangleMesh>(opened(*screwed.obstacles[0].mesh));
+  const auto both = screwed.find(switchedOn());
+  ASSERT_TRUE(both);
+  EXPECT_TRUE(both->allowed.empty());
+  ASSERT_EQ(both->warnings.size(), 1U);
+  EXPECT_NE(both->warnings.front().reason.find("not closed"), std::string::npos);
+}
+
+/// The plate moves off its screw: the screw is taken thinner all the same, and the world holds it so.
+TEST(ObjectFits, TheSmallerBodyGivesWayWhicheverMoves) {
+  RandomStream random(7, "whichever");
+  const Screwed screwed(0.0024, random);
+  const AssembledProduct product = test::productOf(screwed.obstacles, screwed.object, switchedOn());
+  const auto fits = findObjectFits({product, 0});
   ASSERT_TRUE(fits);
-  EXPECT_TRUE(fits->allowed.empty());
-  ASSERT_EQ(fits->warnings.size(), 1U);
-  EXPECT_NE(fits->warnings.front().reason.find("not closed"), std::string::npos);
+  ASSERT_EQ(fits->allowed.size(), 1U);
+  const Fit& fit = fits->allowed.front();
+  EXPECT_EQ(fit.obstacle, 2U);
+  EXPECT_TRUE(fit.yields);
+  EXPECT_EQ(fit.role, Fit::Role::Hole);
+  EXPECT_EQ(inWords(fit, "plate", "screw").find("screw taken"), 0U) << inWords(fit, "plate", "screw");
+  std::vector<RigidBody> others{product.bodies[1], product.bodies[2]};
+  Fit moved = fit;
+  moved.obstacle = 1;
+  const auto world = CollisionWorld::build(others, product.bodies[0].mesh);
+  EXPECT_TRUE(world->makeQuery()->collides(product.bodies[0].X_WB));
+  EXPECT_FALSE(withFits(world, product.bodies[0].mesh, {moved})->makeQuery()->collides(product.bodies[0].X_WB));
 }
 
 }  // namespace

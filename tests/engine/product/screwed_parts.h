@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/product/fitted_world.h"
 #include "engine/product/object_fits.h"
 #include "tests/engine/product/ring.h"
 
@@ -43,6 +44,16 @@ inline FitSettings markedThread() {
   return settings;
 }
 
+/// The object is the last body; its triangles and those of the others are exact.
+inline AssembledProduct productOf(std::vector<RigidBody> obstacles, const RigidBody& object, FitSettings settings) {
+  AssembledProduct product;
+  product.bodies = std::move(obstacles);
+  product.bodies.push_back(object);
+  product.deflections.assign(product.bodies.size(), 0.0);
+  product.fits = std::move(settings);
+  return product;
+}
+
 /// The object among the obstacles at the start, as its fits have it.
 struct FittedParts {
   ObjectFits fits;
@@ -51,11 +62,12 @@ struct FittedParts {
 
 inline Result<FittedParts> fitted(const std::vector<RigidBody>& obstacles, const RigidBody& object,
                                   const std::vector<Pose>& ends, const FitSettings& settings) {
-  auto fits = findObjectFits({obstacles, object, ends, std::vector<double>(obstacles.size() + 1, 0.0), settings});
+  const AssembledProduct product = productOf(obstacles, object, settings);
+  auto fits = findObjectFits({product, obstacles.size(), ends});
   if (!fits) return fits.error();
   FittedParts parts;
   parts.fits = std::move(*fits);
-  parts.world = withFits(CollisionWorld::build(obstacles, object.mesh), parts.fits.allowed);
+  parts.world = withFits(CollisionWorld::build(obstacles, object.mesh), object.mesh, parts.fits.allowed);
   return parts;
 }
 

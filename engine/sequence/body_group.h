@@ -1,29 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "engine/product/contact_report.h"
+#include "engine/product/assembled_product.h"
 
 namespace glissade {
-
-/// A product whose bodies may leave one by one. The origin of the frame B of each body is the middle of its
-/// bounding box. Bodies of the same geometry share their mesh. Immutable while a sequence is planned.
-struct AssembledProduct {
-  std::vector<RigidBody> bodies;    ///< X_WB is the assembled configuration
-  std::vector<double> deflections;  ///< as of ContactBody, of each body
-  FitSettings fits;
-
-  /// Nothing where no body has this id.
-  std::optional<std::size_t> indexOf(const std::string& id) const;
-};
-
-/// Body by body the same ids, meshes, places and fits.
-bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b);
-
-/// The bodies as findContacts() takes them, in their order.
-std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product);
 
 /// Which bodies of a product are there: one entry each.
 using BodySet = std::vector<bool>;
@@ -33,9 +14,6 @@ using BodyGroup = std::vector<std::size_t>;
 
 /// Indices of the bodies that are in the set, ascending.
 std::vector<std::size_t> bodiesIn(const BodySet& set);
-
-/// The same bodies, each about the middle of its bounding box; meshes that were shared still are.
-std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies);
 
 /// The set without the bodies of the group.
 BodySet without(BodySet set, const BodyGroup& group);

@@ -1,4 +1,4 @@
-#include "engine/sequence/assembled_product.h"
+#include "engine/product/assembled_product.h"
 
 #include <algorithm>
 #include <map>
@@ -32,7 +32,7 @@ bool isSameProduct(const AssembledProduct& a, const AssembledProduct& b) {
   const auto sameBody = [&](const RigidBody& one, const RigidBody& other) {
     return one.id == other.id && one.name == other.name && one.X_WB == other.X_WB && sameMesh(*one.mesh, *other.mesh);
   };
-  return a.deflections == b.deflections && areSameFits(a.fits, b.fits) &&
+  return a.deflections == b.deflections && a.spacings == b.spacings && areSameFits(a.fits, b.fits) &&
          std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), sameBody);
 }
 
@@ -43,19 +43,6 @@ std::vector<ContactBody> contactBodiesOf(const AssembledProduct& product) {
     bodies.push_back({body.id, body.mesh, body.X_WB, product.deflections[i]});
   }
   return bodies;
-}
-
-std::vector<std::size_t> bodiesIn(const BodySet& set) {
-  std::vector<std::size_t> indices;
-  for (std::size_t body = 0; body < set.size(); ++body) {
-    if (set[body]) indices.push_back(body);
-  }
-  return indices;
-}
-
-BodySet without(BodySet set, const BodyGroup& group) {
-  for (const std::size_t body : group) set[body] = false;
-  return set;
 }
 
 std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies) {
@@ -74,28 +61,6 @@ std::vector<RigidBody> aboutTheirMiddles(std::vector<RigidBody> bodies) {
     body.mesh = middle.mesh;
   }
   return bodies;
-}
-
-Box3 boxOf(const AssembledProduct& product, const BodySet& set) {
-  Box3 box;
-  for (const std::size_t body : bodiesIn(set)) {
-    box.extend(boundingBox(*product.bodies[body].mesh, product.bodies[body].X_WB));
-  }
-  return box;
-}
-
-double boxVolume(const RigidBody& body) { return boundingBox(*body.mesh).sizes().prod(); }
-
-double boxVolume(const AssembledProduct& product, const BodyGroup& group) {
-  double volume = 0.0;
-  for (const std::size_t body : group) volume += boxVolume(product.bodies[body]);
-  return volume;
-}
-
-std::size_t largestBody(const AssembledProduct& product) {
-  const auto smaller = [](const RigidBody& a, const RigidBody& b) { return boxVolume(a) < boxVolume(b); };
-  const auto largest = std::max_element(product.bodies.begin(), product.bodies.end(), smaller);
-  return static_cast<std::size_t>(largest - product.bodies.begin());
 }
 
 }  // namespace glissade

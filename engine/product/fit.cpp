@@ -1,0 +1,45 @@
+#include "engine/product/fit.h"
+
+#include <sstream>
+
+namespace glissade {
+namespace {
+
+std::string millimetres(double metres) {
+  std::ostringstream text;
+  text.precision(3);
+  text << metres * 1e3 << " mm";
+  return text.str();
+}
+
+/// Of the body that is taken thinner.
+Fit::Role roleOfThinner(const Fit& fit) {
+  if (!fit.yields || fit.role == Fit::Role::Other) return fit.role;
+  return fit.role == Fit::Role::Shaft ? Fit::Role::Hole : Fit::Role::Shaft;
+}
+
+}  // namespace
+
+std::string inWords(const Fit& fit, const std::string& object, const std::string& obstacle) {
+  const std::string& thinner = fit.yields ? obstacle : object;
+  const std::string& other = fit.yields ? object : obstacle;
+  const bool isThread = fit.kind == ContactKind::Thread;
+  std::string where = " against ";
+  if (roleOfThinner(fit) == Fit::Role::Shaft) where = isThread ? " in the tapped hole of " : " in the hole of ";
+  if (roleOfThinner(fit) == Fit::Role::Hole) where = isThread ? " on the thread of " : " on the shaft of ";
+  std::string words =
+      thinner + " taken " + millimetres(fit.allowance) + " thinner" + where + other + " (" + kindName(fit.kind) + ")";
+  if (!fit.thread) return words;
+  words += ", pitch " + millimetres(fit.thread->rule.pitch);
+  return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";
+}
+
+std::string turnsInWords(double turns) {
+  if (turns <= 0.0) return {};
+  std::ostringstream text;
+  text.precision(3);
+  text << ", " << turns << " turns";
+  return text.str();
+}
+
+}  // namespace glissade

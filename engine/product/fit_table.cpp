@@ -1,0 +1,112 @@
+#include "engine/product/fit_table.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace glissade {
+namespace {
+
+PairWay wayOf(const ObjectFits& object, std::size_t obstacle) {
+  PairWay way;
+  for (const Fit& fit : object.allowed) {
+    if (fit.obstacle == obstacle) way.taken.push_back(fit);
+  }
+  for (const Fit& clash : object.clashes) {
+    if (clash.obstacle == obstacle) way.refused = clash.refused;
+  }
+  return way;
+}
+
+const Diagnostic* warningOf(const ObjectFits& object, std::size_t obstacle) {
+  for (std::size_t i = 0; i < object.clashes.size(); ++i) {
+    if (object.clashes[i].obstacle == obstacle) return &object.warnings[i];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const char* statusName(FitStatus status) {
+  switch (status) {
+    case FitStatus::Clear: return "clear";
+    case FitStatus::Allowed: return "allowed";
+    case FitStatus::Accepted: return "accepted";
+    case FitStatus::Clash: break;
+  }
+  return "clash";
+}
+
+double PairWay::allowance() const {
+  double most = 0.0;
+  for (const Fit& fit : taken) most = std::max(most, fit.allowance);
+  return most;
+}
+
+FitStatus PairFit::status() const {
+  if (!way().refused.empty()) return FitStatus::Clash;
+  if (contact.kind == ContactKind::Clearance) return FitStatus::Clear;
+  return contact.kind == ContactKind::Clash ? FitStatus::Accepted : FitStatus::Allowed;
+}
+
+std::vector<std::string> PairFit::thinner() const {
+  std::vector<std::string> ids;
+  for (const Fit& fit : way().taken) {
+    if (fit.thinned) ids.push_back(fit.yields == givesWayFirstIsA ? b : a);
+  }
+  return ids;
+}
+
+Result<FitTable> FitTable::find(const AssembledProduct& product, ThreadTeam& team, const StopToken& stop,
+                                const ContactLimits& limits) {
+  FitTable table;
+  const std::vector<Contact> contacts = findContacts(contactBodiesOf(product), limits, stop).contacts;
+  table.prepared_ = std::make_shared<PreparedBodies>(product.bodies);
+  FitTools tools;
+  tools.prepared = table.prepared_;
+  std::vector<Result<ObjectFits>> objects(product.bodies.size(), ObjectFits());
+  team.run(objects.size(), [&](std::size_t body) {
+    if (!stop.stopRequested()) {
+      objects[body] = findObjectFits({product, body, {}, &contacts, limits, nullptr, &tools}, stop);
+    }
+  });
+  if (stop.stopRequested()) {
+    return Diagnostic{ErrorKind::Interrupted, "", "", "was stopped while fits were searched", "Start again."};
+  }
+  for (Result<ObjectFits>& object : objects) {
+    if (!object) return object.error();
+    table.objects_.push_back(std::move(*object));
+  }
+  table.addPairs(product);
+  return table;
+}
+
+void FitTable::addPairs(const AssembledProduct& product) {
+  for (std::size_t body = 0; body < objects_.size(); ++body) {
+    for (const Contact& contact : objects_[body].contacts) {
+      if (contact.a > contact.b) continue;
+      const RigidBody& a = product.bodies[contact.a];
+      const RigidBody& b = product.bodies[contact.b];
+      pairs_.push_back({a.id,
+                        b.id,
+                        contact,
+                        {wayOf(objects_[contact.a], contact.b), wayOf(objects_[contact.b], contact.a)},
+                        givesWayFirst(a, b)});
+    }
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const PairFit& one, const PairFit& other) {
+    return std::tie(one.contact.a, one.contact.b) < std::tie(other.contact.a, other.contact.b);
+  });
+  for (const PairFit& pair : pairs_) {
+    const Diagnostic* ofA = warningOf(objects_[pair.contact.a], pair.contact.b);
+    const Diagnostic* ofB = warningOf(objects_[pair.contact.b], pair.contact.a);
+    if (const Diagnostic* warning = ofA != nullptr ? ofA : ofB) warnings_.push_back(*warning);
+  }
+}
+
+std::map<std::string, int> countsByKind(const std::vector<PairFit>& fits) {
+  std::map<std::string, int> counts;
+  for (const PairFit& fit : fits) ++counts[kindName(fit.contact.kind)];
+  return counts;
+}
+
+}  // namespace glissade

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/geometry/thinned_mesh.h"
+
+namespace glissade {
+
+/// Meshes that are prepared once for being taken thinner, and taken thinner once, for any number of threads. Bodies
+/// that have the same mesh and fit others alike share the thinned one.
+class ThinnableBodies {
+ public:
+  /// Null where the mesh is not closed. Lives as long as this.
+  const ThinnableMesh* of(const MeshPtr& mesh);
+  /// With an allowance for each triangle, metres. Null where the mesh is not closed or has no place for that.
+  MeshPtr thinned(const MeshPtr& mesh, const std::vector<double>& allowances);
+
+ private:
+  struct Entry {
+    std::once_flag made;
+    std::optional<ThinnableMesh> thinnable;
+  };
+  std::mutex mutex_;  ///< of what follows
+  std::map<MeshPtr, std::unique_ptr<Entry>> entries_;
+  std::map<std::pair<MeshPtr, std::vector<double>>, MeshPtr> thinned_;
+};
+
+}  // namespace glissade
