@@ -75,10 +75,10 @@ void printCsv(const std::vector<PairFit>& rows) {
   std::cout << "a,b,kind,gap_m,overlap_m,uncertainty_m,allowance_m,status,thinner,refused\n";
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
-    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(contact.kind) << ","
-              << toText(contact.gap) << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
-              << toText(row.way().allowance()) << "," << statusName(row.status()) << "," << quoted(joined(row.thinner()))
-              << "," << quoted(row.way().refused) << "\n";
+    std::cout << quoted(row.a) << "," << quoted(row.b) << "," << kindName(contact.kind) << "," << toText(contact.gap)
+              << "," << toText(contact.overlap) << "," << toText(contact.uncertainty) << ","
+              << toText(row.way().allowance()) << "," << statusName(row.status()) << ","
+              << quoted(joined(row.thinner())) << "," << quoted(row.way().refused) << "\n";
   }
 }
 
@@ -88,8 +88,10 @@ std::string thinnerInWords(const PairFit& row) {
   const std::vector<std::string> thinner = row.thinner();
   if (thinner.empty()) return {};
   std::ostringstream text;
-  text << (thinner.size() > 1 ? "both" : thinner.front() == row.a ? "a" : "b") << " by " << std::fixed
-       << std::setprecision(4) << 1e3 * row.way().allowance() << " mm";
+  text << (thinner.size() > 1         ? "both"
+           : thinner.front() == row.a ? "a"
+                                      : "b")
+       << " by " << std::fixed << std::setprecision(4) << 1e3 * row.way().allowance() << " mm";
   return text.str();
 }
 
@@ -97,7 +99,8 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
   std::size_t width = 1;
   for (const PairFit& row : rows) width = std::max(width, row.a.size());
   std::cout << std::left << std::setw(42) << "kind        gap or overlap" << std::setw(19) << "taken thinner"
-            << std::setw(static_cast<int>(width) + 2) << "a" << "b\n"
+            << std::setw(static_cast<int>(width) + 2) << "a"
+            << "b\n"
             << std::fixed << std::setprecision(3);
   for (const PairFit& row : rows) {
     const Contact& contact = row.contact;
@@ -109,8 +112,8 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
     } else {
       std::cout << "         ";
     }
-    std::cout << "  " << std::left << std::setw(17) << thinnerInWords(row) << "  "
-              << std::setw(static_cast<int>(width)) << row.a << "  " << row.b << "\n";
+    std::cout << "  " << std::left << std::setw(17) << thinnerInWords(row) << "  " << std::setw(static_cast<int>(width))
+              << row.a << "  " << row.b << "\n";
   }
   std::cout << rows.size() << " pairs of " << bodies << " bodies";
   const char* separator = ": ";

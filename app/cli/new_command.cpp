@@ -4,9 +4,9 @@
 
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
-#include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/asset_path.h"
 #include "engine/scenario/scenario_file.h"
+#include "engine/scenario/scenario_fits.h"
 #include "engine/scenario/unit_guess.h"
 
 namespace glissade::cli {
@@ -34,8 +34,7 @@ std::vector<PartFile> partsOf(const NewOptions& options) {
 /// Millimetres that the start has gone.
 Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   const Pose& start = loaded.problem.start;
-  const auto clear =
-      moveToClearance(wholeWorld(loaded), start, loaded.parameters[ParameterId::RequiredClearance]);
+  const auto clear = moveToClearance(wholeWorld(loaded), start, loaded.parameters[ParameterId::RequiredClearance]);
   if (!clear) return Diagnostic{clear.error().kind, "", "start", clear.error().reason, clear.error().advice};
   scenario.start = *clear;
   return 1000.0 * (clear->position - start.position).norm();

@@ -132,8 +132,7 @@ class FitFinder {
     for (std::size_t i = 0; i < edits().size(); ++i) {
       for (const std::string& id : {edits()[i].a, edits()[i].b}) {
         if (question_.product.indexOf(id)) continue;
-        return refused(i, "names the body '" + id + "', which is not there",
-                       "See 'glissade-cli fits' for the names.");
+        return refused(i, "names the body '" + id + "', which is not there", "See 'glissade-cli fits' for the names.");
       }
     }
     return Done{};
@@ -220,8 +219,8 @@ class FitFinder {
 
   check::Body measuredBody(std::size_t index) const {
     const RigidBody& own = body(index);
-    return {own.id, own.name, own.mesh, own.X_WB, question_.product.spacingOf(index),
-            question_.product.deflections[index]};
+    return {
+        own.id, own.name, own.mesh, own.X_WB, question_.product.spacingOf(index), question_.product.deflections[index]};
   }
 
   check::PairBounds boundsWith(std::size_t obstacle) const {
@@ -239,8 +238,7 @@ class FitFinder {
   void resolve(std::size_t obstacle, const FoundContact& found) {
     const FitEdit* edit = editOf(question_.product.fits, object_.id, body(obstacle).id);
     const check::PairBounds bounds = boundsWith(obstacle);
-    const Decision decision =
-        decide(found.contact, edit, question_.product.fits, bounds.one, question_.limits);
+    const Decision decision = decide(found.contact, edit, question_.product.fits, bounds.one, question_.limits);
     Contact& contact = fits_.contacts.emplace_back(found.contact);
     contact.kind = decision.kind;
     if (found.contact.kind == ContactKind::Clash && decision.kind == ContactKind::Overlap) {
@@ -324,8 +322,8 @@ class FitFinder {
 
   void refuse(Fit fit, const std::string& reason, const std::string& advice) {
     fit.refused = reason;
-    fits_.warnings.push_back({ErrorKind::InCollision, "",
-                              "'" + object_.name + "' and '" + body(fit.obstacle).name + "'", reason, advice});
+    fits_.warnings.push_back(
+        {ErrorKind::InCollision, "", "'" + object_.name + "' and '" + body(fit.obstacle).name + "'", reason, advice});
     fits_.clashes.push_back(std::move(fit));
   }
 

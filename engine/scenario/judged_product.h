@@ -5,8 +5,8 @@
 #include "engine/check/path_verdict.h"
 #include "engine/check/plan_verdict.h"
 #include "engine/scenario/scenario.h"
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "engine/base/result.h"
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/plan_bodies.h"
 
 namespace glissade {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

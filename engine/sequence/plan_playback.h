@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/geometry/se3_metric.h"
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

@@ -5,8 +5,8 @@
 
 #include "engine/base/work_watch.h"
 #include "engine/geometry/triangle_tree.h"
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 
 namespace glissade {
 

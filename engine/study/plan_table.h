@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/plan_bodies.h"
 
 namespace glissade {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/plan_bodies.h"
 #include "engine/study/study_words.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sequence/body_group.h"
 #include "engine/sequence/assembly_plan.h"
+#include "engine/sequence/body_group.h"
 #include "engine/sequence/order_rules.h"
 #include "engine/sequence/product_fits.h"
 #include "widgets/bridge/background_task.h"

@@ -121,8 +121,8 @@ TEST(FitTable, OfAStepProduct) {
   product.fits.on = true;
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
   const FitTable table = tableOf(product);
-  EXPECT_EQ(countsByKind(table.pairs()), (std::map<std::string, int>{{"clash", 1}, {"cylindrical", 3}, {"planar", 2},
-                                                                     {"press", 1}, {"thread", 1}}));
+  EXPECT_EQ(countsByKind(table.pairs()),
+            (std::map<std::string, int>{{"clash", 1}, {"cylindrical", 3}, {"planar", 2}, {"press", 1}, {"thread", 1}}));
   expectSameAsAlone(product, table);
 }
 
