@@ -113,7 +113,7 @@ void printTable(const std::vector<PairFit>& rows, std::size_t bodies) {
       std::cout << "         ";
     }
     std::cout << "  " << std::left << std::setw(17) << thinnerInWords(row) << "  " << std::setw(static_cast<int>(width))
-              << row.a << "  " << row.b << "\n";
+              << row.shown[0] << "  " << row.shown[1] << "\n";
   }
   std::cout << rows.size() << " pairs of " << bodies << " bodies";
   const char* separator = ": ";

@@ -95,16 +95,16 @@ Json toJson(const Asset& asset) {
 /// Of the column of names.
 int nameWidth(const std::vector<RigidBody>& bodies) {
   std::size_t width = 23;
-  for (const RigidBody& body : bodies) width = std::max(width, body.name.size());
+  for (const RigidBody& body : bodies) width = std::max(width, body.shown().size());
   return static_cast<int>(width + 1);
 }
 
 void printBody(const RigidBody& body, const Uncertainty& uncertainty, const char* role, int width, MeshAudits& audits) {
   const MeshAudit& result = audits.of(body.mesh);
   const Vector3 size = result.box.sizes();
-  std::cout << "  " << std::left << std::setw(width) << body.name << std::setw(8) << role << std::right << std::setw(8)
-            << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  " << size.x()
-            << " x " << size.y() << " x " << size.z() << " m";
+  std::cout << "  " << std::left << std::setw(width) << body.shown() << std::setw(8) << role << std::right
+            << std::setw(8) << result.triangles << " triangles  " << (result.closed() ? "closed" : "OPEN  ") << "  "
+            << size.x() << " x " << size.y() << " x " << size.z() << " m";
   if (uncertainty.deflection > 0.0) {
     std::cout << "  within " << 1000.0 * uncertainty.deflection << " mm of its surface";
   }

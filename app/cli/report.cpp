@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 std::string bodyName(const CollisionWorld& world, int body) {
   if (body == kForbiddenPlace) return "a forbidden place";
-  return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].name;
+  return body < 0 ? std::string() : world.obstacles()[static_cast<std::size_t>(body)].shown();
 }
 
 void printJson(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n"; }

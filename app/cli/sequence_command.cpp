@@ -60,12 +60,7 @@ class ProgressHost final : public SequenceHost {
     keep();
   }
 
-  /// The name, or the id where another body has the same name.
-  std::string nameOf(const std::string& id) const {
-    const std::string& name = product_.bodies[*product_.indexOf(id)].name;
-    const auto has = [&](const RigidBody& body) { return body.name == name; };
-    return std::count_if(product_.bodies.begin(), product_.bodies.end(), has) > 1 ? id : name;
-  }
+  const std::string& nameOf(const std::string& id) const { return product_.bodies[*product_.indexOf(id)].shown(); }
   std::string namesOf(const AssemblyStep& step) const {
     std::string names = nameOf(step.body);
     for (const std::string& id : step.with) names += " + " + nameOf(id);

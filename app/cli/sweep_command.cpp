@@ -54,7 +54,7 @@ int runSweep(const SweepOptions& options) {
   if (!sweep) return reportError(sweep.error(), options.format);
   std::vector<std::string> within;
   for (const std::size_t body : bodiesWithin(*sweep, loaded->obstacles, interrupt.token())) {
-    within.push_back(loaded->obstacles[body].name);
+    within.push_back(loaded->obstacles[body].shown());
   }
   if (interrupt.requested()) {
     return reportError(

@@ -41,13 +41,13 @@ void ArrangeSnapping::begin(const AssemblyItem& item) {
   for (const RigidBody& body : scenario.obstacles) {
     const MeshFeaturesPtr found = features_.find(body.mesh);
     if (item.kind == Part::Body && bodyIdOf(body.id) == item.bodyId) {
-      moving_.add(QString::fromStdString(body.name), found, body.X_WB);
+      moving_.add(QString::fromStdString(body.shown()), found, body.X_WB);
     } else if (view_.layerVisible(SceneLayer::Bodies) && view_.hiddenBodies().count(body.id) == 0) {
-      fixed_.add(QString::fromStdString(body.name), found, body.X_WB);
+      fixed_.add(QString::fromStdString(body.shown()), found, body.X_WB);
     }
   }
   const MeshFeaturesPtr object = features_.find(scenario.object.mesh);
-  const QString name = QString::fromStdString(scenario.object.name);
+  const QString name = QString::fromStdString(scenario.object.shown());
   Side& side = item.kind == Part::Body ? fixed_ : moving_;
   const Pose* goal = std::get_if<Pose>(&scenario.problem.goal);
   side.add(name, object, item.kind == Part::Goal && goal != nullptr ? *goal : scenario.problem.start);

@@ -7,6 +7,7 @@
 
 #include "app/window/plain_message_box.h"
 #include "app/window/save_conflict.h"
+#include "engine/base/body_path.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/path_reader.h"
 
@@ -152,8 +153,8 @@ void FileController::save() {
 
 void FileController::chooseSaveFile() {
   const LoadedScenario& scenario = *bench_.document.scenario();
-  // A part of a STEP file names the scenario "assembly/part".
-  const QString name = QString::fromStdString(scenario.scenario.name).section(QLatin1Char('/'), -1);
+  // A part of a STEP file names the scenario with its assemblies.
+  const QString name = QString::fromStdString(lastStepOf(scenario.scenario.name));
   const QString usual = QDir(folder()).filePath(name + QStringLiteral(".json"));
   const QString proposed = scenario.file.empty() ? usual : QString::fromStdString(scenario.file);
   const QString file =

@@ -267,7 +267,7 @@ void MeasureController::measureClearance() {
     const Clearance clearance = clearanceOf(a, b, watch.stop);
     return [this, clearance, a, b] {
       const QString names =
-          QStringLiteral("%1 – %2: ").arg(QString::fromStdString(a.name), QString::fromStdString(b.name));
+          QStringLiteral("%1 – %2: ").arg(QString::fromStdString(a.shown()), QString::fromStdString(b.shown()));
       if (clearance.distance.metres > 0.0) {
         showDistance(names + tr("clearance %1").arg(lengthText(clearance.distance.metres)), clearance.distance);
       } else if (clearance.overlap) {

@@ -21,7 +21,7 @@ constexpr double kSurroundings = 3.0;
 bool touches(const EndConflict& conflict) { return conflict.overlap || conflict.distance == 0.0; }
 
 QString factOf(const EndConflict& conflict, const LoadedScenario& scenario, double required) {
-  const QString name = QString::fromStdString(scenario.obstacles[conflict.obstacle].name);
+  const QString name = QString::fromStdString(scenario.obstacles[conflict.obstacle].shown());
   if (conflict.overlap) return RefusalController::tr("'%1': overlap %2").arg(name, lengthText(*conflict.overlap));
   if (conflict.distance == 0.0) return RefusalController::tr("'%1': touches or overlaps").arg(name);
   return RefusalController::tr("'%1': %2 away, required %3")
@@ -134,7 +134,7 @@ void RefusalController::showRefusedPath(const PathExamination& refused) {
       const auto& obstacles = bench_.document.scenario()->obstacles;
       notice.details +=
           QLatin1Char(' ') + tr("The first is blocked by '%1'.")
-                                 .arg(QString::fromStdString(obstacles[static_cast<std::size_t>(body)].name));
+                                 .arg(QString::fromStdString(obstacles[static_cast<std::size_t>(body)].shown()));
     }
   } else {
     notice.details = tr("Its ends are not the start and the goal.");
@@ -173,7 +173,7 @@ void RefusalController::showConflicts() {
   QStringList facts;
   for (std::size_t i = 0; i < std::min(all.size(), kMostNamed); ++i) facts << factOf(all[i], *scenario, required);
   if (all.size() > kMostNamed) facts << tr("and %1 more").arg(all.size() - kMostNamed);
-  const QString object = QString::fromStdString(scenario->object.name);
+  const QString object = QString::fromStdString(scenario->object.shown());
   const bool meets = std::any_of(all.begin(), all.end(), touches);
   const QString title = conflicts_->atStart
                             ? (meets ? tr("The start is refused: '%1' overlaps or touches what is there.")

@@ -18,7 +18,7 @@ using Words = ScriptCommands::Words;
 
 QString joinedNames(const std::vector<std::string>& bodies, const AssembledProduct& product) {
   QStringList names;
-  for (const std::string& id : bodies) names << QString::fromStdString(shortNameOf(id, product));
+  for (const std::string& id : bodies) names << QString::fromStdString(shownNameOf(id, product));
   return names.join(QStringLiteral(", "));
 }
 

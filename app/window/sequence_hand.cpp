@@ -38,7 +38,7 @@ void SequenceHand::begin() {
   for (std::size_t i = 0; i < run.step.value_or(steps.size()); ++i) {
     for (const std::string& id : steps[i].bodies()) gone.push_back(id);
   }
-  const QString name = QString::fromStdString(shortNameOf(run.body, *shown.product));
+  const QString name = QString::fromStdString(shownNameOf(run.body, *shown.product));
   run_ = run;
   const auto change = [this, body = run.body, gone](Scenario& scenario) {
     return prepareHandRun(body, gone, *bench_.document.scenario(), scenario);
@@ -59,7 +59,7 @@ void SequenceHand::noteBegun() {
     run_.reset();
   } else {
     run_->command = bench_.document.undoStack().index();
-    const QString name = QString::fromStdString(shortNameOf(run_->body, *run_->plan.product));
+    const QString name = QString::fromStdString(shownNameOf(run_->body, *run_->plan.product));
     sequence_.panel()->setNotice(
         tr("You move %1 by hand, among the parts that are present at its step. Start (F5) begins a run. Its certified "
            "path becomes the step.")
@@ -116,7 +116,7 @@ void SequenceHand::takePath() {
                                               tr("The path leaves in a forbidden direction"), inWords(conflict));
   if (!taken) return;
   const auto step = run_->step;
-  const QString name = QString::fromStdString(shortNameOf(run_->body, *shown.product));
+  const QString name = QString::fromStdString(shownNameOf(run_->body, *shown.product));
   const PlanPtr plan = shown.plan;
   goBack([this, motion, conflict, step, plan, name] {
     SequenceDemands demands = bench_.document.demands();

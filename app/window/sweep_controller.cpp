@@ -54,7 +54,7 @@ void SweepController::compute(const std::function<void()>& then) {
     QStringList bodies;
     if (*sweep) {
       for (const std::size_t body : bodiesWithin(**sweep, scenario->obstacles, watch.stop)) {
-        bodies << QString::fromStdString(scenario->obstacles[body].name);
+        bodies << QString::fromStdString(scenario->obstacles[body].shown());
       }
     }
     return [this, path, sweep, bodies, then] {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/body_path.h"
+
 namespace glissade::check {
 namespace {
 
@@ -10,10 +12,6 @@ namespace {
 constexpr double kForbiddenCosine = 0.866;
 /// Metres that nothing has moved by.
 constexpr double kStandsStill = 1e-7;
-
-bool endsWith(const std::string& text, const std::string& end) {
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 bool contains(const Group& group, std::size_t body) { return std::binary_search(group.begin(), group.end(), body); }
 
@@ -51,7 +49,7 @@ bool isSameMotion(const std::vector<Pose>& demanded, const std::vector<Point>& p
 Group bodiesNamed(const Product& product, const std::string& name) {
   Group bodies;
   for (std::size_t i = 0; i < product.bodies.size(); ++i) {
-    if (product.bodies[i].id == name || endsWith(product.bodies[i].id, "/" + name)) bodies.push_back(i);
+    if (endsInPath(product.bodies[i].id, name)) bodies.push_back(i);
   }
   return bodies;
 }

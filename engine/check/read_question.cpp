@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/base/body_path.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
 #include "engine/check/scenario_json.h"
@@ -37,6 +38,18 @@ std::pair<std::string, std::string> splitPart(const std::string& text) {
 
 Diagnostic stopped(const std::string& file) {
   return {ErrorKind::Interrupted, file, "", "was not read to its end", "Start again."};
+}
+
+/// Names become those that people see.
+void shorten(std::vector<Body>& bodies) {
+  std::vector<std::string> ids;
+  std::vector<std::string> names;
+  for (const Body& body : bodies) {
+    ids.push_back(body.id);
+    names.push_back(body.name);
+  }
+  const std::vector<std::string> shown = shownNames(ids, names);
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies[i].name = shown[i];
 }
 
 /// Being inside a body whose surface is open is not seen.
@@ -213,6 +226,7 @@ Result<Product> productOfParts(const std::string& text, double deflection, const
     }
   }
   product.fits.on = true;
+  shorten(product.bodies);
   return product;
 }
 
@@ -239,6 +253,7 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits, co
   product.warnings.insert(product.warnings.end(), loader.warnings().begin(), loader.warnings().end());
   std::map<MeshPtr, bool> closed;
   for (const Body& body : product.bodies) warnIfOpen(body, file, closed, product.warnings);
+  shorten(product.bodies);
   product.fits = scenario.fits;
   choose(fits, product.fits);
   product.demands = scenario.demands;

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "engine/base/body_path.h"
 #include "engine/geometry/triangle_mesh.h"
 
 namespace glissade {
@@ -20,14 +22,21 @@ inline constexpr double kObstacleOpacity = 0.38;
 /// A named rigid body placed in the world.
 struct RigidBody {
   std::string id;    ///< stable, unique in the scenario
-  std::string name;  ///< for people
+  std::string name;  ///< as the file has it, with the assemblies that it is in (base/body_path.h)
   Mobility mobility = Mobility::Static;
   MeshPtr mesh;  ///< in the body's frame B
   Pose X_WB;
   Colour colour{0.6, 0.6, 0.6};
+  std::string label{};  ///< what people see of the name (labelBodies())
+
+  const std::string& shown() const { return label.empty() ? name : label; }
 };
 
+/// Gives each body what people see of its name among these (shownNames()). `more`: a body that is shown with them, or
+/// null.
+void labelBodies(std::vector<RigidBody>& bodies, RigidBody* more = nullptr);
+
 /// Id of the scenario's body that a rigid body belongs to: the links "<body>/<link>" of a URDF file are one.
-inline std::string bodyIdOf(const std::string& rigidBodyId) { return rigidBodyId.substr(0, rigidBodyId.find('/')); }
+inline std::string bodyIdOf(const std::string& rigidBodyId) { return firstStepOf(rigidBodyId); }
 
 }  // namespace glissade

@@ -56,8 +56,8 @@ ProvenValue SemanticModel::ofBody(const std::string& bodyId, const std::string& 
   };
   Values values = valuesOf(bodyId);
   // A link of a URDF file has what its body has, unless it says otherwise itself.
-  const std::size_t slash = bodyId.find('/');
-  if (slash != std::string::npos) values.edited.merge(valuesOf(bodyId.substr(0, slash)).edited);
+  const std::string whole = bodyIdOf(bodyId);
+  if (whole != bodyId) values.edited.merge(valuesOf(whole).edited);
   return valueOf(values, AttributeOwner::Body, attribute);
 }
 

@@ -255,7 +255,7 @@ Result<LoadedGeometry> GeometryLoader::partOf(const StepGeometry& step) {
   for (const GeometryPart& part : (*whole)->parts) {
     if (!isWithin(part.name, step.part)) continue;
     geometry.parts.push_back(part);
-    geometry.parts.back().name = nameWithin(part.name, step.part);
+    geometry.parts.back().name = pathWithin(part.name, step.part);
   }
   if (!geometry.parts.empty()) return geometry;
   return noSuchPart(assetFile(assetById(step.asset, assets_), folder_), step.part, namesOf(**whole));
@@ -268,10 +268,7 @@ Outcome GeometryLoader::checkOwnUnit(const Asset& asset, const std::string& kind
                     "Leave out 'unit' and 'up_axis'."};
 }
 
-std::string partId(const std::string& bodyId, const GeometryPart& part) {
-  if (bodyId.empty() || part.name.empty()) return bodyId + part.name;
-  return bodyId + "/" + part.name;
-}
+std::string partId(const std::string& bodyId, const GeometryPart& part) { return joinedPath(bodyId, part.name); }
 
 void warnOfMissingFaces(const LoadedGeometry& geometry, const std::string& bodyId, const std::string& file,
                         Warnings& warnings) {

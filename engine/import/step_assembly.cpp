@@ -19,6 +19,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "engine/base/body_path.h"
 #include "engine/base/printable_text.h"
 #include "engine/import/import_protocol.h"
 #include "engine/import/step_external_files.h"
@@ -62,8 +63,6 @@ class UniqueNames {
  private:
   std::set<std::string> taken_;
 };
-
-std::string joined(const std::string& path, const std::string& step) { return path.empty() ? step : path + "/" + step; }
 
 /// Solids, and what lies beside them: loose shells and faces as one.
 std::vector<TopoDS_Shape> rigidShapesOf(const TopoDS_Shape& shape) {
@@ -147,7 +146,7 @@ class AssemblyWalk {
       OptionalColour colour = place.colour;
       if (!colour) colour = colourOf(shape);
       const std::string path =
-          shapes.size() == 1 ? place.path : joined(place.path, names.take(solidName(product, shape)));
+          shapes.size() == 1 ? place.path : joinedPath(place.path, names.take(solidName(product, shape)));
       assembly_.solids.push_back({path, shape.Located(TopLoc_Location()),
                                   mirrored_.placementOf(place.location * shape.Location(), path), colour});
     }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 
+#include "engine/base/body_path.h"
 #include "engine/base/file.h"
 #include "engine/import/import_limits.h"
 #include "engine/import/import_protocol.h"
@@ -16,10 +17,6 @@ namespace {
 namespace protocol = import_protocol;
 
 constexpr const char* kAdvice = "Put the files there and load again, or export the product as one file.";
-
-std::string joined(const std::string& path, const std::string& step) {
-  return path.empty() || step.empty() ? path + step : path + "/" + step;
-}
 
 /// "'a', 'b' and 3 more".
 std::string listed(const std::vector<std::string>& names, std::size_t most) {
@@ -71,7 +68,7 @@ class Composition {
         return refusal(content_.file, "has more than " + std::to_string(protocol::kMostParts) + " parts");
       }
       product_.parts.push_back(part);
-      product_.parts.back().path = joined(place.path, part.path);
+      product_.parts.back().path = joinedPath(place.path, part.path);
       if (place.depth > 0) product_.parts.back().X_FP = place.X_FP * part.X_FP;
     }
     for (const StepExternal& external : file.answer.externals) {
@@ -87,7 +84,7 @@ class Composition {
                                         " times, those that they place counted");
     }
     if (place.depth == protocol::kDeepestAssembly) return refusal(in.file, "is nested too deeply in other files");
-    const std::string path = joined(place.path, external.path);
+    const std::string path = joinedPath(place.path, external.path);
     const FoundStepPart found = findStepPart(folder_, in.folder, external.file);
     if (found.file.empty()) {
       noteMissing(found, path);

@@ -10,17 +10,10 @@ namespace {
 std::set<std::string> nodesOf(const std::vector<std::string>& parts) {
   std::set<std::string> nodes;
   for (const std::string& part : parts) {
-    for (std::size_t end = part.find('/'); end != std::string::npos; end = part.find('/', end + 1)) {
-      nodes.insert(part.substr(0, end));
-    }
+    for (const std::string& assembly : assembliesAbove(part)) nodes.insert(assembly);
     nodes.insert(part);
   }
   return nodes;
-}
-
-bool endsWithName(const std::string& node, const std::string& name) {
-  const std::string end = "/" + name;
-  return node.size() > end.size() && node.compare(node.size() - end.size(), end.size(), end) == 0;
 }
 
 /// As many as a person reads.
@@ -34,15 +27,6 @@ std::string nameList(const std::vector<std::string>& names) {
 
 }  // namespace
 
-bool isWithin(const std::string& part, const std::string& node) {
-  return node.empty() || part == node || part.compare(0, node.size() + 1, node + "/") == 0;
-}
-
-std::string nameWithin(const std::string& part, const std::string& node) {
-  if (node.empty()) return part;
-  return part == node ? "" : part.substr(node.size() + 1);
-}
-
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile) {
   std::vector<std::string> names;
   for (const GeometryPart& part : wholeFile.parts) names.push_back(part.name);
@@ -54,7 +38,7 @@ Result<std::string> nodeNamed(const std::string& name, const std::vector<std::st
   if (name.empty() || nodes.count(name) > 0) return name;
   std::vector<std::string> found;
   std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(found),
-               [&](const std::string& node) { return endsWithName(node, name); });
+               [&](const std::string& node) { return endsInPath(node, name); });
   if (found.empty()) return noSuchPart(file, name, parts);
   if (found.size() == 1) return found.front();
   return Diagnostic{ErrorKind::MalformedInput, file, "part '" + name + "'", "is the name of several parts",

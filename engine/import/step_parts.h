@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/body_path.h"
 #include "engine/base/result.h"
 #include "engine/import/asset.h"
 
@@ -10,11 +11,6 @@ namespace glissade {
 
 // Names of the parts of a STEP file: the names on the way to a part, as "pump/rotor". An assembly in the file
 // ("pump") stands for all of its parts, the empty name for all of the file.
-
-/// The part is the node or in it.
-bool isWithin(const std::string& part, const std::string& node);
-/// What remains of the part's name; empty where it is the node itself.
-std::string nameWithin(const std::string& part, const std::string& node);
 
 /// Names of the parts that a file holds; one that is empty where it holds one.
 std::vector<std::string> namesOf(const LoadedGeometry& wholeFile);

@@ -24,7 +24,7 @@ constexpr double kSamePitch = 1e-6;
 
 std::string quoted(const CollisionWorld& world, int body) {
   if (body == kForbiddenPlace) return "a forbidden place";
-  return "'" + world.obstacles()[static_cast<std::size_t>(body)].name + "'";
+  return "'" + world.obstacles()[static_cast<std::size_t>(body)].shown() + "'";
 }
 
 /// Those that the object is engaged in.

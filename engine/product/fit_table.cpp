@@ -88,6 +88,7 @@ void FitTable::addPairs(const AssembledProduct& product) {
       const RigidBody& b = product.bodies[contact.b];
       pairs_.push_back({a.id,
                         b.id,
+                        {a.shown(), b.shown()},
                         contact,
                         {wayOf(objects_[contact.a], contact.b), wayOf(objects_[contact.b], contact.a)},
                         givesWayFirst(a, b)});

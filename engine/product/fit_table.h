@@ -34,7 +34,8 @@ struct PairWay {
 struct PairFit {
   std::string a;  ///< id of the body; of the lower index
   std::string b;
-  Contact contact;  ///< with the kind and the overlap that count; indices in the product
+  std::array<std::string, 2> shown;  ///< what people see of the names
+  Contact contact;                   ///< with the kind and the overlap that count; indices in the product
   /// While `a` moves past `b`, and while `b` moves past `a`. The same body gives way, by more where the one that moves
   /// is larger (assembledGap()).
   std::array<PairWay, 2> ways{};

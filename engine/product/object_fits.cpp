@@ -219,8 +219,12 @@ class FitFinder {
 
   check::Body measuredBody(std::size_t index) const {
     const RigidBody& own = body(index);
-    return {
-        own.id, own.name, own.mesh, own.X_WB, question_.product.spacingOf(index), question_.product.deflections[index]};
+    return {own.id,
+            own.shown(),
+            own.mesh,
+            own.X_WB,
+            question_.product.spacingOf(index),
+            question_.product.deflections[index]};
   }
 
   check::PairBounds boundsWith(std::size_t obstacle) const {
@@ -322,8 +326,8 @@ class FitFinder {
 
   void refuse(Fit fit, const std::string& reason, const std::string& advice) {
     fit.refused = reason;
-    fits_.warnings.push_back(
-        {ErrorKind::InCollision, "", "'" + object_.name + "' and '" + body(fit.obstacle).name + "'", reason, advice});
+    fits_.warnings.push_back({ErrorKind::InCollision, "",
+                              "'" + object_.shown() + "' and '" + body(fit.obstacle).shown() + "'", reason, advice});
     fits_.clashes.push_back(std::move(fit));
   }
 

@@ -61,7 +61,7 @@ double valueOf(const std::map<std::string, double>& values, const std::string& i
 
 std::vector<check::Body> judgedBodies(const std::vector<RigidBody>& bodies) {
   std::vector<check::Body> judged;
-  for (const RigidBody& body : bodies) judged.push_back({body.id, body.name, body.mesh, body.X_WB});
+  for (const RigidBody& body : bodies) judged.push_back({body.id, body.shown(), body.mesh, body.X_WB});
   return judged;
 }
 

@@ -32,6 +32,7 @@ Result<ProductFile> productOfParts(const std::string& file, const StopToken& sto
     loaded.product.deflections.push_back(solid.deflection);
     loaded.product.spacings.push_back(solid.coordinateSpacing);
   }
+  labelBodies(loaded.product.bodies);
   loaded.product.fits.on = true;
   return loaded;
 }

@@ -64,7 +64,7 @@ double turnsOn(const std::vector<PathPoint>& path, const LoadedScenario& scenari
 std::vector<std::string> allowancesInWords(const LoadedScenario& scenario, const std::vector<PathPoint>& path) {
   std::vector<std::string> words;
   for (const Fit& fit : scenario.fits.allowed) {
-    words.push_back(inWords(fit, scenario.object.name, scenario.obstacles[fit.obstacle].name) +
+    words.push_back(inWords(fit, scenario.object.shown(), scenario.obstacles[fit.obstacle].shown()) +
                     turnsInWords(turnsOn(path, scenario, fit)));
   }
   return words;

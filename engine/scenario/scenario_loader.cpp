@@ -254,6 +254,7 @@ Result<LoadedScenario> loadGeometry(Scenario scenario, const std::string& folder
     loaded.object.mesh = before->object.mesh;  // prepared already
   }
   if (allAreClosed(**geometryOfObject)) loaded.closed.emplace(loaded.object.mesh, true);
+  labelBodies(loaded.obstacles, &loaded.object);
   for (const RigidBody& body : loaded.obstacles) warnIfOpen(body, file, before, loaded);
   warnIfOpen(loaded.object, file, before, loaded);
 

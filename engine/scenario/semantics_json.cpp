@@ -138,7 +138,7 @@ void checkSemantics(const Scenario& scenario, const JsonCursor& root) {
     for (const auto& [id, attributes] : scenario.sequence.attributes) {
       const std::string byPart = "/bodies/" + id + "/attributes/";
       if (why.location.rfind(byPart, 0) != 0) continue;
-      why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + id.substr(bodyIdOf(id).size() + 1) + "/" +
+      why.location = "/sequence/attributes/" + bodyIdOf(id) + "~1" + pathWithin(id, bodyIdOf(id)) + "/" +
                      why.location.substr(byPart.size());
     }
     const std::string byObject = "/bodies/" + scenario.object.id + "/attributes/";

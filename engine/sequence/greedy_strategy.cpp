@@ -267,14 +267,11 @@ class GreedySearch {
     if (both.size() <= kFewBodies) groups.insert(std::move(both));
   }
 
-  /// What is still there of them: bodies whose ids are alike up to a "/".
+  /// What is still there of them.
   std::vector<BodyGroup> assembliesOfTheFile() const {
     std::map<std::string, BodyGroup> assemblies;
     for (const std::size_t body : bodiesIn(present_)) {
-      const std::string& id = idOf(body);
-      for (std::size_t end = id.find('/'); end != std::string::npos; end = id.find('/', end + 1)) {
-        assemblies[id.substr(0, end)].push_back(body);
-      }
+      for (const std::string& assembly : assembliesAbove(idOf(body))) assemblies[assembly].push_back(body);
     }
     std::vector<BodyGroup> groups;
     for (const auto& assembly : assemblies) {
@@ -424,7 +421,7 @@ class GreedySearch {
 
   std::string reasonOf(std::size_t body, const std::vector<std::size_t>& holding,
                        const std::set<std::size_t>& blocking) const {
-    const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].name + "'"; };
+    const auto name = [&](std::size_t each) { return "'" + question_.product.bodies[each].shown() + "'"; };
     if (!holding.empty()) return "it is demanded that " + name(holding.front()) + " leaves before";
     for (const std::size_t other : blocking) {
       if (question_.staying[other]) continue;

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/base/body_path.h"
 #include "engine/sequence/step_motion.h"
 
 namespace glissade {
 namespace {
-
-bool isNamed(const std::string& id, const std::string& name) {
-  if (id == name) return true;
-  const std::string end = "/" + name;
-  return id.size() > end.size() && id.compare(id.size() - end.size(), end.size(), end) == 0;
-}
 
 Diagnostic refusedDemand(const std::string& reason, const std::string& advice) {
   return {ErrorKind::Usage, "", "", reason, advice};
@@ -157,7 +152,7 @@ std::size_t OrderRules::placeOf(const BodyGroup& group) const {
 BodyGroup bodiesNamed(const AssembledProduct& product, const std::string& name) {
   BodyGroup bodies;
   for (std::size_t body = 0; body < product.bodies.size(); ++body) {
-    if (isNamed(product.bodies[body].id, name)) bodies.push_back(body);
+    if (endsInPath(product.bodies[body].id, name)) bodies.push_back(body);
   }
   return bodies;
 }

@@ -72,7 +72,7 @@ void addAllowances(AssemblyStep& step, const BodyGroup& group, const std::vector
     const RigidBody& other = product.bodies[each.fit.obstacle];
     Fit fit = each.fit;
     if (fit.thread && !threads.emplace(each.body, fit.obstacle).second) fit.thread.reset();
-    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.name, other.name)};
+    StepAllowance allowance{other.id, fit.kind, fit.overlap, fit.allowance, inWords(fit, body.shown(), other.shown())};
     if (each.body != group.front()) allowance.moving = body.id;
     allowance.yields = fit.yields;
     if (fit.thread) {

@@ -30,14 +30,14 @@ Outcome checkConfiguration(const Problem& problem, CollisionQuery& query, const 
                       "Allow the place again, or move the " + which + " out of it."};
   } else if (body) {
     return Diagnostic{ErrorKind::InCollision, "", which,
-                      "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].name + "'",
+                      "the object penetrates '" + obstacles[static_cast<std::size_t>(*body)].shown() + "'",
                       "Move the " + which + " to a position clear of all bodies."};
   }
   const NearestObstacle nearest = query.nearestObstacle(q);
   if (nearest.distance < requiredClearance) {
     std::ostringstream reason;
     reason << "the object is " << nearest.distance << " m from '"
-           << obstacles[static_cast<std::size_t>(nearest.body)].name << "', nearer than the required clearance of "
+           << obstacles[static_cast<std::size_t>(nearest.body)].shown() << "', nearer than the required clearance of "
            << requiredClearance << " m";
     return Diagnostic{ErrorKind::InCollision, "", which, reason.str(),
                       "Move the " + which + " away or lower the required clearance."};
@@ -58,7 +58,7 @@ Outcome checkMilestones(const Problem& problem) {
         *body == kForbiddenPlace
             ? "the milestone is inside of '" + forbiddenAt(problem, milestones[i].q) + "', which is forbidden"
             : "the milestone is in collision with '" +
-                  problem.world->obstacles()[static_cast<std::size_t>(*body)].name + "'";
+                  problem.world->obstacles()[static_cast<std::size_t>(*body)].shown() + "'";
     return Diagnostic{ErrorKind::NoPath, "", "/milestones/" + std::to_string(i), reason,
                       "Put it where the object is free, or remove it."};
   }

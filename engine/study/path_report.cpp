@@ -47,13 +47,13 @@ class PathReportComposer {
   }
 
   std::string nameOf(int body) const {
-    return body < 0 ? "–" : content_.scenario.obstacles[static_cast<std::size_t>(body)].name;
+    return body < 0 ? "–" : content_.scenario.obstacles[static_cast<std::size_t>(body)].shown();
   }
 
   void addProblem() {
     const LoadedScenario& scenario = content_.scenario;
     std::vector<std::vector<std::string>> rows{{words_("Scenario"), scenario.scenario.name},
-                                               {words_("Part that moves"), scenario.object.name},
+                                               {words_("Part that moves"), scenario.object.shown()},
                                                {words_("Other parts"), std::to_string(scenario.obstacles.size())}};
     if (!content_.provenance.planner.empty()) {
       rows.push_back({words_("Strategy"), content_.provenance.planner});

@@ -85,7 +85,7 @@ class GraphLayout {
     if (known != bodies_.end()) return known->second;
     const auto& staying = plan_.staying;
     const bool stays = std::find(staying.begin(), staying.end(), id) != staying.end();
-    const std::string name = shortName(product_.bodies[*product_.indexOf(id)].name);
+    const std::string name = product_.bodies[*product_.indexOf(id)].shown();
     return bodies_[id] = add(name + " (" + words_(stays ? "stays" : "stuck") + ")", column, false);
   }
 

@@ -40,7 +40,7 @@ std::string PlanWords::someOf(const std::vector<std::string>& ids, const Assembl
   constexpr std::size_t kNamed = 2;
   std::string text;
   for (std::size_t i = 0; i < std::min(kNamed, ids.size()); ++i) {
-    text += (text.empty() ? "" : ", ") + shortNameOf(ids[i], product);
+    text += (text.empty() ? "" : ", ") + shownNameOf(ids[i], product);
   }
   return ids.size() <= kNamed ? text : words_("%1 and %2 more", {text, std::to_string(ids.size() - kNamed)});
 }
@@ -109,9 +109,8 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
     const RigidBody& other = product.bodies[*product.indexOf(allowance.body)];
     const std::string length = length_(allowance.allowance);
     const std::string kind = words_(kindName(allowance.kind));
-    texts.push_back(allowance.yields
-                        ? words_("%1 taken %2 thinner (%3)", {shortName(other.name), length, kind})
-                        : words_("taken %1 thinner against %2 (%3)", {length, shortName(other.name), kind}));
+    texts.push_back(allowance.yields ? words_("%1 taken %2 thinner (%3)", {other.shown(), length, kind})
+                                     : words_("taken %1 thinner against %2 (%3)", {length, other.shown(), kind}));
   }
   return texts;
 }
@@ -119,7 +118,7 @@ std::vector<std::string> PlanWords::allowances(const AssemblyStep& step, const A
 std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product) {
   std::string names;
   for (const std::size_t body : bodiesOf(step, product)) {
-    names += (names.empty() ? "" : ", ") + shortName(product.bodies[body].name);
+    names += (names.empty() ? "" : ", ") + product.bodies[body].shown();
   }
   return names;
 }
@@ -128,22 +127,17 @@ std::string lengthInMillimetres(double metres) {
   return decimals(1e3 * metres, std::abs(metres) < 1e-3 ? 4 : 1) + " mm";
 }
 
-std::string shortName(const std::string& name) {
-  const std::size_t slash = name.rfind('/');
-  return slash == std::string::npos || slash + 1 == name.size() ? name : name.substr(slash + 1);
-}
-
 std::string kindOfPart(const std::string& name) {
-  const std::string last = shortName(name);
+  const std::string last = lastStepOf(name);
   const std::size_t number = last.rfind('#');
   const bool counted = number != std::string::npos && number > 0 &&
                        last.find_first_not_of("0123456789", number + 1) == std::string::npos;
   return counted ? last.substr(0, number) : last;
 }
 
-std::string shortNameOf(const std::string& id, const AssembledProduct& product) {
+std::string shownNameOf(const std::string& id, const AssembledProduct& product) {
   const auto body = product.indexOf(id);
-  return shortName(body ? product.bodies[*body].name : id);
+  return body ? product.bodies[*body].shown() : id;
 }
 
 }  // namespace glissade

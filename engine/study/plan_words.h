@@ -49,10 +49,8 @@ std::string nameOfStep(const AssemblyStep& step, const AssembledProduct& product
 /// "62.0 mm", with a point in every language.
 std::string lengthInMillimetres(double metres);
 
-/// The last part of a name that tells the tree: "bolt" of "bracket-assembly#2/bolt".
-std::string shortName(const std::string& name);
-/// Of the body with this id; the id where the product has none.
-std::string shortNameOf(const std::string& id, const AssembledProduct& product);
+/// What people see of the body with this id; the id where the product has none.
+std::string shownNameOf(const std::string& id, const AssembledProduct& product);
 
 /// The name without the number that tells two of one name apart: "nut" of "nut#2".
 std::string kindOfPart(const std::string& name);

@@ -35,7 +35,7 @@ class Composer {
     return plain_.words()(english, arguments);
   }
   const std::string& nameOf(const std::string& id) const {
-    return content_.product.bodies[*content_.product.indexOf(id)].name;
+    return content_.product.bodies[*content_.product.indexOf(id)].shown();
   }
   static ReportTable facts(std::vector<std::vector<std::string>> rows) {
     return {"", {{"", ReportColumn::Kind::Text}, {"", ReportColumn::Kind::Prose}}, std::move(rows)};
@@ -145,9 +145,8 @@ class Composer {
 
   std::string clearanceText(const AssemblyStep& step) const {
     if (step.proof.nearest.empty()) return say("no part is near");
-    return say("at least %1, smallest %2 to %3",
-               {plain_.length(step.proof.provedClearance), plain_.length(step.proof.minClearance),
-                shortName(nameOf(step.proof.nearest))});
+    return say("at least %1, smallest %2 to %3", {plain_.length(step.proof.provedClearance),
+                                                  plain_.length(step.proof.minClearance), nameOf(step.proof.nearest)});
   }
 
   void addStuck() {

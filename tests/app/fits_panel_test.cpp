@@ -11,6 +11,7 @@ PairFit pairOf(const char* a, const char* b, ContactKind kind, double overlap, b
   PairFit fit;
   fit.a = a;
   fit.b = b;
+  fit.shown = {a, b};
   fit.contact.kind = kind;
   fit.contact.overlap = overlap;
   Fit taken;

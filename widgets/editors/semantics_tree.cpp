@@ -136,7 +136,7 @@ void SemanticsTree::showBodies() {
     QTreeWidgetItem* item = child(*bodies_, static_cast<int>(i));
     const QString id = QString::fromStdString(bodies[i].id);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-    item->setText(0, QString::fromStdString(bodies[i].name));
+    item->setText(0, QString::fromStdString(bodies[i].shown()));
     item->setIcon(0, swatch(bodies[i].colour));
     item->setText(1, i + 1 == bodies.size()
                          ? tr("moved")

@@ -96,7 +96,7 @@ void markBest(QTableWidget& table, int row, const Figure& figure, const std::vec
 
 void addCurves(QTableWidget& table, const std::vector<ComparedPath>& paths, const LoadedScenario& scenario) {
   QStringList bodies;
-  for (const RigidBody& body : scenario.obstacles) bodies << QString::fromStdString(body.name);
+  for (const RigidBody& body : scenario.obstacles) bodies << QString::fromStdString(body.shown());
   const int row = table.rowCount();
   table.insertRow(row);
   table.setVerticalHeaderItem(row, new QTableWidgetItem(ComparePathsDialog::tr("Clearance along the path")));

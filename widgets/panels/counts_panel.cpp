@@ -66,7 +66,7 @@ void CountsPanel::setSnapshot(const SessionSnapshot& snapshot, const LoadedScena
   curves_->add(snapshot.run, {seconds, static_cast<double>(counts.nodes), valueInForce(snapshot, ParameterId::Alpha),
                               known ? std::optional<double>(nearest.distance) : std::nullopt});
   mode_->setText(snapshot.contactMode ? tr("on") : tr("off"));
-  nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].name)
+  nearest_->setText(known ? QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(nearest.body)].shown())
                           : QStringLiteral("–"));
   nearest_->setToolTip(known ? nearest_->text() : QString());
   shownDistance_ = known ? std::optional<double>(nearest.distance) : std::nullopt;

@@ -14,7 +14,7 @@ constexpr int kRowRole = Qt::UserRole;
 
 QString bodyName(int body, const LoadedScenario& scenario) {
   if (body < 0) return QStringLiteral("–");
-  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name);
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].shown());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/commands/diagnostic_text.h"
 #include "widgets/commands/length_text.h"
@@ -68,7 +69,7 @@ QString wayText(const PairFit& fit) {
   QStringList lines;
   for (const Fit& taken : fit.way().taken) {
     if (!taken.thinned) continue;
-    const std::string& thinner = taken.yields == fit.givesWayFirstIsA ? fit.b : fit.a;
+    const std::string& thinner = fit.shown[taken.yields == fit.givesWayFirstIsA ? 1 : 0];
     lines << FitsPanel::tr("%1 is taken %2 thinner").arg(QString::fromStdString(thinner), lengthText(taken.allowance));
   }
   return lines.isEmpty() ? FitsPanel::tr("Both bodies are taken as they are") : lines.join(QLatin1Char('\n'));
@@ -161,10 +162,10 @@ void FitsPanel::addRow(std::size_t index) {
   row->setToolTip(Allowance, wayText(fit));
   row->setText(Status, statusText(fit.status()));
   row->setToolTip(Status, wayText(fit));
-  row->setText(BodyA, QString::fromStdString(fit.a));
-  row->setText(BodyB, QString::fromStdString(fit.b));
-  row->setToolTip(BodyA, row->text(BodyA));
-  row->setToolTip(BodyB, row->text(BodyB));
+  row->setText(BodyA, QString::fromStdString(fit.shown[0]));
+  row->setText(BodyB, QString::fromStdString(fit.shown[1]));
+  row->setToolTip(BodyA, QString::fromStdString(fit.a));
+  row->setToolTip(BodyB, QString::fromStdString(fit.b));
   row->setData(Kind, kIndexRole, static_cast<qulonglong>(index));
   if (fit.status() != FitStatus::Clash) return;
   QFont bold = table_->font();
@@ -189,6 +190,9 @@ void FitsPanel::filter(const QString& text) {
     for (const int column : {Kind, Status, BodyA, BodyB}) {
       matches = matches || row->text(column).contains(text, Qt::CaseInsensitive);
     }
+    for (const int column : {BodyA, BodyB}) {
+      matches = matches || row->toolTip(column).contains(text, Qt::CaseInsensitive);
+    }
     row->setHidden(!matches);
   }
 }
@@ -202,8 +206,9 @@ const PairFit* FitsPanel::chosen() const {
 bool FitsPanel::choose(const QString& a, const QString& b) {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     QTreeWidgetItem* row = table_->topLevelItem(i);
-    const bool found =
-        (row->text(BodyA) == a && row->text(BodyB) == b) || (row->text(BodyA) == b && row->text(BodyB) == a);
+    const PairFit& fit = (*fits_)[static_cast<std::size_t>(row->data(Kind, kIndexRole).toULongLong())];
+    const std::pair ids{QString::fromStdString(fit.a), QString::fromStdString(fit.b)};
+    const bool found = ids == std::pair(a, b) || ids == std::pair(b, a);
     if (!found) continue;
     table_->setCurrentItem(row);
     return true;

@@ -23,7 +23,7 @@ QString number(double value, int decimals) { return QLocale().toString(value, 'f
 
 /// As it can stand in rich text.
 QString nameOf(int body, const LoadedScenario& scenario) {
-  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].name).toHtmlEscaped();
+  return QString::fromStdString(scenario.obstacles[static_cast<std::size_t>(body)].shown()).toHtmlEscaped();
 }
 
 QString allowanceText(const Fit& fit, const std::vector<PathPoint>& points, const LoadedScenario& scenario) {
@@ -195,7 +195,7 @@ void PathPanel::showFirstBlocked() {
 
 void PathPanel::setProfile(const std::shared_ptr<const ClearanceProfile>& profile, const LoadedScenario& scenario) {
   QStringList bodies;
-  for (const RigidBody& body : scenario.obstacles) bodies << QString::fromStdString(body.name);
+  for (const RigidBody& body : scenario.obstacles) bodies << QString::fromStdString(body.shown());
   curve_->setProfile(profile, bodies, path_ ? path_->certificate.tolerance : 0.0);
 }
 

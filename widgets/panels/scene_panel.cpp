@@ -81,7 +81,7 @@ QTreeWidgetItem* ScenePanel::addEnd(QTreeWidgetItem& group, const QString& text,
 
 QTreeWidgetItem* ScenePanel::addBody(QTreeWidgetItem& group, const RigidBody& body, const QString& kind) {
   const auto triangles = static_cast<qulonglong>(body.mesh->triangles.size());
-  auto* item = new QTreeWidgetItem(&group, {QString::fromStdString(body.name), kind, QLocale().toString(triangles)});
+  auto* item = new QTreeWidgetItem(&group, {QString::fromStdString(body.shown()), kind, QLocale().toString(triangles)});
   item->setIcon(0, swatch(body.colour));
   item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
   item->setToolTip(0, QString::fromStdString(body.id));
@@ -103,7 +103,8 @@ void ScenePanel::setScenario(const LoadedScenario& scenario) {
 }
 
 void ScenePanel::addObstacle(const RigidBody& body) {
-  QStringList path = QString::fromStdString(body.name).split(QLatin1Char('/'), Qt::SkipEmptyParts);
+  QStringList path;
+  for (const std::string& step : stepsOf(body.name)) path << QString::fromStdString(step);
   QTreeWidgetItem* parent = obstacles_;
   while (path.size() > 1) parent = assemblyUnder(*parent, path.takeFirst());
   QTreeWidgetItem* item = addBody(*parent, body, body.mobility == Mobility::Static ? tr("static") : tr("mobile"));

@@ -131,7 +131,7 @@ QString StepTable::allNames(const std::vector<std::string>& ids) const {
 
 QString StepTable::shortNames(const std::vector<std::string>& ids) const {
   QStringList names;
-  for (const std::string& id : ids) names << QString::fromStdString(shortNameOf(id, *shown_.product));
+  for (const std::string& id : ids) names << QString::fromStdString(shownNameOf(id, *shown_.product));
   return names.join(QStringLiteral(", "));
 }
 
@@ -222,7 +222,7 @@ void StepTable::addStuck(const StuckBody& stuck) {
   setIcon(*row, stuck.body);
   const QString blocked =
       stuck.blockedBy.empty() ? tr("no motion found") : tr("blocked by %1").arg(shortNames(stuck.blockedBy));
-  row->setText(StepPart, twoLines(QString::fromStdString(shortName(name.toStdString())), blocked));
+  row->setText(StepPart, twoLines(shortNames({stuck.body}), blocked));
   QStringList names{name, blocked};
   for (const std::string& other : stuck.blockedBy) names << nameOf(other);
   if (!stuck.reason.empty()) names << engineText(stuck.reason);

@@ -107,7 +107,7 @@ class MoveToClearance {
   }
 
   std::string nearnessTo(std::size_t body) const {
-    return "the object is nearer to '" + world_->obstacles()[body].name + "' than the required clearance";
+    return "the object is nearer to '" + world_->obstacles()[body].shown() + "' than the required clearance";
   }
 
   std::string overlapWith(std::size_t body) const {
@@ -115,11 +115,11 @@ class MoveToClearance {
     const auto object = std::make_shared<const TriangleMesh>(world_->object());
     const ContactReport report =
         findContacts({{obstacle.id, obstacle.mesh, obstacle.X_WB}, {"object", object, q_}}, {});
-    if (report.contacts.empty()) return "the object penetrates '" + obstacle.name + "'";
+    if (report.contacts.empty()) return "the object penetrates '" + obstacle.shown() + "'";
     const double overlap = report.contacts.front().overlap;
-    if (overlap <= 0.0) return "the object touches '" + obstacle.name + "'";
+    if (overlap <= 0.0) return "the object touches '" + obstacle.shown() + "'";
     std::ostringstream text;
-    text << "the object overlaps '" << obstacle.name << "' by " << 1e3 * overlap << " mm";
+    text << "the object overlaps '" << obstacle.shown() << "' by " << 1e3 * overlap << " mm";
     return text.str();
   }
 

@@ -171,7 +171,7 @@ TEST(StepParts, LastNamesDoWhereTheyAreOne) {
   EXPECT_EQ(nodeNamed("nut", parts, "f").value(), "a/nut");
   EXPECT_THAT(toString(nodeNamed("pin", parts, "f").error()), HasSubstr("a/pin, b/pin"));
   EXPECT_TRUE(isWithin("b/c/ring", "b/c") && isWithin("b/c/ring", "") && !isWithin("bc/ring", "b"));
-  EXPECT_EQ(nameWithin("b/c/ring", "b"), "c/ring");
+  EXPECT_EQ(pathWithin("b/c/ring", "b"), "c/ring");
 }
 
 TEST(StepParts, PartsAreNamedBehindTheirFile) {

@@ -69,8 +69,6 @@ TEST(PlanWords, TurnsAndLongWaysAreSummedUp) {
 }
 
 TEST(PlanWords, NamesAreShort) {
-  EXPECT_EQ(shortName("bracket-assembly#2/bolt#3"), "bolt#3");
-  EXPECT_EQ(shortName("plate"), "plate");
   EXPECT_EQ(kindOfPart("bracket-assembly#2/bolt#3"), "bolt");
   EXPECT_EQ(kindOfPart("no#one"), "no#one");
 }

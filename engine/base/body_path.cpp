@@ -1,0 +1,83 @@
+#include "engine/base/body_path.h"
+
+#include <algorithm>
+#include <map>
+
+namespace glissade {
+namespace {
+
+constexpr char kSeparator = '/';
+
+/// Where the last names begin, the shortest end first; 0, the whole path, is the last.
+std::vector<std::size_t> beginsOfEnds(const std::string& path) {
+  std::vector<std::size_t> begins;
+  for (std::size_t at = path.size(); at > 0; --at) {
+    if (path[at - 1] == kSeparator && at < path.size()) begins.push_back(at);
+  }
+  begins.push_back(0);
+  return begins;
+}
+
+}  // namespace
+
+std::vector<std::string> stepsOf(const std::string& path) {
+  std::vector<std::string> steps;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find(kSeparator, begin), path.size());
+    if (end > begin) steps.push_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return steps;
+}
+
+std::string firstStepOf(const std::string& path) { return path.substr(0, path.find(kSeparator)); }
+
+std::string lastStepOf(const std::string& path) { return path.substr(beginsOfEnds(path).front()); }
+
+std::string joinedPath(const std::string& path, const std::string& rest) {
+  return path.empty() || rest.empty() ? path + rest : path + kSeparator + rest;
+}
+
+std::vector<std::string> assembliesAbove(const std::string& path) {
+  std::vector<std::string> assemblies;
+  for (std::size_t end = path.find(kSeparator); end != std::string::npos; end = path.find(kSeparator, end + 1)) {
+    assemblies.push_back(path.substr(0, end));
+  }
+  return assemblies;
+}
+
+bool isWithin(const std::string& path, const std::string& node) {
+  return node.empty() || path == node || path.compare(0, node.size() + 1, node + kSeparator) == 0;
+}
+
+std::string pathWithin(const std::string& path, const std::string& node) {
+  if (node.empty()) return path;
+  return path == node ? "" : path.substr(node.size() + 1);
+}
+
+bool endsInPath(const std::string& path, const std::string& end) {
+  if (path == end) return true;
+  const std::string tail = kSeparator + end;
+  return path.size() > tail.size() && path.compare(path.size() - tail.size(), tail.size(), tail) == 0;
+}
+
+std::vector<std::string> shownNames(const std::vector<std::string>& ids, const std::vector<std::string>& names) {
+  std::map<std::string, int> bodies;
+  for (const std::string& name : names) ++bodies[name];
+  std::vector<std::string> paths;
+  for (std::size_t i = 0; i < names.size(); ++i) paths.push_back(bodies[names[i]] > 1 ? ids[i] : names[i]);
+  std::map<std::string, int> ends;
+  for (const std::string& path : paths) {
+    for (const std::size_t begin : beginsOfEnds(path)) ++ends[path.substr(begin)];
+  }
+  for (std::string& path : paths) {
+    for (const std::size_t begin : beginsOfEnds(path)) {
+      if (ends[path.substr(begin)] > 1) continue;
+      path.erase(0, begin);
+      break;
+    }
+  }
+  return paths;
+}
+
+}  // namespace glissade
