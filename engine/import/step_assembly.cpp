@@ -129,7 +129,7 @@ class AssemblyWalk {
       OptionalColour colour = place.colour;
       if (!colour) colour = colourOf(component);
       if (!colour) colour = colourOf(part);
-      visit(part, {joined(place.path, names.take(stepOf(part, component))),
+      visit(part, {joinedPath(place.path, names.take(stepOf(part, component))),
                    place.location * XCAFDoc_ShapeTool::GetLocation(component), colour, place.depth + 1});
     }
   }

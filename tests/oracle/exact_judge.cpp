@@ -61,12 +61,16 @@ bool trianglesMeet(const Triangle& a, const Triangle& b) {
 }
 
 /// +1 or -1 where the segment crosses the triangle's inside, 0 where it misses it, nothing where it touches its
-/// border or plane.
+/// border, begins on it, or ends in its plane. A segment that begins elsewhere in the plane leaves it for ever: walls
+/// that coincide put many corners into the planes of triangles that are far away.
 std::optional<int> crossing(const Point& from, const Point& to, const Triangle& t) {
   const auto p = exact(from), q = exact(to), a = exact(t[0]), b = exact(t[1]), c = exact(t[2]);
   const auto sideOfFrom = CGAL::orientation(a, b, c, p);
   const auto sideOfTo = CGAL::orientation(a, b, c, q);
-  if (sideOfFrom == CGAL::COPLANAR || sideOfTo == CGAL::COPLANAR) return std::nullopt;
+  if (sideOfTo == CGAL::COPLANAR) return std::nullopt;
+  if (sideOfFrom == CGAL::COPLANAR) {
+    return Kernel::Triangle_3(a, b, c).has_on(p) ? std::nullopt : std::optional(0);
+  }
   if (sideOfFrom == sideOfTo) return 0;
   const auto ab = CGAL::orientation(p, q, a, b);
   const auto bc = CGAL::orientation(p, q, b, c);

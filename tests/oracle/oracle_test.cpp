@@ -54,6 +54,16 @@ TEST(Oracle, SeesSolidsInsideSolids) {
   EXPECT_FALSE(ExactJudge({{box(1, 1, 1)}, small}).penetrates(at(0.2, 0.9, 0.0)));
 }
 
+/// Corners of the box lie in the planes of triangles that are far from them, and in no solid.
+TEST(Oracle, WhatIsFlushWithADistantFaceIsNotInside) {
+  const Triangles corner = lShape(1.0, 0.25, 1.0);
+  const Triangles part = box(0.5, 0.5, 0.5);
+  const ExactJudge judge({{corner}, part});
+  EXPECT_EQ(judge.depthAt(at(0.5, 0.5, 0.0)), 0.0) << "in the notch, on both walls";
+  EXPECT_EQ(judge.depthAt(at(0.75, 0.75, 0.0)), 0.0) << "flush with both arms";
+  EXPECT_NEAR(judge.depthAt(at(0.49, 0.6, 0.0)), 0.01, 1e-12);
+}
+
 TEST(Oracle, InterpolatesAlongTheShorterArc) {
   const double half = std::sqrt(0.5);
   const Placement a{{0, 0, 0}, {0, 0, 0, 1}};
