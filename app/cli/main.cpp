@@ -70,7 +70,7 @@ void addFitOptions(CLI::App& command, FitOptions& options, const std::string& us
   command
       .add_option_function<std::string>(
           "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
-          "Whether the object is taken thinner against what it fits where it is assembled: on or off (default: " +
+          "Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: " +
               usual + ")")
       ->check(CLI::IsMember({"on", "off"}));
   addLength(
