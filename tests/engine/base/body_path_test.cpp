@@ -64,9 +64,13 @@ TEST(BodyPath, ShownNamesOfRandomTrees) {
         return std::count_if(names.begin(), names.end(),
                              [&](const std::string& name) { return endsInPath(name, end); });
       };
-      if (shown[i] != names[i]) EXPECT_EQ(matches(shown[i]), 1) << shown[i];
+      if (shown[i] != names[i]) {
+        EXPECT_EQ(matches(shown[i]), 1) << shown[i];
+      }
       const Names above = assembliesAbove(shown[i]);
-      if (!above.empty()) EXPECT_GT(matches(pathWithin(shown[i], above.front())), 1) << shown[i];
+      if (!above.empty()) {
+        EXPECT_GT(matches(pathWithin(shown[i], above.front())), 1) << shown[i];
+      }
     }
   }
 }

@@ -32,8 +32,7 @@ struct NutOnBolt {
   const ThreadRule& rule() const { return parts.fits.allowed.front().thread->rule; }
 
   MotionCertificate judged(const std::vector<Pose>& path) const {
-    const IndependentCheck judge(obstacles, *object.mesh, allowancesOf(parts.fits.allowed, 1),
-                                 threadRulesOf(parts.fits.allowed));
+    const IndependentCheck judge(parts.fits.allowed, parts.product, threadRulesOf(parts.fits.allowed));
     return judge.check(path, std::vector<EdgeDemand>(path.size() - 1, {1e-7, false}));
   }
   bool planned(const std::vector<Pose>& path) const {

@@ -45,8 +45,7 @@ struct Bolted {
     return planner;
   }
   bool judgedValid(const Path& path) const {
-    const IndependentCheck judge(obstacles, *object.mesh, allowancesOf(parts.fits.allowed, obstacles.size()),
-                                 threadRulesOf(parts.fits.allowed));
+    const IndependentCheck judge(parts.fits.allowed, parts.product, threadRulesOf(parts.fits.allowed));
     const ParameterValues parameters(problem.world->objectRadius());
     return judge.check(path.configurations(), demandsOf(path.points, parameters)).status ==
            CertificateStatus::Certified;

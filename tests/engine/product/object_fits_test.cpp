@@ -107,7 +107,9 @@ TEST(ObjectFits, WhatWouldLoseMoreThanTwoFifthsOfBothIsAClash) {
     EXPECT_EQ(found->allowed.size(), fits ? 1U : 0U);
     EXPECT_EQ(found->clashes.size(), fits ? 0U : 1U);
     EXPECT_EQ(found->warnings.size(), found->clashes.size());
-    if (fits) EXPECT_TRUE(found->allowed.front().yields) << "the tube has no place for it";
+    if (fits) {
+      EXPECT_TRUE(found->allowed.front().yields) << "the tube has no place for it";
+    }
   }
 }
 

@@ -56,16 +56,17 @@ inline AssembledProduct productOf(std::vector<RigidBody> obstacles, const RigidB
 
 /// The object among the obstacles at the start, as its fits have it.
 struct FittedParts {
+  AssembledProduct product;  ///< the object is the last body
   ObjectFits fits;
   CollisionWorldPtr world;
 };
 
 inline Result<FittedParts> fitted(const std::vector<RigidBody>& obstacles, const RigidBody& object,
                                   const std::vector<Pose>& ends, const FitSettings& settings) {
-  const AssembledProduct product = productOf(obstacles, object, settings);
-  auto fits = findObjectFits({product, obstacles.size(), ends});
-  if (!fits) return fits.error();
   FittedParts parts;
+  parts.product = productOf(obstacles, object, settings);
+  auto fits = findObjectFits({parts.product, obstacles.size(), ends});
+  if (!fits) return fits.error();
   parts.fits = std::move(*fits);
   parts.world = withFits(CollisionWorld::build(obstacles, object.mesh), object.mesh, parts.fits.allowed);
   return parts;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "engine/check/thinning.h"
 #include "engine/collision/motion_certificate.h"
 #include "engine/collision/thread_rule.h"
+#include "engine/product/fit_words.h"
 #include "engine/product/object_fits.h"
 #include "engine/scenario/judged_product.h"
 
@@ -23,20 +25,60 @@ inline FaceAllowances everywhere(const std::vector<double>& allowances, const Tr
   return all;
 }
 
-/// As planners take the object against each of so many obstacles.
-inline FaceAllowances allowancesOf(const std::vector<Fit>& fits, std::size_t obstacles) {
-  FaceAllowances all(obstacles);
+/// Of the body that the fit takes thinner, while the last body of the product moves: metres, of each triangle.
+inline std::vector<double> faceAllowances(const Fit& fit, const AssembledProduct& product) {
+  const auto bodyAt = [&](std::size_t index) {
+    const RigidBody& body = product.bodies[index];
+    return check::Body{body.id, body.name, body.mesh, body.X_WB, product.spacingOf(index), product.deflections[index]};
+  };
+  const check::Body object = bodyAt(product.bodies.size() - 1);
+  const check::Body other = bodyAt(fit.obstacle);
+  const check::FitWords words = wordsOf(product.fits);
+  check::PlacedBodies placed;
+  const check::PairBounds bounds =
+      placed.boundsOf({object, object.X_WB}, {other, other.X_WB}, words, words.about(object.id, other.id), {});
+  std::vector<double> faces = fit.yields ? bounds.other.atMost : bounds.one.atMost;
+  for (double& each : faces) each = std::min(each, fit.allowance);
+  return faces;
+}
+
+/// As planners take the object, the product's last body, against each of the others.
+inline FaceAllowances allowancesOf(const std::vector<Fit>& fits, const AssembledProduct& product) {
+  FaceAllowances all(product.bodies.size() - 1);
   for (const Fit& fit : fits) {
-    if (fit.thinned) all[fit.obstacle] = limited(fit.bounds->one.atMost, fit.allowance);
+    if (fit.thinned && !fit.yields) all[fit.obstacle] = faceAllowances(fit, product);
   }
   return all;
+}
+
+/// The others as planners take them: those that give way are thinned by the judge's own code.
+inline std::vector<RigidBody> obstaclesOf(const std::vector<Fit>& fits, const AssembledProduct& product) {
+  std::vector<RigidBody> obstacles(product.bodies.begin(), product.bodies.end() - 1);
+  for (const Fit& fit : fits) {
+    if (!fit.thinned || !fit.yields) continue;
+    MeshPtr& mesh = obstacles[fit.obstacle].mesh;
+    mesh = std::make_shared<const TriangleMesh>(check::thinned(*mesh, faceAllowances(fit, product)));
+  }
+  return obstacles;
 }
 
 /// The judge of motions with the planners' values, so that tests compare the two.
 class IndependentCheck {
  public:
   IndependentCheck(const std::vector<RigidBody>& obstacles, const TriangleMesh& object,
-                   const FaceAllowances& allowances = {}, const std::vector<ThreadRule>& threads = {}) {
+                   const FaceAllowances& allowances = {}, const std::vector<ThreadRule>& threads = {})
+      : IndependentCheck(obstacles, obstacles, object, allowances, threads) {}
+
+  /// The product's last body among the others, taken as its fits have it.
+  IndependentCheck(const std::vector<Fit>& fits, const AssembledProduct& product,
+                   const std::vector<ThreadRule>& threads)
+      : IndependentCheck(obstaclesOf(fits, product), {product.bodies.begin(), product.bodies.end() - 1},
+                         *product.bodies.back().mesh, allowancesOf(fits, product), threads) {}
+
+  /// `taken`: the obstacles, where some give way.
+  IndependentCheck(const std::vector<RigidBody>& taken, const std::vector<RigidBody>& obstacles,
+                   const TriangleMesh& object, const FaceAllowances& allowances,
+                   const std::vector<ThreadRule>& threads) {
     std::map<std::vector<double>, MeshPtr> objects{{{}, std::make_shared<const TriangleMesh>(object)}};
     std::vector<const TriangleMesh*> meshes;
     for (const std::vector<double>& each : allowances) {
@@ -45,17 +87,20 @@ class IndependentCheck {
     }
     for (const auto& [allowance, mesh] : objects) meshes.push_back(mesh.get());
     for (const RigidBody& body : obstacles) meshes.push_back(body.mesh.get());
+    for (const RigidBody& body : taken) meshes.push_back(body.mesh.get());
     const double scale = check::MotionCheck::scaleFor(meshes, judgedBodies(obstacles));
     std::vector<check::MotionCheck::Against> against;
     for (std::size_t i = 0; i < obstacles.size(); ++i) {
       const std::vector<double> ofPair = i < allowances.size() ? allowances[i] : std::vector<double>();
-      const auto prepared = check::MotionCheck::prepare(*obstacles[i].mesh, obstacles[i].X_WB, scale);
+      const auto prepared = check::MotionCheck::prepare(*taken[i].mesh, taken[i].X_WB, scale);
       against.push_back({prepared, objects[ofPair], !ofPair.empty()});
     }
     std::vector<check::MotionCheck::Threaded> threaded;
     for (const ThreadRule& rule : threads) {
       const auto number = static_cast<std::size_t>(rule.obstacle);
-      threaded.push_back({threadOf(rule), obstacles[number].mesh, obstacles[number].X_WB, against[number].obstacle});
+      const RigidBody& whole = obstacles[number];
+      const auto prepared = check::MotionCheck::prepare(*whole.mesh, whole.X_WB, scale);
+      threaded.push_back({threadOf(rule), whole.mesh, whole.X_WB, prepared});
     }
     check_ = std::make_shared<const check::MotionCheck>(against, object, scale, threaded);
   }
