@@ -75,7 +75,8 @@ TEST(FitTable, TheSameBodyGivesWayWhicheverMoves) {
   int pairs = 0;
   for (int round = 0; round < 6; ++round) {
     const AssembledProduct product = randomRings(random);
-    for (const PairFit& pair : tableOf(product).pairs()) {
+    const FitTable table = tableOf(product);
+    for (const PairFit& pair : table.pairs()) {
       if (pair.status() != FitStatus::Allowed) continue;
       ++pairs;
       ASSERT_EQ(pair.ways[0].taken.size(), pair.ways[1].taken.size());
