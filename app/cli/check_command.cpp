@@ -57,6 +57,11 @@ int reportStopped(Diagnostic error, const Interrupt& interrupt, Format format) {
 }
 
 int checkPath(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
+  if (!options.without.empty()) {
+    return reportError({ErrorKind::Usage, options.scenario, "--without",
+                        "is for assembly plans: a path is of a scenario", "Remove the body from the scenario."},
+                       options.format);
+  }
   auto question = check::readQuestion(options.scenario, {options.fits.on, options.fits.acceptedClash}, stop);
   if (!question) return reportStopped(question.error(), interrupt, options.format);
   reportWarnings(question->product.warnings);
@@ -86,9 +91,12 @@ int checkPath(const CheckOptions& options, const Interrupt& interrupt, const Sto
 int checkPlan(const CheckOptions& options, const Interrupt& interrupt, const StopToken& stop) {
   const auto plan = check::readPlan(options.path);
   if (!plan) return reportError(plan.error(), options.format);
-  const auto product =
+  auto product =
       check::readProduct(options.scenario, plan->deflection, {options.fits.on, options.fits.acceptedClash}, stop);
   if (!product) return reportStopped(product.error(), interrupt, options.format);
+  if (const Outcome left = check::leaveOut(options.without, *product); !left) {
+    return reportError(left.error(), options.format);
+  }
   reportWarnings(product->warnings);
   check::PlanVerdict verdict;
   {

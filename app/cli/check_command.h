@@ -13,8 +13,9 @@ struct CheckOptions {
   std::string path;
   std::optional<double> requiredClearance;  ///< metres; the scenario's where absent
   FitOptions fits;
-  bool edges = false;      ///< certificates of every edge
-  double timeLimit = 0.0;  ///< seconds; 0: none
+  std::vector<std::string> without{};  ///< bodies and assemblies of a plan's product that are left out
+  bool edges = false;                  ///< certificates of every edge
+  double timeLimit = 0.0;              ///< seconds; 0: none
   Format format = Format::Text;
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
+#include "engine/product/alternatives.h"
 #include "engine/product/fit_table.h"
 #include "engine/scenario/product_file.h"
 
@@ -138,8 +139,9 @@ Outcome checkLimits(const ContactLimits& limits) {
 int runFits(const FitsOptions& options) {
   if (const Outcome sound = checkLimits(options.limits); !sound) return reportError(sound.error(), options.format);
   const Interrupt interrupt;
-  const auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
+  auto loaded = readProduct(options.file, interrupt.token(), options.deflection);
   if (!loaded) return reportError(loaded.error(), options.format);
+  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   reportWarnings(loaded->warnings);
   AssembledProduct product = loaded->product;
   product.bodies = aboutTheirMiddles(std::move(product.bodies));
@@ -151,6 +153,9 @@ int runFits(const FitsOptions& options) {
     return reportError(why, options.format);
   }
   const std::vector<PairFit>& rows = table->pairs();
+  std::vector<Contact> contacts;
+  for (const PairFit& row : rows) contacts.push_back(row.contact);
+  reportWarnings(warningsOf(findAlternatives(product.bodies, contacts, interrupt.token()), product.bodies));
   if (options.format == Format::Json) {
     printPairs(rows);
   } else if (options.csv) {

@@ -10,7 +10,8 @@ namespace glissade::cli {
 struct FitsOptions {
   std::string file;  ///< a scenario, or a part file as usualPart() takes it
   ContactLimits limits;
-  double deflection = 0.0;  ///< metres, of STEP files; 0: by the size of each part
+  std::vector<std::string> without{};  ///< bodies and assemblies that are left out
+  double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
   bool csv = false;
   Format format = Format::Text;
 };

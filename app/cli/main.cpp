@@ -70,7 +70,8 @@ void addFitOptions(CLI::App& command, FitOptions& options, const std::string& us
   command
       .add_option_function<std::string>(
           "--fits", [&options](const std::string& mode) { options.on = mode == "on"; },
-          "Whether bodies that fit where they are assembled are taken thinner against each other: on or off (default: " +
+          "Whether bodies that fit where they are assembled are taken thinner against each other: on or off "
+          "(default: " +
               usual + ")")
       ->check(CLI::IsMember({"on", "off"}));
   addLength(
@@ -112,6 +113,12 @@ CLI::App* addPlan(CLI::App& app, PlanOptions& options) {
   return plan;
 }
 
+/// Of commands that take products.
+void addWithout(CLI::App& command, std::vector<std::string>& without) {
+  command.add_option("--without", without,
+                     "Leave a body or an assembly of the product out: its name (can be repeated)");
+}
+
 CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
   CLI::App* check = app.add_subcommand("check", "Judge a path or an assembly plan with the independent check");
   check
@@ -125,6 +132,7 @@ CLI::App* addCheck(CLI::App& app, CheckOptions& options) {
       "Clearance to prove [m] (default: the scenario's)");
   addFitOptions(*check, options.fits, "the scenario's");
   check->add_flag("--edges", options.edges, "Report the certificate of every edge");
+  addWithout(*check, options.without);
   check->add_option("--time-limit", options.timeLimit, "Time limit in seconds; 0: none")->capture_default_str();
   addFormat(*check, options.format);
   return check;
@@ -191,6 +199,7 @@ CLI::App* addFits(CLI::App& app, FitsOptions& options) {
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   addPartDeflection(*fits, options.deflection);
+  addWithout(*fits, options.without);
   fits->add_flag("--csv", options.csv, "Comma-separated values, a line a pair");
   addFormat(*fits, options.format);
   return fits;
@@ -228,6 +237,7 @@ CLI::App* addSequence(CLI::App& app, SequenceOptions& options) {
                        "What a step costs for best-first: balanced, steady, few-tools, short, fragile-first, or an "
                        "expression (default: the scenario's, or balanced)");
   addPartDeflection(*sequence, options.deflection);
+  addWithout(*sequence, options.without);
   addFitOptions(*sequence, options.fits, "on, or the scenario's");
   addFormat(*sequence, options.format);
   return sequence;
@@ -273,6 +283,7 @@ CLI::App* addNew(CLI::App& app, NewOptions& options) {
       "How far the triangles of STEP parts may be off their surfaces, as 0.05mm (default: a thousandth of each "
       "part's diagonal, from 0.01mm to 0.5mm)");
   make->add_flag("--close-holes", options.closeHoles, "Close the planar holes of meshes, and print how many");
+  addWithout(*make, options.without);
   addFitOptions(*make, options.fits, "on");
   make->add_flag("--clear", options.clear, "Move the start clear of the bodies that it touches, and print how far");
   return make;

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "engine/base/body_choice.h"
 #include "engine/import/mesh_import.h"
 #include "engine/planning/automatic/move_to_clearance.h"
 #include "engine/scenario/asset_path.h"
@@ -40,6 +41,25 @@ Result<double> clearStart(const LoadedScenario& loaded, Scenario& scenario) {
   return 1000.0 * (clear->position - start.position).norm();
 }
 
+/// Bodies that are not added; the part that moves stays.
+Outcome leaveOut(const std::vector<std::string>& names, Scenario& scenario) {
+  if (names.empty()) return Done{};
+  std::vector<std::string> named;
+  for (const BodyDescription& body : scenario.bodies) named.push_back(body.name);
+  named.push_back(scenario.object.name);
+  const auto meant = bodiesMeant(named, names, "--without");
+  if (!meant) return meant.error();
+  if (meant->back()) {
+    return Diagnostic{ErrorKind::Usage, "", "--without", "names the part that moves", "Name another body."};
+  }
+  std::vector<BodyDescription> rest;
+  for (std::size_t i = 0; i < scenario.bodies.size(); ++i) {
+    if (!(*meant)[i]) rest.push_back(std::move(scenario.bodies[i]));
+  }
+  scenario.bodies = std::move(rest);
+  return Done{};
+}
+
 }  // namespace
 
 int runNew(const NewOptions& options) {
@@ -52,6 +72,8 @@ int runNew(const NewOptions& options) {
   }
   auto scenario = scenarioOfParts(parts, &read);
   if (!scenario) return reportError(scenario.error(), options.format);
+  if (const Outcome left = leaveOut(options.without, *scenario); !left)
+    return reportError(left.error(), options.format);
   scenario->fits = withOptions(scenario->fits, options.fits);
   const auto loaded = loadGeometry(*scenario, ".", "", read);
   if (!loaded) return reportError(loaded.error(), options.format);

@@ -15,7 +15,8 @@ struct NewOptions {
   std::string moving;  ///< as usualPart() takes it, like those below
   std::vector<std::string> statics;
   std::vector<std::string> mobiles;
-  std::optional<double> unit;  ///< metres per unit of the files; none: as their kind or their size says
+  std::vector<std::string> without{};  ///< bodies that are left out
+  std::optional<double> unit;          ///< metres per unit of the files; none: as their kind or their size says
   std::optional<UpAxis> up;
   double deflection = 0.0;  ///< of STEP files, metres; 0: by the size of each part
   bool closeHoles = false;  ///< of meshes, where they are planar

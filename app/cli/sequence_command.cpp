@@ -10,6 +10,7 @@
 
 #include "app/cli/interrupt.h"
 #include "engine/base/number_text.h"
+#include "engine/product/alternatives.h"
 #include "engine/scenario/plan_file.h"
 #include "engine/scenario/product_file.h"
 #include "engine/sequence/fasteners.h"
@@ -298,6 +299,7 @@ int runSequence(const SequenceOptions& options) {
   const double deflection = earlier ? earlier->deflection : options.deflection;
   auto loaded = loadProduct(options.file, interrupt.token(), deflection);
   if (!loaded) return reportError(loaded.error(), options.format);
+  if (const Outcome left = leaveOut(options.without, *loaded); !left) return reportError(left.error(), options.format);
   AssembledProduct& product = loaded->product;
   product.fits = withOptions(product.fits, options.fits);
   if (earlier) {
@@ -321,6 +323,7 @@ int runSequence(const SequenceOptions& options) {
   if (!fits) return reportError(fits.error(), options.format);
   reportWarnings(loaded->warnings);
   reportWarnings(fits->warnings());
+  reportWarnings(warningsOf(findAlternatives(product.bodies, fits->contacts(), interrupt.token()), product.bodies));
 
   const std::uint64_t seed = earlier ? earlier->seed : options.seed.value_or(1);
   ProgressHost host(stop, team, product, begin);

@@ -23,6 +23,7 @@ struct SequenceOptions {
   std::vector<std::string> forbidden;  ///< demands: "name,-z" or "name,0,0,-1"
   std::vector<double> gravity;         ///< its direction; empty: the scenario's, or down
   std::string cost;                    ///< of best-first: a preset or an expression; empty: the scenario's
+  std::vector<std::string> without{};  ///< bodies and assemblies that are left out
   double deflection = 0.0;             ///< metres, of STEP files; 0: by the size of each part
   std::string out;                     ///< plan file to write; empty: none
   double saveEvery = 5.0;              ///< seconds after which the plan so far is written

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "engine/base/body_choice.h"
 #include "engine/base/body_path.h"
 #include "engine/base/file.h"
 #include "engine/base/limits.h"
@@ -285,6 +286,26 @@ Result<Product> readProduct(const std::string& file, double deflection, const Fi
   }
   centre(product.bodies);
   return product;
+}
+
+Outcome leaveOut(const std::vector<std::string>& names, Product& product) {
+  if (names.empty()) return Done{};
+  std::vector<std::string> ids;
+  for (const Body& body : product.bodies) ids.push_back(body.id);
+  const auto meant = bodiesMeant(ids, names, "--without");
+  if (!meant) return meant.error();
+  std::vector<Body> rest;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!(*meant)[i]) {
+      rest.push_back(product.bodies[i]);
+      continue;
+    }
+    product.warnings.push_back({ErrorKind::MalformedInput, "", "'" + product.bodies[i].name + "'", "is left out",
+                                "Proofs are about the product without it."});
+    std::erase_if(product.fits.pairs, [&](const PairWord& word) { return word.a == ids[i] || word.b == ids[i]; });
+  }
+  product.bodies = std::move(rest);
+  return Done{};
 }
 
 }  // namespace glissade::check

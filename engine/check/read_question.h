@@ -25,4 +25,8 @@ Result<Question> readQuestion(const std::string& file, const FitChoice& fits = {
 Result<Product> readProduct(const std::string& file, double deflection, const FitChoice& fits = {},
                             const StopToken& stop = {});
 
+/// Takes away the bodies that a person means by the names, and what is said of their fits; the option --without. A
+/// warning says which. A plan cannot ask for that. Errors: as of bodiesMeant().
+Outcome leaveOut(const std::vector<std::string>& names, Product& product);
+
 }  // namespace glissade::check

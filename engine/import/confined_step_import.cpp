@@ -15,6 +15,7 @@
 #include "engine/import/confinement.h"
 #include "engine/import/step_assembly.h"
 #include "engine/import/step_healing_notes.h"
+#include "engine/import/step_shape_notes.h"
 #include "engine/import/step_tessellation.h"
 #include "engine/import/step_text_check.h"
 
@@ -36,6 +37,7 @@ class Message {
  public:
   Message(double deflection, const StepAssembly& assembly)
       : deflection_(deflection), rootName_(assembly.rootName), externalParts_(assembly.externalParts) {
+    addNotes(assembly.curves);
     for (const std::string& loss : assembly.losses) notes_ += protocol::kLossLine + ("\t" + loss) + "\n";
     total_.kind = protocol::kAssembly;
     for (const StepSolid& solid : assembly.solids) add(solid, assembly.faceEntities);
@@ -111,7 +113,9 @@ class Message {
 
   void addShape(const StepSolid& solid, const FaceEntities& entities) {
     shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
-    addNotes(healingNotes(shapes_.back(), entities, solid.path.empty() ? rootName_ : solid.path));
+    const std::string& part = solid.path.empty() ? rootName_ : solid.path;
+    addNotes(healingNotes(shapes_.back(), entities, part));
+    addNotes(shapeNotes(solid.shape, shapes_.back(), part));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;

@@ -19,10 +19,13 @@ inline constexpr std::uint32_t kMesh = 1;
 inline constexpr std::uint32_t kError = 2;
 inline constexpr std::uint32_t kAssembly = 3;
 inline constexpr std::uint32_t kNotConfined = 4;
-/// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful.
+/// Kinds of notes: something is missing; a face got new triangles; the volume of a part with such a face is doubtful; a
+/// part has no inside; curves are left out.
 inline constexpr char kLossLine = 'L';
 inline constexpr char kHealedLine = 'H';
 inline constexpr char kVolumeLine = 'V';
+inline constexpr char kShapeLine = 'S';
+inline constexpr char kCurveLine = 'C';
 /// Metres: the unit of every length in an assembly.
 inline constexpr double kMillimetre = 0.001;
 

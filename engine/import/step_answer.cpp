@@ -105,6 +105,13 @@ class StepDecoder {
     }
     const std::string doubt = "Do not trust paths near it; export it again, or as a mesh.";
     if (kind == protocol::kVolumeLine) return {ErrorKind::MalformedInput, call_.file, where, what, doubt};
+    if (kind == protocol::kShapeLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what,
+              "It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without)."};
+    }
+    if (kind == protocol::kCurveLine) {
+      return {ErrorKind::MalformedInput, call_.file, where, what, "Give them faces if they are parts."};
+    }
     return {ErrorKind::MalformedInput, call_.file, where,
             what + ": the part is not closed there; proofs take what is missing as free space", doubt};
   }

@@ -9,6 +9,7 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_MapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -25,6 +26,7 @@
 #include "engine/import/step_external_files.h"
 #include "engine/import/step_losses.h"
 #include "engine/import/step_mirrors.h"
+#include "engine/import/step_shape_notes.h"
 
 namespace glissade {
 namespace {
@@ -138,6 +140,9 @@ class AssemblyWalk {
     const TopoDS_Shape whole = XCAFDoc_ShapeTool::GetShape(product);
     const std::vector<TopoDS_Shape> shapes = rigidShapesOf(whole);
     if (shapes.empty()) addExternalPart(whole, place);
+    if (!shapes.empty() && seen_.Add(whole.Located(TopLoc_Location()))) {
+      for (std::string& note : curveNotes(whole, place.path)) assembly_.curves.push_back(std::move(note));
+    }
     UniqueNames names;
     for (const TopoDS_Shape& shape : shapes) {
       if (assembly_.solids.size() == protocol::kMostParts) {
@@ -209,6 +214,7 @@ class AssemblyWalk {
   Handle(XCAFDoc_ColorTool) colours_;
   ExternalFiles externalFiles_;
   MirroredInstances& mirrored_;
+  TopTools_MapOfShape seen_;  ///< products, wherever they are placed
   StepAssembly assembly_;
   std::size_t occurrences_ = 0;
 };

@@ -35,6 +35,7 @@ struct StepAssembly {
   std::string rootName;  ///< of the one product of the file, where it is no assembly; else empty
   std::vector<StepSolid> solids;
   std::vector<StepExternalPart> externalParts;
+  std::vector<std::string> curves;  ///< notes: of products with curves that lie on no face
   std::vector<std::string> losses;  ///< "entity, tab, what is missing", as "#45<tab>its face #12 could not be made"
   FaceEntities faceEntities;
 };

@@ -92,8 +92,9 @@ Decision decide(const Contact& contact, const FitEdit* edit, const FitSettings& 
   return decision;
 }
 
-/// That has to be accepted.
-double overlapOf(const Contact& contact, const check::PairBounds& bounds) {
+/// That has to be accepted: as the contact has it, exact for fitted surfaces; else by the evidence.
+double clashOverlap(const Contact& contact, const check::PairBounds& bounds) {
+  if (contact.kind == ContactKind::Clash) return contact.overlap;
   return std::max({contact.overlap, bounds.one.largest.overlap, bounds.other.largest.overlap});
 }
 
@@ -252,7 +253,7 @@ class FitFinder {
     const bool marked = edit != nullptr && edit->kind == ContactKind::Thread;
     if (marked && found.contact.axis) fit.thread = threadOf(found, edit);
     if (decision.refused) {
-      const double overlap = overlapOf(found.contact, bounds);
+      const double overlap = clashOverlap(found.contact, bounds);
       fit.allowance = overlap + found.contact.deviation;
       refuse(fit, "overlap by " + millimetres(overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/base/body_choice.h"
 #include "engine/import/geometry_loader.h"
 #include "engine/scenario/part_files.h"
 #include "engine/scenario/scenario_fits.h"
@@ -77,6 +78,35 @@ Result<ProductFile> readProduct(const std::string& file, const StopToken& stop, 
   auto loaded = isPart ? productOfParts(file, stop, deflection) : productOfScenario(file, stop);
   if (loaded) loaded->deviation = largestTwo(loaded->product.deflections);
   return loaded;
+}
+
+Outcome leaveOut(const std::vector<std::string>& names, ProductFile& loaded) {
+  if (names.empty()) return Done{};
+  AssembledProduct& product = loaded.product;
+  std::vector<std::string> ids;
+  for (const RigidBody& body : product.bodies) ids.push_back(body.id);
+  const auto meant = bodiesMeant(ids, names, "--without");
+  if (!meant) return meant.error();
+  AssembledProduct rest;
+  rest.fits = product.fits;
+  const auto isLeftOut = [&](const std::string& id) {
+    const auto index = product.indexOf(id);
+    return index && (*meant)[*index];
+  };
+  std::erase_if(rest.fits.pairs, [&](const FitEdit& edit) { return isLeftOut(edit.a) || isLeftOut(edit.b); });
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if ((*meant)[i]) {
+      loaded.warnings.push_back({ErrorKind::MalformedInput, "", "'" + product.bodies[i].shown() + "'", "is left out",
+                                 "Proofs are about the product without it."});
+      continue;
+    }
+    rest.bodies.push_back(product.bodies[i]);
+    rest.deflections.push_back(product.deflections[i]);
+    if (!product.spacings.empty()) rest.spacings.push_back(product.spacings[i]);
+  }
+  labelBodies(rest.bodies);
+  product = std::move(rest);
+  return Done{};
 }
 
 Result<ProductFile> loadProduct(const std::string& file, const StopToken& stop, double deflection) {

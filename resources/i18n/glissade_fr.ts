@@ -3355,6 +3355,26 @@
         <translation>ses triangles enferment %1 millimètres cubes, et ses faces %2&#xa0;: la différence dépasse ce que l&apos;écart des triangles explique</translation>
     </message>
     <message>
+        <source>is no solid: its faces (%1) bound nothing, %2 of their edges are open</source>
+        <translation>n&apos;est pas un solide&#xa0;: ses faces (%1) ne délimitent rien, %2 de leurs arêtes sont ouvertes</translation>
+    </message>
+    <message>
+        <source>has no thickness: its faces enclose no volume</source>
+        <translation>n&apos;a pas d&apos;épaisseur&#xa0;: ses faces n&apos;enferment aucun volume</translation>
+    </message>
+    <message>
+        <source>has curves that lie on no face (%1): they are left out</source>
+        <translation>a des courbes qui ne sont sur aucune face (%1)&#xa0;: elles sont ignorées</translation>
+    </message>
+    <message>
+        <source>It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without).</source>
+        <translation>C&apos;est un obstacle qui peut se trouver à l&apos;intérieur d&apos;autres. Exportez-le comme solide, ou écartez-le (--without).</translation>
+    </message>
+    <message>
+        <source>Give them faces if they are parts.</source>
+        <translation>Donnez-leur des faces si ce sont des pièces.</translation>
+    </message>
+    <message>
         <source>%1 more faces were triangulated from their boundaries</source>
         <translation>%1 autres faces ont été triangulées à partir de leurs contours</translation>
     </message>
@@ -4385,6 +4405,30 @@
     <message>
         <source>fit so that one of them would have to be taken %1 thinner, which the local thickness or the shape of neither gives: it counts as a clash</source>
         <translation>s&apos;ajustent de telle sorte que l&apos;un des deux devrait être aminci de %1, ce que ni leur épaisseur locale ni leur forme ne permettent&#xa0;: c&apos;est une collision</translation>
+    </message>
+    <message>
+        <source>is left out</source>
+        <translation>est écarté</translation>
+    </message>
+    <message>
+        <source>Proofs are about the product without it.</source>
+        <translation>Les preuves portent sur le produit sans lui.</translation>
+    </message>
+    <message>
+        <source>leaves no body</source>
+        <translation>ne laisse aucun corps</translation>
+    </message>
+    <message>
+        <source>Name fewer bodies.</source>
+        <translation>Nommez moins de corps.</translation>
+    </message>
+    <message>
+        <source>fill the same place (%1 % of the larger one): they may be variants of one part</source>
+        <translation>remplissent la même place (%1 % du plus grand)&#xa0;: ce sont peut-être des variantes d&apos;une même pièce</translation>
+    </message>
+    <message>
+        <source>Leave one out (--without %1).</source>
+        <translation>Écartez-en un (--without %1).</translation>
     </message>
     <message>
         <source>Mend the parts.</source>

@@ -643,6 +643,54 @@ TEST_F(Cli, AClashIsAcceptedByAPersonOnly) {
   EXPECT_NE(unknown.err.find("/fits/pairs/0"), std::string::npos) << unknown.err;
 }
 
+/// A plan cannot leave a body out by itself: the check has to be told so, too.
+TEST_F(Cli, WhatAPersonLeavesOutIsNotThere) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const std::string plan = (folder / "plan.json").string();
+  const Finished found = run("sequence " + product + " --without block --json --out " + plan);
+  ASSERT_EQ(found.exitCode, 0) << found.err;
+  EXPECT_NE(found.err.find("'block': is left out"), std::string::npos) << found.err;
+  EXPECT_EQ(Json::parse(found.out)["parts"], 6);
+  EXPECT_EQ(run("check " + product + " " + plan).exitCode, 1) << "the block is there";
+  const Finished check = run("check " + product + " " + plan + " --without block");
+  EXPECT_EQ(check.exitCode, 0) << check.out << check.err;
+  EXPECT_NE(check.err.find("'block': is left out"), std::string::npos) << check.err;
+  const Json fits = Json::parse(run("fits " + product + " --without block --json").out);
+  EXPECT_EQ(fits["counts"].count("clash"), 0U) << fits["counts"];
+  const std::string made = (folder / "screw.json").string();
+  ASSERT_EQ(run("new " + made + " --moves " + product + ":screw --static " + product + " --without block").exitCode, 0);
+  EXPECT_EQ(Json::parse(read(made))["bodies"].size(), 6U);
+  const Finished unknown = run("fits " + product + " --without blok");
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_NE(unknown.err.find("'blok', which is not a body"), std::string::npos) << unknown.err;
+}
+
+/// The smaller body gives way, whichever moves, and the table says so in each form.
+TEST_F(Cli, FitsSayWhichBodyGivesWayAndWhyAPairIsRefused) {
+  const std::string product = glissade::test::stepFile("fits.step");
+  const Json fits = Json::parse(run("fits " + product + " --json").out);
+  int refused = 0;
+  for (const Json& pair : fits["pairs"]) {
+    ASSERT_EQ(pair["ways"].size(), 2U);
+    const bool isClash = pair["status"] == "clash";
+    refused += isClash ? 1 : 0;
+    for (const Json& way : pair["ways"]) {
+      EXPECT_EQ(way.contains("refused"), isClash) << pair;
+      EXPECT_EQ(way["thinner"].empty(), isClash) << pair;
+    }
+    if (isClash) continue;
+    const Json& first = pair["ways"][0]["thinner"];
+    const Json& second = pair["ways"][1]["thinner"];
+    ASSERT_EQ(first.size(), second.size()) << pair;
+    for (const Json& each : first) EXPECT_NE(each["body"], "fits/plate") << "the plate is the largest";
+  }
+  EXPECT_EQ(refused, 1);
+  const std::string table = run("fits " + product).out;
+  EXPECT_NE(table.find("taken thinner"), std::string::npos) << table;
+  EXPECT_NE(table.find("clash "), std::string::npos) << table;
+  EXPECT_NE(run("fits " + product + " --csv").out.find("status,thinner,refused"), std::string::npos);
+}
+
 TEST_F(Cli, AProductIsTakenApartAndTheCheckAgrees) {
   const std::string product = glissade::test::stepFile("fits.step");
   const std::string plan = (folder / "plan.json").string();

@@ -15,7 +15,7 @@ class PathPanelTest : public testing::Test {
   PathPanelTest() {
     auto loaded = loadScenario(test::sourceDirectory() + "/samples/sliding-plane/scenario.json");
     scenario = std::move(*loaded);
-    scenario.obstacles[1].name = "Cover <11 kW>";
+    scenario.obstacles[1].label = "Cover <11 kW>";
   }
 
   /// A metre along x, blocked half way along the second of its two edges.

@@ -4,6 +4,8 @@
 #include <BRepBuilderAPI_GTransform.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -16,7 +18,9 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -29,6 +33,7 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "tests/step_files/countersunk_ring.h"
 
@@ -232,6 +237,43 @@ void writeSplit(const std::string& folder) {
   product.write(folder + "/split.step", "MM", "split-");
 }
 
+TopoDS_Shape compoundOf(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound compound;
+  BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+  return compound;
+}
+
+TopoDS_Shape sheetAt(double height, bool upwards = true) {
+  const gp_Pln plane(gp_Pnt(0, 0, height), gp_Dir(0, 0, upwards ? 1 : -1));
+  return BRepBuilderAPI_MakeFace(plane, -20.0, 20.0, -10.0, 10.0);
+}
+
+/// Of the two sides of one sheet.
+TopoDS_Shape flatSolid() {
+  BRepBuilderAPI_Sewing sewing;
+  sewing.Add(sheetAt(200));
+  sewing.Add(sheetAt(200, false));
+  sewing.Perform();
+  return BRepBuilderAPI_MakeSolid(TopoDS::Shell(sewing.SewedShape()));
+}
+
+/// Two sheets; a box beside three lonely edges; a solid of two sides of one sheet; the shell of a box.
+void writeOddShapes(const std::string& file) {
+  Product product;
+  const TDF_Label odd = product.assembly("odd");
+  const auto add = [&](const char* name, const TopoDS_Shape& shape) {
+    product.put(product.part(name, shape), odd, at(0, 0, 0));
+  };
+  const auto edge = [](double x) { return BRepBuilderAPI_MakeEdge(gp_Pnt(x, 0, 60), gp_Pnt(x, 9, 60)).Shape(); };
+  add("sheets", compoundOf({sheetAt(100), sheetAt(120)}));
+  add("wired", compoundOf({box(10, 10, 10), edge(0), edge(1), edge(2)}));
+  add("flat", flatSolid());
+  add("shell", TopExp_Explorer(box(30, 30, 30), TopAbs_SHELL).Current());
+  product.write(file);
+}
+
 void writeAll(const std::string& folder) {
   writePart(folder + "/box.step", "box", box(100, 50, 20));
   writePart(folder + "/cylinder.STP", "cylinder", cylinder(10, 40));
@@ -248,6 +290,7 @@ void writeAll(const std::string& folder) {
   writeCountersunkRing(folder + "/box.step", folder + "/countersunk-ring.step");
   writeAssembly(folder + "/unit.step");
   writeFits(folder + "/fits.step");
+  writeOddShapes(folder + "/odd-shapes.step");
   writeSplit(folder);
 }
 

@@ -84,6 +84,13 @@ inline constexpr const char* kImportSentences[] = {
     QT_TRANSLATE_NOOP("Diagnostics",
                       "its triangles enclose %1 cubic millimetres, and its faces %2: they differ by more than the "
                       "deviation of the triangles explains"),
+    QT_TRANSLATE_NOOP("Diagnostics", "is no solid: its faces (%1) bound nothing, %2 of their edges are open"),
+    QT_TRANSLATE_NOOP("Diagnostics", "has no thickness: its faces enclose no volume"),
+    QT_TRANSLATE_NOOP("Diagnostics", "has curves that lie on no face (%1): they are left out"),
+    QT_TRANSLATE_NOOP(
+        "Diagnostics",
+        "It is an obstacle that can be inside of others. Export it as a solid, or leave it out (--without)."),
+    QT_TRANSLATE_NOOP("Diagnostics", "Give them faces if they are parts."),
     QT_TRANSLATE_NOOP("Diagnostics", "%1 more faces were triangulated from their boundaries"),
     QT_TRANSLATE_NOOP("Diagnostics",
                       "The deviation counts in every certificate; export the part as a mesh if it is too much."),

@@ -125,6 +125,12 @@ inline constexpr const char* kPlanningSentences[] = {
                       "fit so that one of them would have to be taken %1 thinner, which the local thickness or the "
                       "shape of neither gives: it counts as a clash"),
     QT_TRANSLATE_NOOP("Diagnostics", "Mend the parts."),
+    QT_TRANSLATE_NOOP("Diagnostics", "is left out"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Proofs are about the product without it."),
+    QT_TRANSLATE_NOOP("Diagnostics", "leaves no body"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Name fewer bodies."),
+    QT_TRANSLATE_NOOP("Diagnostics", "fill the same place (%1 % of the larger one): they may be variants of one part"),
+    QT_TRANSLATE_NOOP("Diagnostics", "Leave one out (--without %1)."),
     QT_TRANSLATE_NOOP("Diagnostics", "against %1"),
     QT_TRANSLATE_NOOP("Diagnostics", "it was to leave as step %1, and no motion was found there"),
     QT_TRANSLATE_NOOP("Diagnostics", "it is demanded that %1 leaves before"),

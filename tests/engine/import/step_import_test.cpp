@@ -96,10 +96,26 @@ TEST(StepImport, SeveralSolidsOfAProductAreParts) {
   EXPECT_THAT(pathsOf(partsOf("two-solids.step")), ElementsAre("two/solid", "two/solid#2"));
 }
 
-TEST(StepImport, ASheetIsAPartThatIsNotClosed) {
-  const StepPart sheet = onePart("surface.step");
-  EXPECT_FALSE(audit(*sheet.mesh).closed());
-  EXPECT_EQ(sheet.mesh->triangles.size(), 2U);
+TEST(StepImport, ASheetIsAPartThatIsNotClosedAndThatIsSaid) {
+  const auto product = importStep(stepFile("surface.step"), 0.0);
+  ASSERT_TRUE(product);
+  ASSERT_EQ(product->parts.size(), 1U);
+  EXPECT_FALSE(audit(*product->parts[0].mesh).closed());
+  EXPECT_EQ(product->parts[0].mesh->triangles.size(), 2U);
+  ASSERT_EQ(product->warnings.size(), 1U);
+  EXPECT_EQ(product->warnings[0].reason, "is no solid: its faces (1) bound nothing, 4 of their edges are open");
+}
+
+TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
+  const auto product = importStep(stepFile("odd-shapes.step"), 0.0);
+  ASSERT_TRUE(product);
+  std::vector<std::string> said;
+  for (const Diagnostic& warning : product->warnings) said.push_back(warning.location + ": " + warning.reason);
+  EXPECT_THAT(said, testing::UnorderedElementsAre(
+                        "part 'odd/sheets': is no solid: its faces (2) bound nothing, 8 of their edges are open",
+                        "part 'odd/wired': has curves that lie on no face (3): they are left out",
+                        "part 'odd/flat': has no thickness: its faces enclose no volume"));
+  EXPECT_EQ(product->parts.size(), 4U) << "a closed shell is no solid, but bounds one";
 }
 
 TEST(StepImport, DeflectionIsAtMostAThousandthOfTheDiagonalWithinLimitsUnlessSomebodySays) {

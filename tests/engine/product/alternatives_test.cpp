@@ -1,0 +1,53 @@
+#include "engine/product/alternatives.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/geometry/primitives.h"
+#include "tests/engine/product/screwed_parts.h"
+#include "tests/engine/support/random_pose.h"
+
+namespace glissade {
+namespace {
+
+std::vector<Alternative> alternativesOf(const std::vector<RigidBody>& bodies) {
+  std::vector<ContactBody> contactBodies;
+  for (const RigidBody& body : bodies) contactBodies.push_back({body.id, body.mesh, body.X_WB, 0.0});
+  return findAlternatives(bodies, findContacts(contactBodies).contacts);
+}
+
+/// Boxes that share a slab: the share of the larger one's volume is known.
+TEST(Alternatives, AreBodiesThatFillAtLeastHalfOfThePlaceTogether) {
+  RandomStream random(1, "alternatives");
+  for (const double shift : {0.002, 0.01, 0.018, 0.022, 0.03}) {
+    const Pose place = randomPose(random, 0.2);
+    const std::vector<RigidBody> bodies{
+        test::partAt("a", makeBox({0.04, 0.03, 0.02}), place),
+        test::partAt("b", makeBox({0.04, 0.03, 0.02}), place * Pose::translation({shift, 0.0, 0.0}))};
+    const auto found = alternativesOf(bodies);
+    const double share = 1.0 - shift / 0.04;
+    ASSERT_EQ(found.size(), share >= 0.5 ? 1U : 0U) << share;
+    if (share < 0.5) continue;
+    EXPECT_NEAR(found.front().share, share, 0.02);
+    EXPECT_NE(warningsOf(found, bodies).front().advice.find("--without a"), std::string::npos);
+  }
+}
+
+TEST(Alternatives, AScrewInABlockWithoutAHoleIsNone) {
+  EXPECT_TRUE(alternativesOf({test::partAt("block", makeBox({0.05, 0.05, 0.03}), Pose::identity()),
+                              test::partAt("screw", test::makeRing(0.0, 0.003, 0.04, 24), Pose::identity())})
+                  .empty());
+}
+
+TEST(Alternatives, OpenBodiesAndThoseThatOnlyTouchAreNone) {
+  const TriangleMesh box = makeBox({0.04, 0.03, 0.02});
+  TriangleMesh open = box;
+  open.triangles.pop_back();
+  EXPECT_TRUE(
+      alternativesOf({test::partAt("a", box, Pose::identity()), test::partAt("b", open, Pose::identity())}).empty());
+  EXPECT_TRUE(alternativesOf({test::partAt("a", box, Pose::identity()),
+                              test::partAt("b", box, Pose::translation({0.04, 0.0, 0.0}))})
+                  .empty());
+}
+
+}  // namespace
+}  // namespace glissade
