@@ -192,6 +192,8 @@ TEST(Architecture, OnlyTheImportingProcessKnowsOpenCascade) {
                                       "engine/import/step_losses.h",
                                       "engine/import/step_mirrors.cpp",
                                       "engine/import/step_mirrors.h",
+                                      "engine/import/step_shape_notes.cpp",
+                                      "engine/import/step_shape_notes.h",
                                       "engine/import/step_tessellation.cpp",
                                       "engine/import/step_tessellation.h"};
   static const std::regex openCascade(R"(\.hxx$)");

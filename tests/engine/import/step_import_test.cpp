@@ -112,9 +112,9 @@ TEST(StepImport, PartsWithoutAnInsideAndLonelyCurvesAreNamed) {
   std::vector<std::string> said;
   for (const Diagnostic& warning : product->warnings) said.push_back(warning.location + ": " + warning.reason);
   EXPECT_THAT(said, testing::UnorderedElementsAre(
-                        "part 'odd/sheets': is no solid: its faces (2) bound nothing, 8 of their edges are open",
-                        "part 'odd/wired': has curves that lie on no face (3): they are left out",
-                        "part 'odd/flat': has no thickness: its faces enclose no volume"));
+                        "part 'sheets': is no solid: its faces (2) bound nothing, 8 of their edges are open",
+                        "part 'wired': has curves that lie on no face (3): they are left out",
+                        "part 'flat': has no thickness: its faces enclose no volume"));
   EXPECT_EQ(product->parts.size(), 4U) << "a closed shell is no solid, but bounds one";
 }
 
