@@ -47,6 +47,7 @@ struct Sound {
   double fit = 0.0;      ///< metres: what the pair of a path overlaps by
   double radius = 0.0;   ///< metres, of the object
   double clearOf = 0.0;  ///< height of the block's top, metres
+  double corner = 1.0;   ///< as of TrappedPair
 };
 
 class Mutations {
@@ -176,6 +177,7 @@ class Mutations {
         for (const Point& p : triangle) sound.radius = std::max(sound.radius, length(p));
       }
       sound.fit = kMillimetre * pair.fit;
+      sound.corner = pair.corner;
       sound.clearOf = kMillimetre * pair.top;
       checkSound(sound);
       return sound;
@@ -206,7 +208,7 @@ class Mutations {
     if (poses->back().position[2] < sound.clearOf && length(poses->back().position - start) < sound.radius)
       return "it ends inside";
     const StatedSum stated = statedAgainst(path.at("allowances"), "block");
-    const double deep = stated.moving + stated.yielding + 1e-4 * sound.fit + 1e-6;
+    const double deep = sound.corner * (stated.moving + stated.yielding) + 1e-4 * sound.fit + 1e-6;
     const ExactJudge judge({{sound.bodies[0].triangles}, sound.bodies[1].triangles});
     for (std::size_t edge = 0; edge + 1 < poses->size(); ++edge) {
       for (int i = 0; i <= kSamplesOfAnEdge; ++i) {

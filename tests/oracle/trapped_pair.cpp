@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <sstream>
 
@@ -53,6 +54,8 @@ class PairMaker {
     corners_ = static_cast<int>(std::exp(uniform(std::log(few), std::log(200.99))));
     if (shape_ == Shape::Gear) corners_ = 4 * std::max(3, corners_ / 4);
     pair_.round = shape_ != Shape::Gear && fit_ != FitPlace::Bump && corners_ >= 48;
+    // Teeth are steep: a corner of a thinned body moves by two allowances at most.
+    pair_.corner = shape_ == Shape::Gear ? 2.0 : 1.0 / std::cos(std::numbers::pi / corners_);
     const double least = leastLip_ + 2e-4 * radius_;
     const double most = 0.01 * radius_;
     pair_.lip = trapped_ ? std::exp(uniform(std::log(least), std::log(std::max(most, 1.01 * least)))) : 0.0;

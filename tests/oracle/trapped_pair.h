@@ -16,6 +16,9 @@ struct TrappedPair {
   double lip = 0.0;    ///< by how much the lip is over the body; 0: there is none, the body leaves
   double fit = 0.0;    ///< by how much another place of the pair overlaps
   double top = 0.0;    ///< of the block
+  /// How much farther a corner is from the other body's surface than the faces at it, where these are in it: the
+  /// surface that is nearest to a corner may be a corner.
+  double corner = 1.0;
 
   bool isTrapped() const { return lip > 0.0; }
 };
