@@ -227,8 +227,28 @@ class ThinBody {
     const Eigen::Matrix3d damped = sum + kDamping * angles * Eigen::Matrix3d::Identity();
     const Vector3 move = -damped.colPivHouseholderQr().solve(right);
     if (const double share = shareOf(move, faces, allowance); share >= 0.0) return share * move;
+    const Vector3 across = acrossAllowed(faces, allowance);
+    if (const double share = shareOf(across, faces, allowance); share >= 0.0) return share * across;
     const Vector3 plain = mean.norm() > 0.0 ? Vector3(-allowance * mean / mean.norm()) : Vector3(Vector3::Zero());
     return std::max(0.0, shareOf(plain, faces, allowance)) * plain;
+  }
+
+  /// Against the faces that have an allowance only, so that each of them moves by what it has. The facets of a chamfer
+  /// beside them are not in one plane: a corner cannot slide along all of them.
+  Vector3 acrossAllowed(const Angles& faces, double allowance) const {
+    Vector3 sum = Vector3::Zero();
+    for (const auto& [f, angle] : faces) sum += (allowances_[f] > 0.0 ? angle : 0.0) * normals_[f];
+    if (!(sum.norm() > 0.0)) return Vector3::Zero();
+    const Vector3 inwards = -sum / sum.norm();
+    double way = 0.0;
+    for (const auto& [f, angle] : faces) {
+      const double wanted = std::min(allowances_[f], rooms_[f]);
+      const double cosine = -normals_[f].dot(inwards);
+      if (wanted <= 0.0) continue;
+      if (cosine <= wanted / (kLongestMove * allowance)) return allowance * inwards;
+      way = std::max(way, wanted / cosine);
+    }
+    return way * inwards;
   }
 
   /// Below zero where a face would move outwards.

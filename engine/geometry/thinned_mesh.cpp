@@ -53,6 +53,27 @@ double thicknessBelow(const TriangleTree& surface, const Triangle& triangle, con
   return least;
 }
 
+/// The move of a vertex against the faces that have an allowance only. At the edge of a chamfer, whose facets are
+/// tilted against each other, a vertex cannot slide along all of them.
+template <class Corners, class Faces>
+Vector3 againstThoseAllowed(const Corners& corners, const Faces& faces, const std::vector<double>& allowances,
+                            double largest) {
+  Vector3 mean = Vector3::Zero();
+  for (const auto& [f, angle] : corners) {
+    if (allowances[f] > 0.0) mean += angle * faces[f].normal;
+  }
+  const Vector3 direction = -mean.stableNormalized();
+  double length = 0.0;
+  for (const auto& [f, angle] : corners) {
+    const double asked = std::min(allowances[f], faces[f].room);
+    if (asked <= 0.0) continue;
+    const double inwards = -faces[f].normal.dot(direction);
+    if (inwards * kLongestThinning * largest <= asked) return largest * direction;
+    length = std::max(length, asked / inwards);
+  }
+  return length * direction;
+}
+
 /// Numbers of the surfaces that hang together by shared vertices.
 std::vector<std::uint32_t> shellsOf(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());
@@ -141,6 +162,8 @@ Vector3 ThinnableMesh::moveOf(std::size_t vertex, const std::vector<double>& all
   matrix.diagonal().array() += kStill * weights;
   const Vector3 least = matrix.ldlt().solve(moments);
   if (const auto move = shortened(least, vertex, allowances, largest)) return *move;
+  const Vector3 plain = againstThoseAllowed(corners_[vertex], faces_, allowances, largest);
+  if (const auto move = shortened(plain, vertex, allowances, largest)) return *move;
   return shortened(-largest * mean.stableNormalized(), vertex, allowances, largest).value_or(Vector3::Zero());
 }
 

@@ -18,11 +18,13 @@ inline constexpr double kLongestThinning = 2.0;
 ///
 /// Definition. A face may move inwards by its room: its allowance, or a fifth of the thickness below the face where
 /// that is less. A vertex moves to where the planes of its faces, each moved by its room, meet: the least squares'
-/// solution with the faces' angles as weights; where that moves a face outwards, by the largest allowance of these
-/// faces against the mean of the normals, with the same weights. The move is shortened so that no face moves farther
-/// than the largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves
-/// outwards still, the vertex stays. So the thinned body is inside the true one, to a hundred thousandth of the
-/// allowance, and holds every point of it that is deeper than two allowances.
+/// solution with the faces' angles as weights. So it slides along faces without an allowance. Where that moves a face
+/// outwards, as at a chamfer whose facets are tilted, it moves against the mean of the normals of the faces that have
+/// an allowance, as far as these ask for; where that moves one outwards, too, by the largest allowance of the faces
+/// against the mean of all normals, with the same weights. The move is shortened so that no face moves farther than the
+/// largest allowance or its fifth, and the vertex by no more than two of these allowances; where a face moves outwards
+/// still, the vertex stays. So the thinned body is inside the true one, to a hundred thousandth of the allowance, and
+/// holds every point of it that is deeper than two allowances.
 ///
 /// Immutable, shared by threads.
 class ThinnableMesh {
