@@ -2,15 +2,10 @@
 
 #include <sstream>
 
+#include "engine/product/length_words.h"
+
 namespace glissade {
 namespace {
-
-std::string millimetres(double metres) {
-  std::ostringstream text;
-  text.precision(3);
-  text << metres * 1e3 << " mm";
-  return text.str();
-}
 
 /// Of the body that is taken thinner.
 Fit::Role roleOfThinner(const Fit& fit) {
@@ -28,9 +23,9 @@ std::string inWords(const Fit& fit, const std::string& object, const std::string
   if (roleOfThinner(fit) == Fit::Role::Shaft) where = isThread ? " in the tapped hole of " : " in the hole of ";
   if (roleOfThinner(fit) == Fit::Role::Hole) where = isThread ? " on the thread of " : " on the shaft of ";
   std::string words =
-      thinner + " taken " + millimetres(fit.allowance) + " thinner" + where + other + " (" + kindName(fit.kind) + ")";
+      thinner + " taken " + inMillimetres(fit.allowance) + " thinner" + where + other + " (" + kindName(fit.kind) + ")";
   if (!fit.thread) return words;
-  words += ", pitch " + millimetres(fit.thread->rule.pitch);
+  words += ", pitch " + inMillimetres(fit.thread->rule.pitch);
   return fit.thread->size.empty() ? words : words + " (ISO coarse, " + fit.thread->size + ")";
 }
 

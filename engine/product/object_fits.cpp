@@ -8,19 +8,13 @@
 
 #include "engine/product/common_axis.h"
 #include "engine/product/fit_words.h"
+#include "engine/product/length_words.h"
 #include "engine/product/loose_nut.h"
 #include "engine/product/modelled_thread.h"
 #include "engine/product/thread_pitch.h"
 
 namespace glissade {
 namespace {
-
-std::string millimetres(double metres) {
-  std::ostringstream text;
-  text.precision(3);
-  text << metres * 1e3 << " mm";
-  return text.str();
-}
 
 /// A contact of the object, which is `b`, with an obstacle, and at which of the ends.
 struct FoundContact {
@@ -175,9 +169,9 @@ class FitFinder {
       const double most = kMostThinning * std::max(thicknessOf(object_), thicknessOf(body(other)));
       if (*edit.allowance > most) {
         return refused(i,
-                       "allows " + millimetres(*edit.allowance) + ", more than the thickness of '" + edit.a +
+                       "allows " + inMillimetres(*edit.allowance) + ", more than the thickness of '" + edit.a +
                            "' or of '" + edit.b + "' gives",
-                       "Give at most " + millimetres(most) + ".");
+                       "Give at most " + inMillimetres(most) + ".");
       }
     }
     return Done{};
@@ -255,7 +249,7 @@ class FitFinder {
     if (decision.refused) {
       const double overlap = clashOverlap(found.contact, bounds);
       fit.allowance = overlap + found.contact.deviation;
-      refuse(fit, "overlap by " + millimetres(overlap) + ", which is a clash",
+      refuse(fit, "overlap by " + inMillimetres(overlap) + ", which is a clash",
              "Accept it (--accept-clashes " + millimetresUp(overlap) + "), or mend the parts.");
     } else if (found.contact.kind == ContactKind::Clearance || (bounds.one.most <= 0.0 && bounds.other.most <= 0.0)) {
       if (fit.thread) fits_.allowed.push_back(fit);
@@ -350,7 +344,7 @@ class FitFinder {
     Fit wanted = fit;
     wanted.allowance = std::max(bounds.one.most, bounds.other.most);
     refuse(wanted,
-           "fit so that one of them would have to be taken " + millimetres(wanted.allowance) +
+           "fit so that one of them would have to be taken " + inMillimetres(wanted.allowance) +
                " thinner, which the local thickness or the shape of neither gives: it counts as a clash",
            "Mend the parts.");
   }

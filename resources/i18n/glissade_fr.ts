@@ -8001,6 +8001,10 @@
 <context>
     <name>glissade::FitsController</name>
     <message>
+        <source>The fits cannot be found</source>
+        <translation>Les ajustements ne peuvent pas être trouvés</translation>
+    </message>
+    <message>
         <source>accept a clash</source>
         <translation>accepter une collision</translation>
     </message>
