@@ -115,7 +115,8 @@ class Message {
     shapes_.push_back(tessellate(solid.shape, deflection_, solid.placement.scale, solid.placement.mirrored));
     const std::string& part = solid.path.empty() ? rootName_ : solid.path;
     addNotes(healingNotes(shapes_.back(), entities, part));
-    addNotes(shapeNotes(solid.shape, shapes_.back(), part));
+    // Where faces are lost, the lines about the losses say why the part is open.
+    if (solid.losses == 0) addNotes(shapeNotes(solid.shape, shapes_.back(), part));
     shapes_.back().record.facesWithoutMesh += solid.losses;
     total_.vertices += shapes_.back().record.vertices;
     total_.triangles += shapes_.back().record.triangles;
